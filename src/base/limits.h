@@ -6,6 +6,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -57,5 +58,8 @@ inline void check_number_of_frames(int frames)
 /// Bytes of a JSON or XML document, and how deep its values may be nested.
 constexpr std::size_t largest_document = std::size_t(1) << 28;
 constexpr std::size_t deepest_document = 100;
+
+/// Bytes of memory that the values of a JSON document take, which are many times those of its text if values are short.
+constexpr std::uint64_t most_memory_of_values = std::uint64_t(2) << 30;
 
 } // namespace CGAL::Shape_correspondence::internal

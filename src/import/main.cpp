@@ -6,6 +6,7 @@
 // some make it take all memory.
 
 #include "io/read/model_stream.h"
+#include "io/read/text_words.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"
 
@@ -218,7 +219,8 @@ Model_content read_scene(const std::string& file, bool allows_outside)
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // they would be nodes of their own
   const aiScene* const scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
   if ((!scene || !scene->mRootNode) && !files->missing().empty())
-    throw Invalid_input("the file " + files->missing() + ", which it names, is not there; put it beside the model");
+    throw Invalid_input("the file " + cited_file(files->missing()) +
+                        ", which it names, is not there; put it beside the model");
   if (!scene || !scene->mRootNode) {
     const std::string why = importer.GetErrorString();
     throw Invalid_input("it cannot be read as a model of the format that its extension says" +

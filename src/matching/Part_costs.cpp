@@ -129,7 +129,7 @@ class Point_distances
 public:
   Point_distances(const Normalized_shape& from, const Normalized_shape& to);
 
-  // Of the points of a part from a part of the other shape.
+  // Of the points of a part from a part of the other shape that is in a union.
   Eigen::Map<const Eigen::ArrayXd> of(std::size_t part, std::size_t other) const
   {
     return {values_.data() + place(part, other), count(part)};
@@ -142,14 +142,12 @@ public:
   void set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared);
 
 private:
-  Eigen::Index place(std::size_t part, std::size_t other) const
-  {
-    return begin_[part] + Eigen::Index(other) * count(part);
-  }
+  Eigen::Index place(std::size_t part, std::size_t other) const { return begin_[part] + number_[other] * count(part); }
 
   const Normalized_shape& from_;
-  std::vector<Eigen::Index> begin_; // of the values of a part
-  Eigen::ArrayXd values_;
+  std::vector<Eigen::Index> begin_;  // of the values of a part
+  std::vector<Eigen::Index> number_; // of the other shape's parts in unions; -1 for those in none
+  Eigen::ArrayXd values_, scratch_;
   Eigen::MatrixXd sums_; // part × other part
 };
 
@@ -166,24 +164,33 @@ void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
   if (numbers.size() < count) numbers.resize(count);
 }
 
-// The values of a part begin at an even place, as they would in memory of their own: how Eigen adds numbers up depends
-// on the address of the first.
+// The values from parts in no union, which would take gigabytes for shapes of thousands of parts, are summed up only.
 Point_distances::Point_distances(const Normalized_shape& from, const Normalized_shape& to)
-    : from_(from), sums_(Eigen::Index(from.surfaces.size()), Eigen::Index(to.surfaces.size()))
+    : from_(from),
+      number_(to.surfaces.size(), -1),
+      sums_(Eigen::Index(from.surfaces.size()), Eigen::Index(to.surfaces.size()))
 {
-  Eigen::Index size = 0;
+  Eigen::Index kept = 0, size = 0, most = 0;
+  for (const std::vector<std::size_t>& parts : to.unions)
+    for (std::size_t part : parts)
+      if (number_[part] < 0) number_[part] = kept++;
   for (const Surface& surface : from.surfaces) {
     begin_.push_back(size);
-    size += (surface.rows() * sums_.cols() + 1) / 2 * 2;
+    size += surface.rows() * kept;
+    most = std::max(most, surface.rows());
   }
   values_.resize(size);
+  scratch_.resize(most + 1);
 }
 
+// How Eigen adds numbers up depends on the address of the first: it is even where it was as all values were kept.
 void Point_distances::set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared)
 {
-  Eigen::Map<Eigen::ArrayXd> distances(values_.data() + place(part, other), count(part));
-  distances = squared.head(count(part)).sqrt();
+  const Eigen::Index n = count(part);
+  Eigen::Map<Eigen::ArrayXd> distances(scratch_.data() + Eigen::Index(other) * n % 2, n);
+  distances = squared.head(n).sqrt();
   sums_(Eigen::Index(part), Eigen::Index(other)) = distances.sum();
+  if (number_[other] >= 0) Eigen::Map<Eigen::ArrayXd>(values_.data() + place(part, other), n) = distances;
 }
 
 Surface_distances::Surface_distances(const Normalized_shape& a, const Normalized_shape& b)

@@ -121,7 +121,7 @@ read_libraries(const Named_files& files, const std::vector<std::string>& stateme
     }
     for (const auto& [name, file] : libraries) {
       if (!file.fault.empty())
-        warnings.push_back("The materials of '" + name + "' were left out: it " + file.fault + ".");
+        warnings.push_back("The materials of " + cited_file(name) + " were left out: it " + file.fault + ".");
       Mtl_reader reader(file.bytes);
       result.merge(reader.read());
       if (reader.damaged_statements() > 0)
@@ -165,7 +165,7 @@ void load_textures(const Named_files& files, Model_content& content, std::vector
     if (fault.empty()) fault = fault_of_image(texture.bytes);
     if (fault.empty()) continue;
     texture.bytes.clear();
-    warnings.push_back("The texture '" + texture.name + "' was left out: it " + fault + ".");
+    warnings.push_back("The texture " + cited_file(texture.name) + " was left out: it " + fault + ".");
   }
   for (Surface_material& material : content.materials)
     if (material.texture >= 0 && (std::size_t(material.texture) >= content.textures.size() ||

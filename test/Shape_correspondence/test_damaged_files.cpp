@@ -201,6 +201,13 @@ TEST_CASE("Documents nested deeply are refused")
   }
 }
 
+TEST_CASE("Documents of more values than memory should have are refused before they are taken apart")
+{
+  for (const auto& [value, times] : {std::pair(R"({"":0},)", 11000000), {"[[[]]],", 10000000}, {R"("a",)", 21000000}})
+    CHECK_THAT(json_complaint("[" + repeated(value, std::size_t(times)) + "0]"), Contains("more than 2 GB of memory"));
+  CHECK_THAT(json_complaint("[" + repeated("0.12345,", 1000000) + "0]"), !Contains("memory"));
+}
+
 TEST_CASE("Whole numbers beyond their range, and a million parts, are refused")
 {
   std::ostringstream good;

@@ -140,7 +140,7 @@ TEST_CASE("A glTF whose buffer is not there: the message names it")
     "buffers": {"b": {"byteLength": 36, "type": "arraybuffer", "uri": "missing.bin"}}})";
   const Run result = run("graph " + quoted(folder.write("old.gltf", old)));
   CHECK(result.status == 1);
-  CHECK_THAT(result.error, Contains("missing.bin, which it names, is not there"));
+  CHECK_THAT(result.error, Contains("missing.bin', which it names, is not there"));
 }
 
 TEST_CASE("Bad usage ends with status 2 and a pointer to the help")

@@ -304,7 +304,7 @@ TEST_CASE("What is wrong in a glTF document is refused by its place")
   CHECK_THAT(refused_with("/extensionsRequired/0", "EXT_meshopt_compression"), Contains("EXT_meshopt_compression"));
   CHECK_THAT(refused_with("/scene", 1), Contains("scene is 1, but there are 1 scenes"));
   CHECK_THAT(refused_with("/scenes/0/nodes/0", 4294967296), Contains("scenes[0].nodes[0] is beyond"));
-  CHECK_THAT(refused_with("/scenes/0/nodes/1", 0), Contains("nodes[0] is in the tree"));
+  CHECK_THAT(refused_with("/scenes/0/nodes/1", 0), Contains("scenes[0].nodes has more nodes than there are"));
   CHECK_THAT(refused_with("/nodes/0/children", json::array({0})), Contains("nodes[0] is in the tree"));
   CHECK_THAT(refused_with("/nodes/0/mesh", -1), Contains("nodes[0].mesh is -1"));
   CHECK_THAT(refused_with("/nodes/0/matrix", {1, 2}), Contains("a matrix of 16 numbers"));
@@ -338,11 +338,43 @@ TEST_CASE("What is wrong in a glTF document is refused by its place")
   CHECK_THAT(with_buffer("data:application/octet-stream;base64,AAAA"), Contains("only 3"));
   CHECK_THAT(with_buffer("data:application/octet-stream;base64,A*AA"), Contains("only 0"));
   CHECK_THAT(with_buffer("data:,AAAA"), Contains("only 0"));
-  CHECK_THAT(with_buffer("missing.bin"), Contains("missing.bin, which it names, is not there"));
+  CHECK_THAT(with_buffer(std::string("a\0b", 3)), Contains("'a?b', which it names, is not there"));
+  CHECK_THAT(with_buffer(std::string(100000, 'a')), Contains("aaa...', which it names"));
+  CHECK_THAT(with_buffer("missing.bin"), Contains("'missing.bin', which it names, is not there"));
   CHECK_THAT(refused(tetrahedron().document.dump()), Contains("0 buffers"));
   Model infinite = tetrahedron();
   infinite.bytes.replace(0, 4, std::string("\0\0\x80\x7F", 4));
   CHECK_THAT(complaint([&] { infinite.read(); }), Contains("'seat'") && Contains("finite"));
+}
+
+TEST_CASE("Nodes in a circle are refused, also where no scene leads to them")
+{
+  Model model = tetrahedron();
+  model.document["nodes"].push_back({{"mesh", 0}, {"children", {2}}});
+  model.document["nodes"].push_back({{"mesh", 0}, {"children", {1}}});
+  CHECK(model.read().parts().size() == 1);
+  model.document.erase("scenes");
+  CHECK_THAT(refused(model.glb()), Contains("nodes[1] is in itself"));
+  model.document["nodes"][0]["children"] = {1};
+  CHECK_THAT(refused(model.glb()), Contains("nodes[1] is in the tree"));
+}
+
+TEST_CASE("What a glTF file claims or lists beyond what is in it takes no memory")
+{
+  Model model = tetrahedron();
+  const int indices = model.view(std::vector<std::uint16_t>{1}), values = model.view(std::vector<float>{1, 0, 0});
+  json& points = model.document["accessors"][0];
+  points.erase("bufferView");
+  points["sparse"] = {{"count", 1},
+                      {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                      {"values", {{"bufferView", values}}}};
+  points["count"] = 1000000;
+  CHECK(refused(model.glb()).empty());
+  points["count"] = 33000000;
+  CHECK_THAT(refused(model.glb()), Contains("accessors[0] has 33000000 elements, of which only 1"));
+  CHECK_THAT(refused_with("/scenes/0/nodes", std::vector<int>(100000)), Contains("more nodes than there are"));
+  CHECK_THAT(refused(R"({"asset": {"version": "2.0"}})" + std::string(std::size_t(256) << 20, ' ')),
+             Contains("longer than 256 MB") && Contains("save it as GLB"));
 }
 
 TEST_CASE("A small glTF file that uses a mesh very often is refused within moments")

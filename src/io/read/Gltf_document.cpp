@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/read/Gltf_document.h"
+#include "base/limits.h"
 #include "io/read/named_files.h"
 #include "io/read/text_words.h"
 
@@ -17,7 +18,8 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::uint64_t most_numbers =
-    200'000'000; // of ten million triangles: three corners each, and what they are of
+    200'000'000;                              // of ten million triangles: three corners each, and what they are of
+constexpr std::size_t most_zeros = 1'000'000; // elements of an accessor that the file says nothing of
 const char* const version_1 = "glTF 1.0";
 
 template <typename Number>
@@ -85,6 +87,9 @@ Gltf_document::Gltf_document(std::string_view text, const std::string& file, con
 {
   if (begins_with(text, "glTF")) split_glb();
   if (!needs_.empty()) return;
+  if (text_.size() > internal::largest_document)
+    throw Invalid_input(file_ + ": its JSON is longer than " + std::to_string(internal::largest_document >> 20) +
+                        " MB; save it as GLB, whose numbers are no text");
   root_ = parse_json(text_, file_);
   const Json_field number = (*root_)["asset"]["version"];
   const std::string version = number.is_text() ? number.text() : "1.0"; // of old files, a number
@@ -102,10 +107,11 @@ void Gltf_document::split_glb()
   constexpr std::uint32_t json = 0x4E4F534A, binary = 0x004E4942;
   const auto cut_off = [&] { return Invalid_input(file_ + ": it cannot be read as GLB: it is cut off, or damaged"); };
   if (text_.size() < header + chunk_header) throw cut_off();
-  if (number_in<std::uint32_t>(text_.data() + 4) == 1) {
-    needs_ = version_1;
-    return;
-  }
+  const std::uint32_t version = number_in<std::uint32_t>(text_.data() + 4);
+  if (version == 1) needs_ = version_1;
+  if (version == 1) return;
+  if (version != 2)
+    throw Invalid_input(file_ + ": it is GLB of version " + std::to_string(version) + "; save it as glTF 2.0");
   const std::size_t length = number_in<std::uint32_t>(text_.data() + 8);
   if (length < header || length > text_.size()) throw cut_off();
   std::string_view rest = text_.substr(header, length - header);
@@ -188,7 +194,8 @@ std::string Gltf_document::load(const Json_field& buffer)
   if (std::optional<std::string> data = data_of_uri(uri)) return std::move(*data);
   Named_file file = Named_files(file_, options_, largest_model, rest_of_files_).read(uri);
   if (file.fault.empty()) return std::move(file.bytes);
-  throw Invalid_input(file_ + ": the file " + uri + ", which it names, " + file.fault + "; put it beside the model");
+  throw Invalid_input(file_ + ": the file " + cited_file(uri) + ", which it names, " + file.fault +
+                      "; put it beside the model");
 }
 
 std::string_view Gltf_document::buffer(std::size_t index)
@@ -263,6 +270,15 @@ void Gltf_document::replace_sparse(const Json_field& sparse, const Component& co
   }
 }
 
+Eigen::MatrixXd Gltf_document::zeros(const Json_field& accessor, std::size_t components, std::size_t count)
+{
+  const std::size_t given = number_at(accessor["sparse"], "count", 0);
+  if (count > most_zeros && count - most_zeros > given)
+    accessor.fail("has " + std::to_string(count) + " elements, of which only " + std::to_string(given) +
+                  " are in the file; save the model without sparse accessors");
+  return Eigen::MatrixXd::Zero(Eigen::Index(components), Eigen::Index(count));
+}
+
 Eigen::MatrixXd Gltf_document::numbers(const Json_field& accessor_reference, std::initializer_list<const char*> types)
 {
   const Json_field& accessor = element("accessors", accessor_reference);
@@ -278,7 +294,7 @@ Eigen::MatrixXd Gltf_document::numbers(const Json_field& accessor_reference, std
   if (accessor.has("bufferView"))
     result = decode(accessor, component, is_normalized, components, elements);
   else if (accessor.has("sparse"))
-    result.setZero(Eigen::Index(components), Eigen::Index(elements));
+    result = zeros(accessor, components, elements);
   else
     accessor.fail("has no bufferView; if the model is compressed, save it without compression");
   if (accessor.has("sparse")) replace_sparse(accessor["sparse"], component, is_normalized, result);

@@ -62,6 +62,7 @@ private:
   std::string load(const Json_field& buffer);
   Eigen::MatrixXd decode(const Json_field& place, const Component& component, bool is_normalized,
                          std::size_t components, std::size_t count);
+  static Eigen::MatrixXd zeros(const Json_field& accessor, std::size_t components, std::size_t count);
   void replace_sparse(const Json_field& sparse, const Component& component, bool is_normalized, Eigen::MatrixXd& all);
 
   std::string_view text_, binary_; ///< the document, and the bytes that follow it in a GLB file

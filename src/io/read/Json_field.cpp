@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <new>
 
@@ -19,7 +20,7 @@ namespace CGAL::Shape_correspondence::IO {
 
 void Json_field::fail(const std::string& what) const
 {
-  throw Invalid_input(file_ + ": " + (place_.empty() ? "the document" : place_) + " " + what);
+  throw Invalid_input(*file_ + ": " + (place_.empty() ? "the document" : place_) + " " + what);
 }
 
 bool Json_field::has(const std::string& key) const
@@ -176,12 +177,25 @@ Points Json_field::points(std::size_t size, const char* meaning) const
 
 namespace {
 
+/// Bytes of memory that the values of a document take, with what lists that grow leave behind.
+std::uint64_t memory_of_values(std::string_view text)
+{
+  constexpr std::uint64_t of_value = 40, of_list = 64, of_object = 96, of_quote = 32;
+  std::uint64_t result = of_value;
+  for (char c : text)
+    result += c == ',' ? of_value : c == '[' ? of_list : c == '{' ? of_object : c == '"' ? of_quote : 0;
+  return result;
+}
+
 /// Throws `std::bad_alloc` if there is not the memory for the values of a document. The parser cannot: it needs memory
 /// to take down again what it has built.
-void check_memory(std::string_view text)
+void check_memory(std::string_view text, const std::string& file)
 {
-  constexpr std::size_t size_of_value = 128; // bytes, with what lists that grow leave behind
-  ::operator delete(::operator new(size_of_value*(1 + std::size_t(std::count(text.begin(), text.end(), ',')))));
+  const std::uint64_t bytes = memory_of_values(text);
+  if (bytes > internal::most_memory_of_values)
+    throw Invalid_input(file + ": its values would take more than " +
+                        std::to_string(internal::most_memory_of_values >> 30) + " GB of memory; divide it");
+  ::operator delete(::operator new(std::size_t(bytes)));
 }
 
 } // namespace
@@ -190,9 +204,10 @@ Json_field parse_json(std::string_view text, const std::string& file)
 {
   if (text.empty()) throw Invalid_input(file + ": the file is empty");
   check_json_depth(text, file);
-  check_memory(text);
+  check_memory(text, file);
   try {
-    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text.begin(), text.end())), file, ""};
+    return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text.begin(), text.end())),
+            std::make_shared<const std::string>(file), ""};
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what(); // after the name of the exception, in brackets
     throw Invalid_input(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")");

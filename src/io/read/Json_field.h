@@ -52,9 +52,10 @@ private:
   friend Json_field parse_json(std::string_view text, const std::string& file);
 
   using Value = std::shared_ptr<const nlohmann::json>; ///< keeps the whole document
+  using File = std::shared_ptr<const std::string>;     ///< its name; there may be millions of fields
 
-  Json_field(Value value, const std::string& file, std::string place)
-      : value_(std::move(value)), file_(file), place_(std::move(place))
+  Json_field(Value value, File file, std::string place)
+      : value_(std::move(value)), file_(std::move(file)), place_(std::move(place))
   {}
 
   Json_field at(const nlohmann::json& value, std::string place) const
@@ -65,7 +66,7 @@ private:
   void check_size(std::size_t size, const char* meaning) const;
 
   Value value_;
-  std::string file_;
+  File file_;
   std::string place_;
 };
 

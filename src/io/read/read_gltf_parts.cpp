@@ -156,33 +156,38 @@ private:
   std::vector<std::size_t> children(const Json_field& parent, const char* key)
   {
     std::vector<std::size_t> result;
-    if (parent.has(key))
-      for (const Json_field& child : parent[key].elements())
-        result.push_back(document_.index("nodes", child));
+    if (!parent.has(key)) return result;
+    const Json_field list = parent[key];
+    if (list.size() > document_.list("nodes").size()) list.fail("has more nodes than there are");
+    for (const Json_field& child : list.elements())
+      result.push_back(document_.index("nodes", child));
     return result;
   }
-
   /// Each, then those in it, in their order; without recursion, since a tree may be deep.
   void visit_nodes()
   {
     const std::vector<Json_field>& nodes = document_.list("nodes");
-    std::vector<bool> visited(nodes.size());
+    std::vector<bool> added(nodes.size());
     std::vector<std::pair<std::size_t, Transform>> open;
     const auto add = [&](const std::vector<std::size_t>& indices, const Transform& parent) {
-      for (auto i = indices.rbegin(); i != indices.rend(); ++i)
+      for (auto i = indices.rbegin(); i != indices.rend(); ++i) {
+        if (added[*i]) nodes[*i].fail("is in the tree of nodes twice, or in itself");
+        added[*i] = true;
         open.emplace_back(*i, parent);
+      }
     };
     add(roots(), Transform::Identity());
     while (!open.empty()) {
       const auto [index, parent] = open.back();
       open.pop_back();
       const Json_field& node = nodes[index];
-      if (visited[index]) node.fail("is in the tree of nodes twice, or in itself");
-      visited[index] = true;
       const Transform to_world = parent * transform_of(node);
       if (node.has("mesh")) add_part(node, to_world);
       add(children(node, "children"), to_world);
     }
+    if (!document_.list("scenes").empty()) return; // nodes may be in no scene
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!added[i]) nodes[i].fail("is in itself, or in one that is");
   }
 
   void add_part(const Json_field& node, const Transform& to_world)
@@ -216,6 +221,7 @@ private:
       corner = vertices[corner];
     add_looks(looks_of(primitive, attributes, corners, points.cols()), corners.size() / 3, part.corners.size() / 3,
               part.appearance);
+    if (part.corners.empty()) part.corners.reserve(corners.size());
     for (std::size_t corner : corners)
       part.corners.push_back(to_world * Point(points.col(Eigen::Index(corner))));
   }

@@ -234,9 +234,10 @@ Model_objects read_objects(const std::string& path, const Point& up, const Readi
   std::size_t number_left_out = 0;
   for (std::size_t i = 0; i < content.parts.size(); ++i) {
     const std::string file = files[is_folder ? i : 0].string();
-    if (add_part(file, content.parts[i], result)) continue;
+    const Model_part part = std::move(content.parts[i]); // whose memory is free for the next ones
+    if (add_part(file, part, result)) continue;
     if (is_folder) throw Invalid_input(file + ": all triangles have zero area; remove the file or give it a surface");
-    left_out = content.parts[i].name;
+    left_out = part.name;
     ++number_left_out;
   }
   if (result.shape.parts().empty())

@@ -52,11 +52,19 @@ bool parse(std::string_view word, Number& number)
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// A word of a file as messages quote it; a long one is cut.
-inline std::string cited(std::string_view word)
+/// A word of a file as messages quote it; a long one is cut, and a message would end at a character 0.
+inline std::string cited(std::string_view word, std::size_t longest = 40)
 {
-  constexpr std::size_t longest = 40;
-  return "'" + std::string(word.substr(0, longest)) + (word.size() > longest ? "...'" : "'");
+  std::string begin(word.substr(0, longest));
+  std::replace(begin.begin(), begin.end(), '\0', '?');
+  return "'" + begin + (word.size() > longest ? "...'" : "'");
+}
+
+/// The same for a name of a file.
+inline std::string cited_file(std::string_view name)
+{
+  constexpr std::size_t longest_path = 255;
+  return cited(name, longest_path);
 }
 
 } // namespace CGAL::Shape_correspondence::IO
