@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-// Memory is aligned as on systems of 64 bits, by 16 bytes; Emscripten's own is by 8. By the alignment, Eigen chooses which
-// numbers of an array it adds up first, so results would have other last digits.
+// Memory is aligned as on systems of 64 bits, by 16 bytes; Emscripten's own is by 8. By the alignment, Eigen chooses
+// which numbers of an array it adds up first, so results would have other last digits.
 
 void* operator new(std::size_t size)
 {

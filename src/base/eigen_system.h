@@ -21,8 +21,8 @@ Eigen_system eigen_system(const Eigen::Matrix3d& symmetric);
 /// Orthogonal eigenvectors of a symmetric matrix, that of the lesser eigenvalue first.
 Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric);
 
-/// The sum of p pᵀ over points p, one after the other. Eigen's product of many points adds up blocks of them, whose size
-/// depends on the processor's caches, and so would the last bits of results.
+/// The sum of p pᵀ over points p, one after the other. Eigen's product of many points adds up blocks of them, whose
+/// size depends on the processor's caches, and so would the last bits of results.
 Eigen::Matrix3d scatter_matrix(const Points& points);
 
 } // namespace CGAL::Shape_correspondence::internal

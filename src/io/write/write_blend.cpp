@@ -24,10 +24,10 @@ const char* task_name(Blend_task_type type)
   return names[int(type)];
 }
 
-const char* obstacle_name(Blend_obstacle exchange)
+const char* obstacle_name(Blend_obstacle obstacle)
 {
   static constexpr const char* names[] = {"", "torn", "thin", "unlike"};
-  return names[int(exchange)];
+  return names[int(obstacle)];
 }
 
 /// Adds the names of parts, if there are any.
