@@ -4,14 +4,15 @@
 #include "abstraction/reproducible_flow.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -22,30 +23,31 @@ using Flow_vertex = boost::graph_traits<Flow_mesh>::vertex_descriptor;
 using Delaunay_vertex = CGAL::Triangulation_vertex_base_with_info_3<Flow_vertex, Mesh_kernel>;
 using Delaunay_cell = CGAL::Delaunay_triangulation_cell_base_3<Mesh_kernel>;
 using Delaunay =
-    CGAL::Delaunay_triangulation_3<Mesh_kernel,
-                                   CGAL::Triangulation_data_structure_3<Delaunay_vertex, Delaunay_cell>>;
+    CGAL::Delaunay_triangulation_3<Mesh_kernel, CGAL::Triangulation_data_structure_3<Delaunay_vertex, Delaunay_cell>>;
 
-/// The greatest number that is not above an exact one. Number types round in ways of their own.
-double rounded_down(const Exact_rational& exact)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  double result = CGAL::to_double(exact);
-  while (exact < Exact_rational(result))
-    result = std::nextafter(result, -infinity);
-  for (double next; Exact_rational(next = std::nextafter(result, infinity)) <= exact;)
-    result = next;
-  return result;
-}
-
+/// By Cramer's rule, relative to a corner.
 Point exact_circumcentre(const Delaunay::Cell& cell)
 {
-  using Kernel = CGAL::Simple_cartesian<Exact_rational>;
-  const auto corner = [&](int i) {
+  using Number = boost::multiprecision::cpp_rational; // rounds alike everywhere, unlike the numbers of GMP
+  using Vector = std::array<Number, 3>;
+  const auto corner = [&](int i) -> Vector {
     const Mesh_point& p = cell.vertex(i)->point();
-    return Kernel::Point_3(p.x(), p.y(), p.z());
+    return {Number(p.x()), Number(p.y()), Number(p.z())};
   };
-  const Kernel::Point_3 centre = CGAL::circumcenter(corner(0), corner(1), corner(2), corner(3));
-  return {rounded_down(centre.x()), rounded_down(centre.y()), rounded_down(centre.z())};
+  const auto from_to = [](const Vector& p, const Vector& q) -> Vector {
+    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  };
+  const auto dot = [](const Vector& u, const Vector& v) -> Number { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+  const auto cross = [](const Vector& u, const Vector& v) -> Vector {
+    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  };
+  const Vector p = corner(0), a = from_to(p, corner(1)), b = from_to(p, corner(2)), c = from_to(p, corner(3));
+  const Vector b_c = cross(b, c), c_a = cross(c, a), a_b = cross(a, b);
+  const Number aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), twice = 2 * dot(a, b_c);
+  Point result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[Eigen::Index(i)] = Number(p[i] + (aa * b_c[i] + bb * c_a[i] + cc * a_b[i]) / twice).convert_to<double>();
+  return result;
 }
 
 /// Equal on all machines: floating-point operations rounded to nearest, and exact ones where those are not enough.
