@@ -111,7 +111,7 @@ Eigen::Matrix3d Retreating_part::scale(double remaining) const
 {
   constexpr double little = 0.3;
   const Eigen::Matrix3d others = Eigen::Matrix3d::Identity() - vanishing_ - staying_;
-  const double left = thins_ ? std::sqrt(remaining) : remaining; // quickly out of what would be as thin as a hair
+  const double left = thins_ ? std::cbrt(remaining) : remaining; // quickly out of what would be as thin as a hair
   return left * vanishing_ + std::min(1., remaining / little) * others + staying_;
 }
 

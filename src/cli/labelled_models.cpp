@@ -3,12 +3,14 @@
 
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
+#include "cli/run.h"
 #include "io/read/Json_field.h"
 #include "roles/Role_trainer.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/train_role_model.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -79,6 +81,30 @@ std::vector<Labelled_graph> labelled_graphs(const std::vector<Labelled_model>& m
   return result;
 }
 
+/// The shapes, folders with `parts/`, of a folder of SHAPE/ or CATEGORY/SHAPE/ that have no labels.
+void find_unlabelled(const fs::path& folder, int depth, std::vector<std::string>& shapes)
+{
+  constexpr int deepest = 2; // as `read_part_labels()`
+  if (!fs::is_directory(folder) || fs::exists(folder / "labels.json")) return;
+  if (fs::is_directory(folder / "parts"))
+    shapes.push_back(folder.string());
+  else if (depth < deepest)
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      find_unlabelled(entry.path(), depth + 1, shapes);
+}
+
+/// Says how many shapes without labels there are in folders, and which is the first. Empty: none.
+std::string unlabelled_shapes(const std::vector<std::string>& folders)
+{
+  std::vector<std::string> shapes;
+  for (const std::string& folder : folders)
+    find_unlabelled(folder, 0, shapes);
+  if (shapes.empty()) return "";
+  const std::string first = *std::min_element(shapes.begin(), shapes.end());
+  return std::to_string(shapes.size()) + (shapes.size() == 1 ? " shape has" : " shapes have") + " no labels.json and " +
+         (shapes.size() == 1 ? "is" : "are") + " left out: " + first + (shapes.size() == 1 ? "" : " and others");
+}
+
 } // namespace
 
 std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options)
@@ -133,6 +159,9 @@ Trained_roles train_roles(const Role_training& training, const Common_options& o
       for (Labelled_model& model : load_labelled_models(folder, options))
         result.models.push_back(std::move(model));
   };
+  std::vector<std::string> folders = training.folders;
+  folders.insert(folders.end(), training.generated.begin(), training.generated.end());
+  if (const std::string left_out = unlabelled_shapes(folders); !left_out.empty()) warn(options, left_out);
   load(training.folders);
   result.number_of_real = result.models.size();
   const std::vector<Pair> pairs = listed_pairs(result.models, training.most_pairs);

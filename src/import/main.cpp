@@ -6,6 +6,7 @@
 // some make it take all memory.
 
 #include "io/read/model_stream.h"
+#include "io/read/repeated_triangles.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"
@@ -18,6 +19,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -28,10 +30,11 @@
 #include <sys/prctl.h>
 #endif
 
-#if defined(__SANITIZE_ADDRESS__)
+// Sanitizers reserve terabytes
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SHAPE_CORRESPONDENCE_SHADOW_MEMORY
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define SHAPE_CORRESPONDENCE_SHADOW_MEMORY
 #endif
 #endif
@@ -55,7 +58,8 @@ Transform transform_of(const aiNode& node)
 class Scene_reader
 {
 public:
-  explicit Scene_reader(const aiScene& scene) : scene_(scene) {}
+  /// \param bytes of the file, or as many triangles as its meshes have
+  Scene_reader(const aiScene& scene, std::uint64_t bytes) : scene_(scene), bytes_(bytes) {}
 
   /// \param are_linear whether colours are linear light, not as screens have them
   Model_content read(bool are_linear)
@@ -130,6 +134,8 @@ private:
 
   void add_mesh(const aiMesh& mesh, const Transform& to_world, Model_part& part)
   {
+    triangles_ += mesh.mNumFaces;
+    if (are_repeated_too_often(triangles_, bytes_)) throw Invalid_input(repeated_too_often);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices != 3) { // points and lines; polygons are triangles by now
@@ -176,6 +182,7 @@ private:
   }
 
   const aiScene& scene_;
+  std::uint64_t bytes_, triangles_ = 0;
   Model_content content_;
 };
 
@@ -210,6 +217,15 @@ private:
   bool allows_outside_;
 };
 
+/// Those of all meshes; bytes tell nothing of glTF that is compressed, or has its buffers in other files.
+std::uint64_t triangles_of(const aiScene& scene)
+{
+  std::uint64_t result = 0;
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i)
+    result += scene.mMeshes[i]->mNumFaces;
+  return result;
+}
+
 Model_content read_scene(const std::string& file, bool allows_outside)
 {
   Assimp::Importer importer;
@@ -227,7 +243,9 @@ Model_content read_scene(const std::string& file, bool allows_outside)
                         (why.empty() ? "" : " (" + why + ")"));
   }
   const std::string extension = lower_extension(file);
-  Model_content content = Scene_reader(*scene).read(extension == ".gltf" || extension == ".glb");
+  const bool is_gltf = extension == ".gltf" || extension == ".glb";
+  Model_content content =
+      Scene_reader(*scene, is_gltf ? triangles_of(*scene) : std::filesystem::file_size(file)).read(is_gltf);
   if (content.parts.empty()) throw Invalid_input("there is no triangle in it; a model needs a mesh for every part");
   return content;
 }

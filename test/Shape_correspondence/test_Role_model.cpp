@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <random>
 #include <sstream>
@@ -100,6 +101,9 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
     CHECK_THROWS_WITH(IO::read_role_model(folder.path("damaged.roles")), Contains("damaged.roles"));
   }
   CHECK_THROWS_WITH(IO::read_role_model(folder.path("none.roles")), Contains("no such file"));
+  std::filesystem::resize_file(folder.path("damaged.roles"), (std::uintmax_t(256) << 20) + 1);
+  CHECK_THROWS_WITH(IO::read_role_model(folder.path("damaged.roles")),
+                    Contains("damaged.roles") && Contains("longer than 256 MB"));
 
   // What no digest guards
   const std::string whole = bytes(model);

@@ -325,3 +325,22 @@ TEST_CASE("A small COLLADA file of a thousand million instances is an error with
 </COLLADA>)");
   CHECK(!read_complaint(file).empty());
 }
+
+TEST_CASE("A COLLADA file of many instances of one mesh is refused with what to do")
+{
+  constexpr int triangles = 1500, nodes = 1990;
+  const Temporary_folder folder;
+  const std::string file = folder.write(
+      "a.dae",
+      R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/>
+</vertices><triangles count=")" +
+          std::to_string(triangles) + R"("><input semantic="VERTEX" source="#v" offset="0"/><p>)" +
+          repeated("0 1 2 ", triangles) +
+          R"(</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id="s">)" +
+          repeated("<node><instance_geometry url=\"#g\"/></node>\n", nodes) +
+          R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)");
+  CHECK_THAT(read_complaint(file), Contains("a.dae") && Contains("use the same meshes") && Contains("simplify"));
+}

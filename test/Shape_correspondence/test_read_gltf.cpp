@@ -390,7 +390,7 @@ TEST_CASE("A small glTF file that uses a mesh very often is refused within momen
   model.bytes.resize(model.bytes.size() + 10000, '\0');
   model.document["bufferViews"][1]["byteLength"] = 8000;
   const auto begin = std::chrono::steady_clock::now();
-  CHECK_THAT(refused(model.glb()), Contains("200 million"));
+  CHECK_THAT(refused(model.glb()), Contains("use the same meshes"));
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
   model = tetrahedron();
   const json primitive = model.document["meshes"][0]["primitives"][0];
@@ -399,6 +399,29 @@ TEST_CASE("A small glTF file that uses a mesh very often is refused within momen
     model.document["nodes"].push_back({{"children", {i + 1}}});
   model.document["nodes"].push_back({{"mesh", 0}});
   CHECK(model.read().parts().size() == 1);
+}
+
+TEST_CASE("Meshes that nodes repeat make a million triangles more than there are bytes at most")
+{
+  constexpr std::size_t nodes = 1990;
+  const auto with_triangles = [&](std::size_t triangles, std::size_t bytes) {
+    Model model = tetrahedron();
+    std::vector<std::uint16_t> indices;
+    while (indices.size() < 3 * triangles)
+      indices.insert(indices.end(), {0, 2, 1});
+    model.document["meshes"][0]["primitives"][0]["indices"] = model.accessor(indices, 1);
+    model.document["nodes"] = std::vector<json>(nodes, {{"mesh", 0}});
+    std::vector<std::size_t> all(nodes);
+    std::iota(all.begin(), all.end(), 0);
+    model.document["scenes"][0]["nodes"] = all;
+    model.bytes.resize(model.bytes.size() + bytes);
+    return refused(model.glb());
+  };
+  CHECK(with_triangles(500, 0).empty());
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK_THAT(with_triangles(4000, 0), Contains("input.glb") && Contains("use the same meshes") && Contains("simplify"));
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+  CHECK(with_triangles(1000, 1000000).empty()); // as large as a file that repeats nothing
 }
 
 TEST_CASE("A GLB file that is cut off is refused, and one with any byte changed is read or refused")

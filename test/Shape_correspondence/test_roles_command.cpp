@@ -81,6 +81,37 @@ TEST_CASE("The command roles")
   CHECK(run("roles --help").out.find("roles train FOLDER") != std::string::npos);
 }
 
+TEST_CASE("Shapes without labels are left out of training with a warning, and none is not enough")
+{
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const Temporary_folder folder;
+  namespace fs = std::filesystem;
+  for (const std::string name : {"chair_four_legged", "stool"})
+    for (const std::string category : {"a/", "b/"}) {
+      fs::create_directories(folder.path("set/" + category));
+      fs::copy(data + "/" + name, folder.path("set/" + category + name), fs::copy_options::recursive);
+    }
+  const std::string train =
+      "roles train " + folder.path("set") + " --abstraction boxes --trees 5 --output " + folder.path("a.roles");
+  CHECK(run(train).error.find("labels.json") == std::string::npos);
+  fs::remove(folder.path("set/b/stool/labels.json"));
+  const Run one = run(train);
+  CHECK(one.status == 0);
+  CHECK_THAT(one.error, Contains("1 shape has no labels.json") && Contains("set/b/stool"));
+  fs::remove(folder.path("set/a/stool/labels.json"));
+  const Run two = run(train);
+  CHECK(two.status == 0);
+  CHECK_THAT(two.error, Contains("2 shapes have no labels.json") && Contains("set/a/stool"));
+  CHECK(run(train + " --quiet").error.empty());
+  for (const std::string category : {"a", "b"})
+    fs::remove(folder.path("set/" + category + "/chair_four_legged/labels.json"));
+  fs::remove(folder.path("a.roles"));
+  const Run none = run(train + " --quiet");
+  CHECK(none.status == 1);
+  CHECK_THAT(none.error, Contains("there is no labels.json") && Contains(folder.path("set")));
+  CHECK(!fs::exists(folder.path("a.roles")));
+}
+
 TEST_CASE("The shipped model knows the models of the package, and the program matches with it")
 {
   const auto model = IO::shipped_role_model();

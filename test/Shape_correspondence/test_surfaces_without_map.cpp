@@ -321,8 +321,8 @@ TEST_CASE("A part without counterpart draws back into what carries it")
   CHECK(is_box(box_when(shelf, {{0, 0, -0.5}, {0, 0, 0.5}}, 0.5), {-0.25, -0.05, -0.5}, {0.25, 0.05, 0}));
   // A rod between two parts thins, as does what alone joins two: not evenly, as hairs are not to be seen for long
   const Part_mesh rail = box_shapes::box({0, 0, 0}, {1, 0.1, 0.1});
-  CHECK(is_box(box_when(rail, {{-0.5, 0, 0}, {0.5, 0, 0}}, 0.25), {-0.5, -0.025, -0.025}, {0.5, 0.025, 0.025}));
-  CHECK(is_box(box_when(board, {{0, 0, 0}, {0, 1, 0}}, 0.25, true), {-0.125, 0, -0.025}, {0.125, 1, 0.025}));
+  CHECK(is_box(box_when(rail, {{-0.5, 0, 0}, {0.5, 0, 0}}, 0.125), {-0.5, -0.025, -0.025}, {0.5, 0.025, 0.025}));
+  CHECK(is_box(box_when(board, {{0, 0, 0}, {0, 1, 0}}, 0.125, true), {-0.125, 0, -0.025}, {0.125, 1, 0.025}));
   // A wheel into its hub as a whole
   CHECK(box_when(box_shapes::box({0, 0, 0}, {1, 1, 0.1}), {{0, 0, 0}}, 0.5).sizes().isApprox(Point(0.5, 0.5, 0.05)));
 }

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/document.h"
 #include "io/read/shipped_roles.h"
 #include "io/system/checked_file.h"
 #include "io/system/input_file.h"
@@ -38,9 +39,7 @@ void write_role_model(const std::string& path, const Role_model& model)
 Role_model read_role_model(const std::string& path)
 {
   std::ifstream in = open_input(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::optional<std::string> content = checked_content(text.str(), model_title);
+  const std::optional<std::string> content = checked_content(read_document(in, path), model_title);
   if (!content)
     throw Invalid_input(path +
                         ": it is not a role model, or it is damaged; `shape_correspondence roles train` makes one");

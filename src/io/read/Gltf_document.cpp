@@ -4,6 +4,7 @@
 #include "io/read/Gltf_document.h"
 #include "base/limits.h"
 #include "io/read/named_files.h"
+#include "io/read/repeated_triangles.h"
 #include "io/read/text_words.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -176,6 +177,15 @@ void Gltf_document::count(const Json_field& place, std::uint64_t numbers)
   if (counted_ > most_numbers)
     place.fail("is too much: the meshes have more than 200 million numbers, counted as often as nodes use them; "
                "simplify the model, or cut it into parts");
+}
+
+void Gltf_document::count_triangles(std::uint64_t triangles)
+{
+  triangles_ += triangles;
+  std::uint64_t bytes = text_.size() + binary_.size();
+  for (const auto& [index, data] : loaded_)
+    bytes += data.size();
+  if (are_repeated_too_often(triangles_, bytes)) throw Invalid_input(file_ + ": " + repeated_too_often);
 }
 
 std::optional<std::string> Gltf_document::data_of_uri(std::string_view uri)

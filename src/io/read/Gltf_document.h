@@ -52,6 +52,9 @@ public:
   /// Counts numbers that are read or made, since a small file may use a mesh many times.
   void count(const Json_field& place, std::uint64_t numbers);
 
+  /// Counts triangles, of which there are far more than bytes only where nodes use the same mesh.
+  void count_triangles(std::uint64_t triangles);
+
 private:
   struct Component;
 
@@ -73,7 +76,7 @@ private:
   std::map<std::string, std::vector<Json_field>> lists_;
   std::map<std::size_t, std::string> loaded_; ///< buffers, by index
   std::uintmax_t rest_of_files_ = largest_model;
-  std::uint64_t counted_ = 0;
+  std::uint64_t counted_ = 0, triangles_ = 0;
 };
 
 } // namespace CGAL::Shape_correspondence::IO

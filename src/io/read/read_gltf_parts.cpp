@@ -217,6 +217,7 @@ private:
     }
     std::vector<std::size_t> corners = corners_of(mode, vertices.size());
     document_.count(primitive, numbers_of_corner * corners.size());
+    document_.count_triangles(corners.size() / 3);
     for (std::size_t& corner : corners)
       corner = vertices[corner];
     add_looks(looks_of(primitive, attributes, corners, points.cols()), corners.size() / 3, part.corners.size() / 3,
