@@ -43,13 +43,3 @@ private:
     return (std::min)(edge.halfedge()->id(), edge.halfedge()->opposite()->id());
   }
 };
-
-namespace CGAL {
-
-/// The library's own poles are midpoints of intervals, known to five digits, which depend on how the machine rounds;
-/// the flow magnifies the difference. These are equal on all machines.
-template <>
-void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
-                                         Shape_correspondence::internal::Flow_traits>::compute_voronoi_pole();
-
-} // namespace CGAL
