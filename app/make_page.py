@@ -4,14 +4,18 @@
 """Makes one file of the page, the program as a WebAssembly module, and the models of data/; the same bytes from the same files.
 
   make_page.py MODULE.js VIEWER.js DATA OUTPUT.html
+
+Needs `zopfli`, which packs better than gzip what browsers unpack alike.
 """
 import base64
-import gzip
 import hashlib
 import json
 import os
 import re
+import shutil
+import subprocess
 import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -32,7 +36,11 @@ def policy_of(text):
 
 
 def packed(data):
-    return base64.b64encode(gzip.compress(data, 9, mtime=0)).decode()
+    program = shutil.which("zopfli") or sys.exit("make_page.py: zopfli is missing; scripts/install_packages zopfli installs it")
+    with tempfile.NamedTemporaryFile() as file:
+        file.write(data)
+        file.flush()
+        return base64.b64encode(subprocess.run([program, "--i5", "-c", file.name], check=True, stdout=subprocess.PIPE).stdout).decode()
 
 
 def differences(numbers):

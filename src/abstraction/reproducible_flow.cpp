@@ -6,13 +6,12 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
 
 #include <Eigen/Geometry>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,44 +24,29 @@ using Delaunay_cell = CGAL::Delaunay_triangulation_cell_base_3<Mesh_kernel>;
 using Delaunay =
     CGAL::Delaunay_triangulation_3<Mesh_kernel, CGAL::Triangulation_data_structure_3<Delaunay_vertex, Delaunay_cell>>;
 
-/// By Cramer's rule, relative to a corner.
-Point exact_circumcentre(const Delaunay::Cell& cell)
+/// The centre of the circumsphere of a cell, by the edges at a corner (a, b, c); none if their volume is less than
+/// `flattest` of that of a box with such edges.
+template <typename Number>
+std::optional<Point> circumcentre(const Delaunay::Cell& cell, double flattest)
 {
-  using Number = boost::multiprecision::cpp_rational; // rounds alike everywhere, unlike the numbers of GMP
-  using Vector = std::array<Number, 3>;
-  const auto corner = [&](int i) -> Vector {
-    const Mesh_point& p = cell.vertex(i)->point();
-    return {Number(p.x()), Number(p.y()), Number(p.z())};
-  };
-  const auto from_to = [](const Vector& p, const Vector& q) -> Vector {
-    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  };
-  const auto dot = [](const Vector& u, const Vector& v) -> Number { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
-  const auto cross = [](const Vector& u, const Vector& v) -> Vector {
-    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  };
-  const Vector p = corner(0), a = from_to(p, corner(1)), b = from_to(p, corner(2)), c = from_to(p, corner(3));
-  const Vector b_c = cross(b, c), c_a = cross(c, a), a_b = cross(a, b);
-  const Number aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), twice = 2 * dot(a, b_c);
-  Point result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[Eigen::Index(i)] = Number(p[i] + (aa * b_c[i] + bb * c_a[i] + cc * a_b[i]) / twice).convert_to<double>();
-  return result;
+  using Vector = Eigen::Matrix<Number, 3, 1>;
+  const auto corner = [&](int i) -> Vector { return to_point(cell.vertex(i)->point()).template cast<Number>(); };
+  const Vector p = corner(0), a = corner(1) - p, b = corner(2) - p, c = corner(3) - p;
+  const Vector b_c = b.cross(c);
+  const Number volume = a.dot(b_c), aa = a.dot(a), bb = b.dot(b), cc = c.dot(c);
+  if (!(volume * volume > flattest * flattest * aa * bb * cc)) return {};
+  const Vector result = p + (aa * b_c + bb * c.cross(a) + cc * a.cross(b)) / (2 * volume);
+  return Point(result.template cast<double>());
 }
 
-/// Equal on all machines: floating-point operations rounded to nearest, and exact ones where those are not enough.
+/// Equal on all machines: in floating-point numbers that are rounded to nearest, or in longer ones where those are not
+/// enough.
 Point circumcentre(const Delaunay::Cell& cell)
 {
-  const double flattest = 1e-6; // loses half of the digits
-  const Point p = to_point(cell.vertex(0)->point());
-  const Point a = to_point(cell.vertex(1)->point()) - p;
-  const Point b = to_point(cell.vertex(2)->point()) - p;
-  const Point c = to_point(cell.vertex(3)->point()) - p;
-  const double aa = a.squaredNorm(), bb = b.squaredNorm(), cc = c.squaredNorm();
-  const Point b_c = b.cross(c);
-  const double volume = a.dot(b_c);
-  if (!(std::abs(volume) > flattest * std::sqrt(aa * bb * cc))) return exact_circumcentre(cell);
-  return p + (aa * b_c + bb * c.cross(a) + cc * a.cross(b)) / (2 * volume);
+  using Long_number = boost::multiprecision::cpp_bin_float_100;
+  constexpr double flattest = 1e-6; // loses half of the digits
+  if (const std::optional<Point> result = circumcentre<double>(cell, flattest)) return *result;
+  return circumcentre<Long_number>(cell, 0).value_or(to_point(cell.vertex(0)->point()));
 }
 
 } // namespace
