@@ -16,15 +16,18 @@ import http.server
 import json
 import os
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
 
 import chromium
 from test_pages import AFTER_DRAWING, DESKTOP, LIT, PHONE, PLACE_OF
 
+MOST_TIMES_AS_LONG = 8  # machines are noisy
 LARGEST_PAGE = 2_000_000  # bytes, as a host sends it
 LONGEST_START = 5000  # milliseconds until one can choose models; on an idle machine far less
 SCREEN = (1200, 760)
@@ -246,12 +249,35 @@ class App(unittest.TestCase):
         self.assertLess(size, LARGEST_PAGE)
         self.assertLess(starts, LONGEST_START)
 
+    def test_two_chairs_are_matched_soon(self):
+        chairs = "chair_slatted", "chair_spindle"
+        if not arguments.program:
+            self.skipTest("no --program to compare with")
+        ratios = []
+        for _ in range(5):
+            self.open(arguments.page)
+            for side, chair in zip(("source", "target"), chairs):
+                self.choose_example(side, chair)
+            self.click("#match")
+            self.assertEqual(self.wait(), "")
+            in_page, memory = browser.evaluate("[Number(document.body.dataset.seconds), Number(document.body.dataset.memory)]")
+            with tempfile.TemporaryDirectory() as folder:
+                start = time.perf_counter()
+                subprocess.run([arguments.program, "match", *(os.path.join(arguments.data, chair) for chair in chairs), "--quiet",
+                                "--threads", "1", "--html", os.path.join(folder, "match.html"),
+                                "--json", os.path.join(folder, "match.json"), "--glb", os.path.join(folder, "match.glb")], check=True, stdout=subprocess.DEVNULL)
+                ratios.append(in_page / (time.perf_counter() - start))
+        ratio = statistics.median(ratios)
+        print(f"two chairs are matched {ratio:.1f} times as long as by the program; the module takes {memory / 1e6:.0f} MB")
+        self.assertLess(ratio, MOST_TIMES_AS_LONG)
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page")
     parser.add_argument("data")
     parser.add_argument("--screenshots", metavar="FOLDER", help="keep pictures of the page here")
+    parser.add_argument("--program", help="the native program, to compare times with")
     arguments, rest = parser.parse_known_args()
     if not chromium.find():
         print("skipped: there is no Chromium")
