@@ -28,6 +28,9 @@ inline std::string too_many_parts(std::size_t parts)
          ": join small parts, or leave them out";
 }
 
+/// Pairs of parts of a shape that touch.
+constexpr std::size_t most_contacts = 50'000;
+
 /// Triangles at one vertex: they are put together to a surface in time quadratic in them.
 constexpr std::size_t most_triangles_of_vertex = 10000;
 

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/for_each_index.h"
+#include "base/limits.h"
 #include "structure/Part_surface.h"
 #include "structure/join_pieces.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/detect_contacts.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <optional>
 
@@ -211,7 +214,15 @@ private:
       for (std::size_t b = a + 1; b < parts_.size(); ++b)
         if (box_distance(a, b) <= tolerance_ * slack) pairs.push_back({a, b});
     std::vector<std::optional<Closest_pair>> closest(pairs.size());
-    for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) { closest[k] = touch(pairs[k][0], pairs[k][1]); });
+    std::atomic<std::size_t> touching{0};
+    for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t k) {
+      if (touching > most_contacts) return;
+      closest[k] = touch(pairs[k][0], pairs[k][1]);
+      if (closest[k]) ++touching;
+    });
+    if (touching > most_contacts)
+      throw Invalid_input("more than " + std::to_string(most_contacts) +
+                          " pairs of its parts touch: join parts, or remove those that lie in others");
     std::vector<Near_pair> result;
     for (std::size_t k = 0; k < pairs.size(); ++k)
       if (closest[k]) result.push_back(numbered(pairs[k][0], pairs[k][1], *closest[k]));

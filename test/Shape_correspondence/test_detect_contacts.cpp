@@ -247,6 +247,15 @@ TEST_CASE("The point of a triangle nearest to a point, also of needles and of tr
     }
 }
 
+TEST_CASE("A shape of which too many pairs of parts touch is refused")
+{
+  constexpr int copies = 320; // 51 040 pairs
+  Segmented_shape shape("heap");
+  for (int i = 0; i < copies; ++i)
+    shape.add_part("part_" + std::to_string(i), box({1e-4 * i, 0.5, 0}, {1, 1, 1}));
+  CHECK_THROWS_WITH(contacts_of(shape), Catch::Matchers::Contains("more than 50000 pairs of its parts touch"));
+}
+
 TEST_CASE("Contacts without meshes")
 {
   std::vector<Part_abstraction> parts = quick_parts(chair());

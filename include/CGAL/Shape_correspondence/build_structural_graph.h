@@ -42,7 +42,7 @@ struct Structure_times
 /// \param shape the shape
 /// \param options of the steps
 /// \param times if not null, set to the seconds of the steps
-/// \throw Invalid_input if the shape has fewer than two parts or more than 2000
+/// \throw Invalid_input if the shape has fewer than two parts or more than 2000, or if more than 50000 pairs of them touch
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options = {},
                                         Structure_times* times = nullptr);
@@ -50,7 +50,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape, const Stru
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Builds the graph of a shape whose parts are abstracted already: detects the groups if `groups` is empty, and the
 /// contacts if `shape.contacts` is empty. The frame is taken as it is.
-/// \throw Invalid_input if the shape has fewer than two parts or more than 2000, if a coordinate is not finite or
+/// \throw Invalid_input if the shape has fewer than two parts or more than 2000, if more than 50000 pairs of them touch, if a coordinate is not finite or
 /// beyond 1e15, or if a volume or area is negative or beyond 1e50
 Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Part_group> groups,
                                            const Structure_options& options = {});

@@ -43,6 +43,7 @@ struct Contact_options
 /// \param frame of the shape; measuring in it makes the result independent of the shape's pose
 /// \param options the tolerance
 /// \param warnings approximations are appended to it
+/// \throw Invalid_input if more than 50000 pairs of parts touch
 /// \pre `parts` are the abstractions of `shape.parts()`
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::vector<Part_abstraction>& parts,
