@@ -162,7 +162,7 @@ const cards = Object.fromEntries(sides.map(side => {
   if ('webkitdirectory' in HTMLInputElement.prototype) addFileButton(choices, 'Folder', {webkitdirectory: true}, files => chooseOne(side, files));
   const example = element('select', '', choices);
   example.ariaLabel = `example as the ${side}`;
-  element('option', 'Example', example).value = '';
+  element('option', 'or an example', example).value = '';
   for (const name of embedded('example-names').split(' ')) element('option', name.replace(/_/g, ' '), example).value = name;
   example.onchange = () => example.value && attempt(async () => choose(side, {name: example.value, path: example.value, files: (await examplesByName())[example.value]}));
   card.example = example;
@@ -347,10 +347,15 @@ async function saveAnimation() {
   return files[0];
 }
 
+/** Files of models as people know them, without the folders that the program finds them in. */
+function named(text) {
+  return text.replace(/\b(source|target)\//g, '');
+}
+
 function tell({label, unit, done, total}) {
   const [bar, text] = $('#work').children;
   if (done > 0) Object.assign(bar, {max: total, value: done});
-  text.textContent = `${$('#work').dataset.what}: ${label}, ${unit}${done} of ${total}`;
+  text.textContent = named(`${$('#work').dataset.what}: ${label}, ${unit}${done} of ${total}`);
 }
 
 /** Does what the program is needed for, one after the other. */
@@ -381,7 +386,7 @@ async function attempt(action) {
 }
 
 function tellError(text) {
-  $('#error').textContent = text;
+  $('#error').textContent = named(text);
   $('#error').hidden = !text;
 }
 
@@ -411,6 +416,9 @@ function update() {
   const hasBoth = sides.every(side => chosen[side]), current = $('#shown').dataset.name;
   $('#match').disabled = isWorking || !hasBoth;
   $('#blend').disabled = isWorking || !shown.has('match');
+  const next = !hasBoth ? '' : shown.has('match') ? 'blend' : 'match';
+  for (const name of ['match', 'blend']) $('#' + name).classList.toggle('next', name === next);
+  $('#next').textContent = hasBoth || isWorking ? '' : sides.some(side => chosen[side]) ? 'Choose the other model, too.' : 'Choose two models first.';
   $('#cancel').hidden = $('#work').hidden = !isWorking;
   for (const control of document.querySelectorAll('section select, section input, section button, #options select'))
     control.disabled = isWorking || (control === options.category && options.method.value !== '');

@@ -391,7 +391,9 @@ TEST_CASE("A small glTF file that uses a mesh very often is refused within momen
   model.document["bufferViews"][1]["byteLength"] = 8000;
   const auto begin = std::chrono::steady_clock::now();
   CHECK_THAT(refused(model.glb()), Contains("use the same meshes"));
+#ifndef __SANITIZE_THREAD__ // all is slow then
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+#endif
   model = tetrahedron();
   const json primitive = model.document["meshes"][0]["primitives"][0];
   model.document["nodes"] = json::array();

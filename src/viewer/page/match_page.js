@@ -64,9 +64,9 @@ export function showMatch() {
   view.addSwitches($('#tools'));
   setBreakable(titles.join(' and '), $('h1'));
   const unmatched = [result.unmatched_source, result.unmatched_target].map(list => list.length);
-  element('p', `${counted(blocks.length, 'set')} of corresponding parts; without counterpart ${unmatched[0]} of ` +
-          `${counted(names[0].length, 'part')} and ${unmatched[1]} of ${names[1].length}` +
-          (result.category ? `; category: ${result.category}` : ''), $('#facts'));
+  element('p', `${counted(blocks.length, 'set')} of corresponding parts` + (result.category ? `; category: ${result.category}` : '') +
+          '. Parts of one colour correspond; grey ones have no counterpart: ' +
+          `${unmatched[0]} of ${counted(names[0].length, 'part')} and ${unmatched[1]} of ${names[1].length}.`, $('#facts'));
   addWarnings($('#facts'), result.warnings);
   if (blend) new BlendPlayer(view, blend, glbOf('blend.glb'));
 }

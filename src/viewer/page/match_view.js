@@ -59,7 +59,7 @@ export class MatchView {
       addSwitch(parent, 'groups', 'One colour for the symmetric parts that were matched together', false,
                 isSet => { this.hasGroups = isSet; this.colour(); this.light(this.selection.key); });
     if (!this.match.blocks.some(block => block.confidence !== null)) return;
-    const label = element('label', 'confidence from ', parent), slider = element('input', '', label), told = element('output', '0 %', label);
+    const label = element('label', 'hide pairs below ', parent), slider = element('input', '', label), told = element('output', '0 %', label);
     label.title = 'Hides what corresponds less surely';
     Object.assign(slider, {type: 'range', min: 0, max: 1, step: 0.05, value: 0, ariaLabel: 'least confidence that is shown'});
     slider.oninput = () => {

@@ -123,7 +123,9 @@ class App(unittest.TestCase):
 
     def test_two_dropped_files_are_shown_matched_and_blended(self):
         self.picture("before")
+        self.assertIn("two models first", browser.evaluate("document.querySelector('#next').textContent"))
         self.drop_two_chairs()
+        self.assertEqual(browser.evaluate("document.querySelector('#next').textContent + document.querySelector('.next').id"), "match")
         self.assertEqual(browser.evaluate(TABS), ["First model", "Second model"])
         self.shown()
         self.picture("chosen")
@@ -200,6 +202,7 @@ class App(unittest.TestCase):
                     self.picture("error")
                 for word in words:
                     self.assertIn(word, browser.evaluate(ERROR))
+                self.assertNotIn("source/", browser.evaluate(ERROR))  # a folder of the module's
                 browser.evaluate("document.querySelector('#error').textContent = ''")
             browser.drop(600, 300, [raw("chair_swivel")] * 3)
             browser.wait_for(ERROR)
