@@ -9,6 +9,9 @@
 #include <CGAL/Convex_hull_traits_3.h>
 #include <CGAL/convex_hull_3.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -123,15 +126,15 @@ Convex_hull measured_hull(const Halfedge_mesh& mesh)
     std::rotate(faces.back().begin(), std::min_element(faces.back().begin(), faces.back().end()), faces.back().end());
   }
   std::sort(faces.begin(), faces.end());
-  const Point apex = result.vertices.col(0);
-  for (const auto& face : faces) {
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      const Point a = result.vertices.col(face[0]) - apex, b = result.vertices.col(face[k - 1]) - apex,
-                  c = result.vertices.col(face[k]) - apex;
-      result.volume += a.dot(b.cross(c)) / 6;
-    }
-  }
-  result.volume = std::abs(result.volume);
+  // Nearly exact: how the algorithm divides flat faces into triangles is to change no digit
+  using Number = boost::multiprecision::cpp_bin_float_50;
+  using Vectors = Eigen::Matrix<Number, 3, Eigen::Dynamic>;
+  const Vectors vertices = result.vertices.cast<Number>(), from_apex = vertices.colwise() - vertices.col(0);
+  Number sum = 0;
+  for (const auto& face : faces)
+    for (std::size_t k = 2; k < face.size(); ++k)
+      sum += from_apex.col(face[0]).dot(from_apex.col(face[k - 1]).cross(from_apex.col(face[k])));
+  result.volume = std::abs(sum.convert_to<double>()) / 6;
   return result;
 }
 
