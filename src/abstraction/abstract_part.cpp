@@ -124,7 +124,8 @@ std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape
   return result;
 }
 
-/// Indices of the meshes that are no copies, those with most triangles first: they are likely to take longest.
+/// Indices of the meshes that are no copies, by descending number of triangles, as large ones are likely to take
+/// longest.
 std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
                                            const std::vector<Congruence>& congruences)
 {

@@ -165,7 +165,7 @@ inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& p
   return result;
 }
 
-/// The angle by which a curve turns in all: a full turn of a ring.
+/// The total turning angle of a curve: 2 π for a ring.
 inline double turning(const Curve& curve)
 {
   const Eigen::Index n = curve.points.cols();

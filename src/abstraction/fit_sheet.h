@@ -90,7 +90,7 @@ inline double quadrilateral_area(const Planar_points& outline, const Outline_cor
 /// The largest quadrilateral of an outline's vertices, found by its first diagonal.
 inline Outline_corners largest_quadrilateral(const Planar_points& outline)
 {
-  // Every so many vertices are enough of a smooth outline.
+  // Every n-th vertex suffices on a smooth outline.
   const std::size_t most_vertices = 60;
   const std::size_t n = outline.size(), step = 1 + n / most_vertices;
   Outline_corners result{0, 0, 0, 0};

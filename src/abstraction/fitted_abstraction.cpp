@@ -33,7 +33,7 @@ bool is_layer(const Intrinsic_layout& layout, double thickness)
 }
 
 /// What a part is like when it is measured along itself. A blade is long, but far wider than thick; a block is compact
-/// and so thick that its medial axis tells no direction.
+/// and so thick that its medial axis has no clear direction.
 enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 
 /// \param layout of the medial axis
@@ -42,7 +42,7 @@ enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
 {
   const double least_width = 0.21;        // of a sheet, over its length
-  const double least_depth = 0.5;         // of what is compact, over its width
+  const double least_depth = 0.5;         // of a compact part, over its width
   const double least_blade_width = 0.075; // over its length
   const double blade_thickness = 0.253;   // over its width at most; a blade is 7.8 times as wide as thick
   const double least_thickness = 0.3;     // of a block, over its length

@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A layout of a graph in space that keeps its geodesic distances: what is bent becomes straight.
+/// An embedding of a graph in space that keeps its geodesic distances: bent parts become straight.
 struct Intrinsic_layout
 {
   Points coordinates;      ///< a vertex a column, along the principal directions, longest first

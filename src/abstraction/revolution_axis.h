@@ -79,7 +79,7 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
     double deviation = 0;
     for (double turn : turns) {
       const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn, direction).toRotationMatrix();
-      // Ordered so that angles in a row differ much: what is not round is rejected early
+      // Ordered so that successive angles differ much: parts that are not round are rejected early
       const Eigen::Index strides = 16;
       for (Eigen::Index first = 0; first < strides; ++first) {
         for (Eigen::Index i = first; i < centred.cols() && deviation <= most; i += strides)

@@ -121,7 +121,7 @@ void run_in_parallel(std::size_t n, const Work& work)
         run();
         ++idle_threads;
       });
-  } catch (const std::system_error&) { // those that are taken and not made are not there
+  } catch (const std::system_error&) { // no more threads can be made
   }
   run();
   for (std::thread& thread : threads)

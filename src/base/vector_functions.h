@@ -7,7 +7,8 @@
 #include <vector>
 
 // Functions that are compiled for several instruction sets, the best of which is chosen when the program runs. They
-// give the same bits as long as no multiplication and addition are fused (FMA), which compilers do unless told not to.
+// give the same bits as long as no multiplication and addition are fused (FMA), which compilers do unless an option
+// forbids it.
 #ifdef __GNUC__
 #define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline __attribute__((always_inline))
 #else

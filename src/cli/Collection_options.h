@@ -24,7 +24,7 @@ struct Collection_options
   Co_analysis_options co_analysis;
 };
 
-/// Adds those and the outputs to the table of a command.
+/// Adds these options and the options for output files to the table of a command.
 void add_collection_options(Option_table& table, Common_options& common, Collection_options& options);
 
 } // namespace CGAL::Shape_correspondence::cli

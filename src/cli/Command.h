@@ -25,7 +25,7 @@ public:
   virtual ~Command() = default;
 
   const Option_table& options() const { return table; }
-  /// \param all whether with the options that are rarely needed
+  /// \param all whether with the rare options
   void write_help(std::ostream& out, bool all) const;
 
   /// \throw Usage_error, Invalid_input
@@ -34,8 +34,8 @@ public:
 protected:
   /// Checks options that belong together. \throw Usage_error
   virtual void check() {}
-  /// The files that are written and those that are read, which must differ. Those of options that are marked so, and
-  /// the inputs.
+  /// The files that are written and the files that are read, which must differ: by default, the values of options
+  /// marked as output, and those marked as input together with the inputs.
   virtual std::vector<std::string> output_files() const;
   virtual std::vector<std::string> input_files() const;
   virtual void work() = 0;

@@ -34,7 +34,7 @@ struct Common_options
   Structure_options structure;
   struct Of_input
   {
-    std::string up, parts_from; ///< empty: those of all inputs
+    std::string up, parts_from; ///< empty: the value for all inputs
   };
   std::array<Of_input, 2> of_pair; ///< of the source and the target
   /// By which the upright axes of models are found where nothing says them; null: by how the models stand.
@@ -69,13 +69,13 @@ constexpr const char *abstraction_option = "abstraction", *contact_points_option
 
 // Each adds options to the table of a command
 
-/// Those of all commands.
+/// The options of all commands.
 void add_common_options(Option_table& table, Common_options& options);
 /// How model files are read: the upright axis and the parts.
 void add_reading_options(Option_table& table, Common_options& options);
 /// How models are read, their parts abstracted, and their structural graphs built.
 void add_model_options(Option_table& table, Common_options& options);
-/// Those of the source or the target of a pair.
+/// The options of the source alone and of the target alone.
 void add_pair_options(Option_table& table, Common_options& options);
 
 } // namespace CGAL::Shape_correspondence::cli

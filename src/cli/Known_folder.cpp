@@ -47,7 +47,7 @@ std::string Known_folder::key() const
     return IO::digest(std::to_string(reader_version) + ' ' + CGAL_SHAPE_CORRESPONDENCE_VERSION + ' ' + options_ + ' ' +
                       *files);
   } catch (const Invalid_input&) {
-    return ""; // whoever reads it says what is wrong
+    return ""; // reported when it is read
   }
 }
 

@@ -23,8 +23,8 @@ extern const std::vector<std::pair<const char*, Search_method>> search_methods;
 /// The options of the search as they are written on the command line.
 struct Match_options
 {
-  Search_options search;               ///< what of it is said directly
-  std::optional<Search_method> method; ///< empty: what other options ask for
+  Search_options search;               ///< the members that options set directly
+  std::optional<Search_method> method; ///< empty: selected by other options
   std::string front = "likely";        ///< given, likely or auto
   std::optional<int> alignments;       ///< empty: as `front` says
   std::optional<bool> coarse_target;   ///< empty: not in the paper's method
@@ -35,7 +35,7 @@ struct Match_options
   std::vector<std::string> pinned, forbidden; ///< A=B
 };
 
-/// Adds those to the table of a command.
+/// Adds these options to the table of a command.
 void add_match_options(Option_table& table, Match_options& match);
 
 /// The search that the options ask for, but for `choose_parts()`. \throw Usage_error
@@ -51,7 +51,7 @@ void refuse_search_options(const Option_table& given);
 /// Adds the labelled shapes of `--examples`, if any, to the roles of a search.
 void add_examples(const Match_options& match, const Common_options& common, Search_options& search);
 
-/// Sets what `search` has by parts: those that are chosen, pinned pairs and forbidden ones.
+/// Sets the chosen parts, the pinned pairs and the forbidden pairs of `search`.
 /// \param paths name the shapes in messages \throw Usage_error if there is no part of a name
 void choose_parts(const Match_options& match, const Structural_graph& source, const Structural_graph& target,
                   const std::vector<std::string>& paths, Search_options& search);

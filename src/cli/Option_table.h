@@ -54,7 +54,7 @@ struct Switched_to
   const char* word;
 };
 
-/// An option of a command: all that help, checks, completion, manual page and Python know of it.
+/// An option of a command: the data for help, checks, completion, manual page and Python.
 struct Option
 {
   using Field = std::variant<bool*, Switched_off, Switched_to, int*, std::int64_t*, std::size_t*, double*,
@@ -103,11 +103,11 @@ struct Option
   bool is_switch() const { return value_name.empty(); }
   /// The value as a text; numbers with four digits.
   std::string text() const;
-  /// Whether the help tells a default.
+  /// Whether the help shows a default.
   bool has_default() const;
   /// Sets a `Text_field`. \throw Usage_error \param label names the option
   void set_text(const std::string& label, const std::string& text);
-  /// \throw Usage_error if the value is none of those that are known, empty, or out of range
+  /// \throw Usage_error if the value is not a known one, empty, or out of range
   void check(const std::string& label) const;
 };
 
@@ -162,7 +162,7 @@ public:
 
   /// Whether `--help` or `--help-all` is given.
   bool help_is_given() const;
-  /// The options as the help lists them. \param all whether those that are rare, too
+  /// The text of the help. \param all whether with the rare options
   std::string help(bool all) const;
 
   /// Name and value of every option of a group; numbers with all digits.

@@ -105,7 +105,7 @@ private:
   void check() override
   {
     Pair_command::check();
-    search.min_confidence = 0; // what is less probable is left out here, and told
+    search.min_confidence = 0; // less probable pairs are removed here, with a warning
     check_output(output_);
   }
 

@@ -158,7 +158,7 @@ std::string frame_name(const Blend_output& output, int frame)
   return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
 }
 
-/// The shape at a time, or what is solid of it.
+/// The shape at a time, or its wrap, one closed surface.
 Segmented_shape shape_at(const Shape_blend& blend, double t, bool solid)
 {
   if (!solid) return blend(t);

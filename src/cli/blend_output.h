@@ -14,7 +14,7 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// What blend writes, as its options say it.
+/// The options of the output of `blend`.
 struct Blend_output
 {
   std::string path;
@@ -36,7 +36,7 @@ struct Blend_output
 
 void add_output_options(Option_table::Group& add, Blend_output& output);
 
-/// \throw Usage_error if the output cannot be what it is named
+/// \throw Usage_error if the name of the output contradicts the other options
 void check_output(const Blend_output& output);
 
 Blend_options blend_options(const Blend_output& output);

@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Leaves out pairs that are less probable than `least`. \return what is left out, in sentences
+/// Removes pairs that are less probable than `least`. \return a warning for each of them
 std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,
                                          const Loaded_shape& target);
 

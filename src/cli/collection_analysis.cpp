@@ -14,7 +14,7 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-constexpr std::size_t largest_clustered_whole = 100; // shapes whose maps are all clustered, unless told otherwise
+constexpr std::size_t largest_clustered_whole = 100; // shapes whose maps are all clustered by default
 constexpr std::size_t usual_neighbours = 32;         // else
 constexpr std::size_t largest_bridged = 1000;        // shapes; bridges take cubic time
 constexpr std::size_t listed_bridges = 100;
@@ -94,7 +94,7 @@ std::vector<Shape_distances> shape_distances(const Distances& distances)
   return result;
 }
 
-/// Fills in the energies and what they alone tell, and returns the pairs of shapes whose maps are to be clustered.
+/// Sets the energies and all results that depend on energies only. \return the pairs of shapes whose maps are clustered
 Pairs analyse_energies(const Collection_options& options, Collection_work& work, Analysis& analysis)
 {
   IO::Collection& result = analysis.collection;

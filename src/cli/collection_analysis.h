@@ -23,7 +23,7 @@ struct Shape_distances
   double nearest_distance = 0;
 };
 
-/// What is found out, and what it is made of.
+/// The analysis of a collection, with the energies and maps that it is computed from.
 struct Analysis
 {
   IO::Mapped_matrix energies;

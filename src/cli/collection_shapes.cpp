@@ -47,7 +47,7 @@ bool has_several_objects(const std::string& model)
 {
   try {
     return read_objects(model, {}).shape.parts().size() > 1;
-  } catch (const Invalid_input&) { // who reads it will say so
+  } catch (const Invalid_input&) { // reported when it is read
     return false;
   }
 }
@@ -66,7 +66,7 @@ bool is_shape_folder(const fs::path& folder)
   return !models.empty() && !are_shapes(models);
 }
 
-/// What became of one input.
+/// The result of loading one input.
 struct Loaded_input
 {
   Collection_shape shape;
@@ -110,7 +110,7 @@ std::string store_graph(const std::string& folder, const Common_options& options
   return content;
 }
 
-/// What there is to know of a graph before it is stored.
+/// The description of a graph, without its digest.
 Collection_shape described(const std::string& path, const Structural_graph& graph)
 {
   const Shape_structure& structure = Shape_correspondence::structure(graph);
@@ -131,7 +131,7 @@ Loaded_input load_input(const std::string& path, const std::string& folder, cons
   return result;
 }
 
-/// What processes tell each other of an input.
+/// The message by which a process reports an input to the others.
 IO::Json message(std::size_t index, const Loaded_input& input)
 {
   return {{"index", index},
@@ -151,7 +151,7 @@ void take(const IO::Json_field& message, Loaded_input& input)
   input.shape.warnings = message["warnings"].texts();
 }
 
-/// Tells the other processes of the inputs that were loaded here, and learns of theirs.
+/// Sends the inputs that were loaded here to the other processes, and receives theirs.
 void exchange(std::vector<Loaded_input>& inputs, const std::vector<char>& is_loaded, Team& team)
 {
   IO::Json messages = IO::Json::array();
@@ -196,7 +196,7 @@ std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, con
   return inputs;
 }
 
-/// Shapes of one name are told apart by their paths.
+/// Shapes with equal or empty names are named by their paths.
 void make_names_unique(std::vector<Collection_shape>& shapes)
 {
   std::map<std::string, int> uses;
@@ -306,7 +306,7 @@ std::optional<Segmented_shape> Collection_shapes::model(std::size_t shape, const
     for (const Shape_part& part : read.split.shape.parts())
       names.push_back(part.name);
     if (names != wanted.parts) return std::nullopt;
-    if (read.is_up_estimated) { // roles may have told another one
+    if (read.is_up_estimated) { // the graph's axis may have been estimated by roles
       Eigen::Index axis = 1;
       structure(graph(shape)).frame.axes.col(1).cwiseAbs().maxCoeff(&axis);
       read.split.shape.set_up(Point::Unit(axis));

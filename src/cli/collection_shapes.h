@@ -35,7 +35,7 @@ std::vector<std::string> collection_paths(const std::vector<std::string>& inputs
 /// Whether a folder has shapes: folders of part meshes, or model files of several objects, which no part has.
 bool is_folder_of_shapes(const std::string& path);
 
-/// The shapes in a folder, in order. \param left_out gets the names of what is none; null: not wanted
+/// The shapes in a folder, sorted by path. \param left_out gets the names of the other entries; null: not wanted
 std::vector<std::string> shapes_in(const std::string& folder, std::vector<std::string>* left_out = nullptr);
 
 /// The structural graphs of a collection, on demand: in a folder or, without one, in memory.

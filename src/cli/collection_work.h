@@ -18,8 +18,8 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// All that the matches of a collection depend on besides the shapes.
-/// \param match_options as a text \param search what has the roles
+/// All that the matches of a collection depend on besides the shapes, as a text.
+/// \param match_options their names and values \param search only its roles are used
 std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy);
 
 /// All ordered pairs of a collection, matched or from a store. They are cut into tiles, the pairs of two blocks of
@@ -35,7 +35,7 @@ public:
   /// Matches what is missing, all processes of the team together.
   void run(Team& team);
 
-  /// Calls `take` with every ordered pair and what it is.
+  /// Calls `take` with source, target, energy and map of every ordered pair.
   void for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take);
 
 private:

@@ -47,7 +47,7 @@ Example: shape_correspondence match shapes/chair/a/parts shapes/chair/b/parts --
 
 )";
 
-/// A result file, and what is known of it.
+/// A result file with its score.
 struct Judged_result
 {
   std::string file;

@@ -22,7 +22,7 @@ struct Evaluate_options
   Evaluation_options evaluation;
 };
 
-/// Adds those of the command `evaluate`.
+/// Adds the options of the command `evaluate`.
 void add_evaluate_options(Option_table& table, Evaluate_options& options, Common_options& common);
 
 /// A result, and the file that messages and reports name it by.

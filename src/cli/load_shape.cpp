@@ -32,7 +32,7 @@ bool has_extension(const std::string& path, const char* wanted)
   return IO::lower_extension(path) == wanted && !fs::is_directory(path);
 }
 
-/// Whether the parts were abstracted by mean curvature flow alone; none if their reports do not tell.
+/// Whether the parts were abstracted by mean curvature flow alone; empty if their reports do not show it.
 std::optional<bool> is_of_flow(const Structural_graph& graph)
 {
   using Method = Abstraction_report::Method;

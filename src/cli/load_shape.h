@@ -31,11 +31,11 @@ struct Loaded_shape
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
 
-/// The message, which begins with the path of what it is about.
+/// The message, prefixed with the path unless it begins with it.
 std::string message_about(const std::string& path, const std::string& message);
 
-/// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds what is missing of its
-/// graph. With `Common_options::graphs_suffice`, a folder of part meshes that the cache knows has no model.
+/// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds the graph of a model.
+/// With `Common_options::graphs_suffice`, a folder of part meshes that the cache knows has no model.
 /// \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
@@ -45,30 +45,30 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
 /// The same for several inputs, each with its own options; graphs are built on as many threads as there are.
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
-/// The same for the source and the target of a correspondence, whose upright axes are found together where nothing says
-/// them. \param options gets the axes that were found \param warnings gets what has to be said of them
+/// The same for the source and the target of a correspondence, whose upright axes are estimated together where they are
+/// not given. \param options gets the estimated axes \param warnings gets the warnings about them
 std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
                                     std::vector<std::string>& warnings);
 
-/// Throws `Usage_error` if --part-kind names a part that is none of `parts`, those of all inputs.
+/// Throws `Usage_error` if --part-kind names a part that is not in `parts`, the parts of all inputs.
 void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts);
 
 /// Reads the meshes that a graph names, where it has no model. \throw Invalid_input if it names none
 void complete_surfaces(const std::string& path, Loaded_shape& shape);
 
-/// Reads what the parts of a model look like, which `load_shape()` leaves out. Graph files have no looks.
-/// \throw Invalid_input if the file has become another one
+/// Reads the materials, textures and colours of a model, which `load_shape()` leaves out; graph files have none.
+/// \throw Invalid_input if the file has changed since
 void read_appearance(const std::string& path, Loaded_shape& shape);
 
-/// Adds what is missing or damaged in it to the notes of a table, or where there is none warns on standard error.
+/// Adds the warnings about it to the notes of a table, or prints them on standard error if no table is printed.
 void note_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options,
                      std::vector<std::string>& notes);
 
-/// What the graphs of inputs warn of; every line names its input.
+/// The warnings of the graphs of inputs, each after the path of its input.
 std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);
 
-/// What to warn of a graph the parts of which are known to be abstracted in another way: by mean curvature flow alone,
-/// or not. Empty: nothing.
+/// A warning if the parts of a graph were abstracted by another method than is wanted: by mean curvature flow alone, or
+/// not. Empty: no warning.
 std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_wanted);
 
 /// By index.

@@ -155,7 +155,7 @@ private:
     if (!complaints.empty()) throw Invalid_input(complaints);
   }
 
-  /// The inputs, folders of shapes by what is in them.
+  /// The inputs; of a folder of shapes, the models in it.
   std::vector<std::string> models() const
   {
     std::vector<std::string> result;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t bar_width = 30;
 constexpr const char* erase_line = "\r\033[K";
 constexpr double interval = 0.1; // seconds
-constexpr double moment = 2;     // seconds for which no time left is told
+constexpr double moment = 2;     // seconds at the beginning, without an estimate of the time left
 
 std::string time_text(double seconds)
 {

@@ -11,12 +11,12 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// A progress bar on standard error, with the time left where that is more than a moment; it vanishes at the end. Or
-/// none, where the options name whom to tell instead.
+/// A progress bar on standard error, with the estimated time left after the first two seconds; it is erased at the end.
+/// If the options have a function for progress, that is called instead.
 class Progress_bar
 {
 public:
-  /// \param unit what is counted
+  /// \param unit name of the items counted
   Progress_bar(const Common_options& options, std::string label, std::string unit = "part");
   ~Progress_bar();
   Progress_bar(const Progress_bar&) = delete;

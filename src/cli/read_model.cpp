@@ -22,7 +22,7 @@ namespace {
 
 // How many times as often as along another axis models stand along y, unless they are asked for by --up auto
 constexpr double odds_of_y = 20;
-// The same where two models tell of each other
+// The same for two models whose axes are estimated together
 constexpr double odds_of_y_in_pair = 4.5;
 
 bool is_folder(const std::string& path) { return std::filesystem::is_directory(path); }
@@ -48,7 +48,7 @@ std::string warning_by_roles(const Point& up, const std::string& option)
          ", with which the parts are most like labelled ones; if that is wrong, give another with " + option + ".";
 }
 
-/// Whether nothing says which axis of a model is up.
+/// Whether neither options nor the file format give the upright axis of a model.
 bool is_up_unknown(const std::string& path, const Common_options& options)
 {
   return options.up.empty() && !says_up(path) && !is_folder(path);
@@ -75,7 +75,7 @@ Part_splitting mode_of(const std::string& path, const std::string& word)
   return is_folder(path) ? Part_splitting::FILE : Part_splitting::AUTO;
 }
 
-/// At most so many objects are named in a warning.
+/// The maximum number of objects named in a warning.
 constexpr std::size_t most_named = 8;
 
 /// What an automatic choice of parts changed, and what to type if it is not wanted.

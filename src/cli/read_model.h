@@ -17,7 +17,7 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// A model, its parts, and what has to be said of them.
+/// A model, its parts, and warnings about them.
 struct Read_model
 {
   Segmented_shape objects; ///< as the file has them
@@ -27,7 +27,7 @@ struct Read_model
   std::vector<std::string> warnings;
 };
 
-/// Of an upright axis: x, y or z.
+/// The name of an upright axis: x, y or z.
 char axis_name(const Point& axis);
 
 using IO::Model_objects;
@@ -42,28 +42,29 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
 /// of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
-/// The upright axis that roles tell of a model whose parts a graph has, if they do: where the parts are clearly nearer
-/// to labelled ones of a category than with any other axis up, or nearer and the model stands most stably along it.
+/// The upright axis of a model estimated by the roles of its parts; none unless the parts are clearly nearer to
+/// labelled ones of a category than with any other axis up, or nearer and the model stands most stably along it.
+/// \param graph of the parts of the model
 std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph& graph, const Role_model& roles);
 
-/// Makes an axis that roles tell that of the objects of a model, and changes what is said of it.
+/// Sets the upright axis of the objects of a model, estimated by roles, and replaces the warning about it.
 void turn_by_roles(const Point& up, Read_model& model);
 
-/// Whether the upright axes of two inputs are found together: both are models, of one kind, and no option, file or
-/// folder says the axis of one of them.
+/// Whether the upright axes of two inputs are estimated together: both are models, and no option, file or folder gives
+/// the axis of one of them.
 bool finds_up_of_pair(const std::vector<std::string>& paths, const Common_options& options);
 
-/// The upright axes of two inputs that are found together, by input.
+/// The upright axes of two inputs that are estimated together, by input.
 struct Pair_axes
 {
   std::array<bool, 2> is_unknown{};
-  std::array<std::optional<Point>, 2> by_roles; ///< those that roles tell
+  std::array<std::optional<Point>, 2> by_roles; ///< estimated by roles; empty: not estimated so
 };
 
-/// Whether nothing says the axes of two inputs.
+/// Which of the axes of two inputs are given by neither options nor files.
 Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options);
 
-/// Finds these axes and puts them into the shapes and into `options.of_pair`. \return what has to be said of it
+/// Estimates these axes and sets them in the shapes and in `options.of_pair`. \return warnings
 std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
                                          const std::array<Segmented_shape*, 2>& shapes, Common_options& options);
 

@@ -145,7 +145,7 @@ private:
   const Sampled_medoid_options& options_;
   Eigen::MatrixXd distances_;
   std::vector<std::size_t> order_;
-  std::vector<double> sums_; // over the shapes drawn; of those set aside the means
+  std::vector<double> sums_; // over the shapes drawn; of the shapes set aside, means
   std::size_t best_ = 0, evaluations_ = 0;
   double least_ = std::numeric_limits<double>::infinity();
 };

@@ -78,7 +78,7 @@ public:
     const std::size_t i = label_begin_[part] + label;
     return {images_.data() + image_begin_[i], images_.data() + image_begin_[i + 1]};
   }
-  // Those of the images that are at a sample of the part: all clones, or the one segment.
+  // The images that take part at a sample of the part: all clones, or the one segment.
   Fitted_range touching(std::size_t part, std::size_t sample, std::size_t label) const;
 
   const Sampled_part& source_piece(std::size_t index) const { return source_pieces_[index]; }

@@ -50,7 +50,7 @@ std::vector<Permutation> sheet_orders()
   return result;
 }
 
-// How two parts may fit: orders of samples, and the samples that tell them apart.
+// How two parts may fit: orders of samples, and the samples by which orders differ.
 struct Fits
 {
   std::vector<Permutation> orders;

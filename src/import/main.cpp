@@ -148,7 +148,7 @@ private:
     }
   }
 
-  /// Of the last triangle; those before it that have none get some where it is the first that has.
+  /// Adds the texture coordinates and colours of the last triangle; earlier triangles without any get defaults.
   void add_looks(const aiMesh& mesh, const aiFace& face, Model_part& part) const
   {
     Part_appearance& looks = part.appearance;
@@ -217,7 +217,7 @@ private:
   bool allows_outside_;
 };
 
-/// Those of all meshes; bytes tell nothing of glTF that is compressed, or has its buffers in other files.
+/// The faces of all meshes; the size of the file says little, as buffers may be compressed or in other files.
 std::uint64_t triangles_of(const aiScene& scene)
 {
   std::uint64_t result = 0;

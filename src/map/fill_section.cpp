@@ -94,7 +94,7 @@ private:
         filling_.triangles.push_back({side[0], strip[i], strip[i + 1]});
   }
 
-  /// Every face as often as the sides run around it, which is told from the outside inwards.
+  /// Adds every face as many times as its winding number says, which is found from the outside inwards.
   void add_faces()
   {
     if (triangulation_.dimension() < 2) return;

@@ -37,7 +37,7 @@ std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_
 /// Relative places of parts: their middles in the box around all of them.
 Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 {
-  constexpr double least_extent = 0.02; // of the shape's height: below it, an axis tells no places apart
+  constexpr double least_extent = 0.02; // of the shape's height: along shorter extents, places are taken to be equal
   Points result(3, Eigen::Index(parts.size()));
   for (std::size_t i = 0; i < parts.size(); ++i)
     result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());

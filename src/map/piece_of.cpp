@@ -88,7 +88,7 @@ private:
   static constexpr double straight = 1e-3; ///< how far an edge may stray from the chart, over the height
   static constexpr int most_rounds = 8;    ///< of splitting edges that do
 
-  /// Adds those of new points. \return the number of points before
+  /// Adds the coordinates of new points. \return the number of points before
   std::size_t add_coordinates()
   {
     const std::size_t before = coordinates_.size();

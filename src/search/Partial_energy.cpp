@@ -91,7 +91,7 @@ double Partial_energy::operator()(const Assignment& assignment, std::size_t grou
   return energy;
 }
 
-// Sets what is known of a group by its label.
+// Sets the state of a group from its label.
 void Partial_energy::assign(std::size_t group, const Assignment& assignment)
 {
   matched_[group] = assignment[group] != unassigned && !problem_.is_unmatched(group, std::size_t(assignment[group]));

@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence::internal {
 // The deformation that a partial solution was rated by.
 struct Rating
 {
-  std::vector<Part_motion> motions; // by part, of those that are not matched
+  std::vector<Part_motion> motions; // by part, of unmatched parts
   std::vector<Rod_energy> energies; // by contact
 };
 

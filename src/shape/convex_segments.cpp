@@ -49,7 +49,7 @@ double concave_angle(const Face& a, const Face& b)
   return std::atan2(a.normal.cross(b.normal).norm(), a.normal.dot(b.normal));
 }
 
-/// Patches of a surface, and what tells whether neighbours are of one part; sets of them after they were merged.
+/// Patches of a surface with the features that decide whether neighbours are of one part; sets of patches once merged.
 class Patches
 {
 public:
@@ -66,7 +66,7 @@ public:
 
   bool has_inside() const { return has_inside_; }
 
-  /// Merges neighbours, those of greatest odds first.
+  /// Merges neighbours, by descending odds.
   void merge_down_to(double odds)
   {
     for (Eigen::Index i, j; odds_.maxCoeff(&i, &j) > std::max(odds, std::numeric_limits<double>::lowest());)

@@ -32,8 +32,8 @@ constexpr double least_stability = -0.2;  // lower bound of the stability of sha
 constexpr int shape_samples = 3000;       // points sampled on the surface
 constexpr int mirrored_samples = 600;     // points whose mirror images are compared with the surface
 
-// A logistic regression on 131 labelled shapes, of which each tells one axis from two. Over categories left out in turn
-// it found the axis of 90 %: of those of which it was over 90 % sure, all.
+// A logistic regression on 131 labelled shapes, each an example of one right axis and two wrong ones. Over categories
+// left out in turn it found the axis of 90 %: of those of which it was over 90 % sure, all.
 constexpr double weight_of_stability = 9.2;
 constexpr double weight_of_horizontal = 8.3;
 constexpr double weight_of_asymmetry = 36;

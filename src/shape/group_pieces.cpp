@@ -41,9 +41,9 @@ constexpr double border_spacing = 0.002; // of points on a border
 constexpr double holder_size = 0.5;      // of a piece that holds others; a larger one is the frame of the model
 constexpr double assembly_size = 0.3;    // of an object whose pieces stay together if they touch, or of a decal
 constexpr double shell_distance = 0.03;  // between both shells of a panel
-constexpr double shell_areas = 0.7;      // least ratio of them
+constexpr double shell_areas = 0.7;      // least ratio of the areas of two shells
 constexpr double unlimited = 1e100;      // a distance that none reaches
-constexpr double speck_size = 0.01;      // a smaller piece joins what it touches, whatever its object
+constexpr double speck_size = 0.01;      // a smaller piece joins a piece that it touches, of any object
 
 /// A piece with its search structures, made on demand.
 class Measured_piece

@@ -255,7 +255,7 @@ private:
     return std::move(result_);
   }
 
-  /// A sentence on what was made of an object.
+  /// A sentence on the parts made of an object.
   std::string decision(std::size_t pieces, std::size_t parts, const std::string& why_kept) const
   {
     const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments" : " pieces");

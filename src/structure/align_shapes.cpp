@@ -118,7 +118,7 @@ Symmetry symmetry_of_pair(const Symmetry& orbit, const Point& a, const Point& b)
   return result;
 }
 
-// What is left of a group with some of its parts. Its volumes are those of the group, reduced as the prominences and
+// The rest of a group that keeps some of its parts. Its volumes are those of the group, reduced as the prominences and
 // the hull of the sampled surfaces are.
 Part_group remaining(const Aligned_shape& shape, const Part_group& group, std::vector<std::size_t> parts)
 {
@@ -258,7 +258,7 @@ std::array<Grid_point, 2> place_of(const Sampled_part& part)
   return {grid_point(part.centroid), grid_point(part.samples.rowwise().maxCoeff() - part.samples.rowwise().minCoeff())};
 }
 
-// The samples of a part, whatever their order: they tell apart parts that cross each other.
+// The samples of a part as a set, independent of their order: they differ for parts that cross each other.
 std::vector<Grid_point> sample_set(const Sampled_part& part)
 {
   std::vector<Grid_point> result;

@@ -78,7 +78,7 @@ private:
   /// Each triangle faces one of six directions, that which its normal is nearest to or that of most of its neighbours.
   void assign_directions()
   {
-    constexpr double alike = 1e-6; // so that rounding does not tell equal ones apart
+    constexpr double alike = 1e-6; // equal cosines, but for rounding
     for (std::size_t t = 0; t < neighbours_.size(); ++t) {
       int best = 0;
       for (int d = 1; d < 6; ++d)
@@ -143,7 +143,7 @@ private:
     return chart;
   }
 
-  /// Which triangles are not on top of earlier ones, as pixels of a coarse picture tell. The first one never is.
+  /// Which triangles do not overlap earlier ones in a coarse picture. The first one never does.
   static std::vector<bool> without_overlap(const std::vector<Flat_triangle>& flat)
   {
     constexpr int size = 256;

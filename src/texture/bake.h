@@ -14,7 +14,7 @@ using Colour_of_point =
     std::function<Eigen::Vector3d(std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights)>;
 
 /// Paints the triangles of a layout into a picture; every pixel is the mean of `samples`² points. Colours go on past
-/// the borders of triangles by `margin` pixels; what is left has the colour `background`.
+/// the borders of triangles by `margin` pixels; all other pixels have the colour `background`.
 Image bake(const Texture_layout& layout, int size, int margin, int samples, const Eigen::Vector3d& background,
            const Colour_of_point& colour);
 

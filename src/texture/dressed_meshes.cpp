@@ -15,7 +15,7 @@ namespace {
 
 constexpr int wrap_numbers[] = {10497, 33648, 33071}; // of Texture_wrap, in glTF
 
-/// What a model looks like as it is drawn; nothing where that is not known.
+/// The appearance of a model as it is drawn; empty if the model has none, or its textures are too large.
 Shape_appearance drawn_appearance(const Segmented_shape* model, const Shape_appearance& looks,
                                   const Segmented_shape* drawn, std::size_t most_bytes)
 {

@@ -16,7 +16,7 @@ std::string fault_of_image(std::string_view bytes);
 
 bool is_png(std::string_view bytes);
 
-/// What the images of a model may take in all, once they are decoded: a few bytes may be an image of any size.
+/// Limits on the decoded images of a model, since a few bytes may encode an image of any size.
 struct Image_budget
 {
   std::size_t pixels = std::size_t(1) << 26; ///< four bytes each

@@ -19,7 +19,7 @@ struct Coloured_mesh
 };
 
 /// A part whose triangles are divided until no edge is longer than `longest_edge`, as far as that makes at most 200 000
-/// of them, so that colours of vertices show what its textures, which are decoded, look like.
+/// of them, with its textures as colours of the vertices. \pre the textures are decoded
 Coloured_mesh coloured_mesh(const Part_mesh& mesh, const Shape_appearance& appearance, std::size_t part,
                             const Eigen::Vector3d& neutral, double longest_edge);
 

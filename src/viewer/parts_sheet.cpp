@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t sheet_triangles = 200000, fewest_of_model = 500;
 
-/// Turns the upright axis to y; the other two as it is usual.
+/// Turns the upright axis to y.
 Eigen::Matrix3d upright(const Point& up)
 {
   const Point front = up.z() > 0.5 ? Point(-Point::UnitY()) : Point::UnitZ();

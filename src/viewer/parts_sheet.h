@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A web page with several models, one colour for each part, and what was made of their objects.
+/// A web page with several models, one colour for each part, and a table of their objects.
 class Parts_sheet
 {
 public:

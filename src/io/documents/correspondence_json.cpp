@@ -38,7 +38,7 @@ Json pairs(const Correspondence& correspondence, const Structural_graph& source,
   return result;
 }
 
-/// By pair; none where the method does not tell.
+/// By pair; empty if the method computes none.
 Json confidences(const Correspondence& correspondence)
 {
   Json result = Json::array();

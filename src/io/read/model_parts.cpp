@@ -147,7 +147,7 @@ void add_mesh(const Part_mesh& more, Part_mesh& all)
 
 Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
 {
-  const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // a file may tell of some triangles only
+  const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // of attributes that the file has
   Part_appearance result;
   for (std::size_t t : triangles) {
     if (all.materials.size() >= needed) result.materials.push_back(all.materials[t]);

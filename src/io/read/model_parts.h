@@ -72,10 +72,10 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
 /// Adds the points and triangles of a mesh to those of another one.
 void add_mesh(const Part_mesh& more, Part_mesh& all);
 
-/// The looks of some triangles of a part.
+/// The appearance of some triangles of a part.
 Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
 
-/// Appends the looks of more triangles; what only one side has is filled with its default.
+/// Appends the appearance of more triangles; attributes that only one side has are filled with defaults.
 void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all);
 
 } // namespace CGAL::Shape_correspondence::IO

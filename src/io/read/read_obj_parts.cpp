@@ -182,7 +182,7 @@ private:
     return name.empty() ? "" : " (part " + cited(name) + ")";
   }
 
-  /// Whether loose pieces do not tell the parts of an object: one is most of its surface, or they are too many.
+  /// Whether the loose pieces of an object cannot be its parts: one is most of its surface, or they are too many.
   bool needs_materials(const Section& section) const
   {
     const std::vector<internal::Loose_piece> pieces = internal::loose_pieces(0, weld(part_of(section, "").corners));

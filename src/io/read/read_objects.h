@@ -20,14 +20,14 @@ struct Model_objects
   /// several, and for a folder.
   std::vector<std::vector<int>> materials;
   std::vector<std::string> warnings; ///< of the reader
-  Shape_appearance appearance;       ///< as far as the model's own files tell, or as it was completed
+  Shape_appearance appearance;       ///< from the model's own file, or completed from the files that it names
 };
 
-/// Reads what a file names of its looks, and checks what it says of them.
+/// Completes materials and textures from the files that a model file names, and checks them.
 using Complete_looks =
     std::function<void(const std::string& file, Model_content& content, std::vector<std::string>& warnings)>;
 
-/// The same as `read_segmented_shape()`, with what is known of materials. \param complete may be empty
+/// The same as `read_segmented_shape()`, with materials. \param complete may be empty
 Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options = {},
                            const Complete_looks& complete = {});
 

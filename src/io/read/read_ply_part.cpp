@@ -91,7 +91,7 @@ public:
 private:
   [[noreturn]] void fail(const std::string& what) const { throw Invalid_input(file_ + ": " + what); }
 
-  /// What the header tells of looks.
+  /// Colour and texture coordinates of an element.
   struct Looks
   {
     bool has_colours = false, has_coordinates = false;

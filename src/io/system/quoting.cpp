@@ -88,7 +88,7 @@ std::string with_percent_codes(const std::string& text,
   return result;
 }
 
-/// A line of its own, trimmed by those who read it. \param is_special what else cannot be there
+/// A text as one line, whose outer blanks readers would drop. \param is_special further characters to be replaced
 std::string one_line(const std::string& text, const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
 {
   return with_percent_codes(text, [&](std::uint32_t code, std::size_t at) {

@@ -9,7 +9,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// What became of a program.
+/// How a program ended.
 struct Program_run
 {
   std::string output;         ///< of its standard output
@@ -17,8 +17,7 @@ struct Program_run
   bool took_too_long = false; ///< it has been ended for that
 };
 
-/// Runs a program to its end: with nothing to read, no file open but its standard output, and what it says of its
-/// errors unheard.
+/// Runs a program to its end, with no file open but its standard output; standard error is discarded.
 /// \param limit the time after which it is ended
 /// \throw Invalid_input if it cannot be started; the message says why
 Program_run run_program(const std::string& program, const std::vector<std::string>& arguments,

@@ -57,7 +57,7 @@ Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
 {
   if (std::size_t(mesh.triangles.cols()) <= most_triangles) return mesh;
   internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
-  const std::size_t edges = most_triangles * 3 / 2; // a closed surface has so many
+  const std::size_t edges = most_triangles * 3 / 2; // of a closed surface
   Surface_mesh_simplification::edge_collapse(
       surface, Surface_mesh_simplification::Count_stop_predicate<internal::Halfedge_mesh>(edges),
       CGAL::parameters::get_placement(Near_placement()));
