@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 

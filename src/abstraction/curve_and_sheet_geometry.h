@@ -7,7 +7,6 @@
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>

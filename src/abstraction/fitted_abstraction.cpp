@@ -15,7 +15,6 @@
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
-#include <cmath>
 #include <optional>
 
 namespace CGAL::Shape_correspondence {

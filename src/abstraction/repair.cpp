@@ -9,8 +9,6 @@
 #include "abstraction/bounding_box.h"
 #include "shape/meshes.h"
 
-#include <CGAL/Shape_correspondence/version.h>
-
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

@@ -11,7 +11,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 

@@ -7,7 +7,6 @@
 #include "abstraction/spatial_graph.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
-#include <CGAL/Shape_correspondence/version.h>
 
 #include <memory>
 

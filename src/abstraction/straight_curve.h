@@ -8,9 +8,6 @@
 #include "base/Nearest_points.h"
 #include "base/eigen_system.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

@@ -13,7 +13,6 @@
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -157,17 +156,10 @@ Evaluation mean_scores(const std::vector<Judged_result>& results, const Evaluati
   return Shape_correspondence::mean_scores(scores, options);
 }
 
-std::string fixed(double number)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", number);
-  return text;
-}
-
 /// A mean with its interval; of a single result, without.
 std::string text_of(const Estimate& e, std::size_t results)
 {
-  return fixed(e.mean) + (results > 1 ? " [" + fixed(e.low) + ", " + fixed(e.high) + "]" : "");
+  return decimals(e.mean) + (results > 1 ? " [" + decimals(e.low) + ", " + decimals(e.high) + "]" : "");
 }
 
 std::vector<std::string> row(const std::string& name, const Mean_score& score)
@@ -199,8 +191,8 @@ void print(const Evaluation& evaluation, const std::vector<Judged_result>& resul
   rows = {{"worst", "source", "target", "precision", "recall", "F1"}};
   for (std::size_t i = 0; i < worst; ++i) {
     const Judged_result& r = results[order[i]];
-    rows.push_back({r.source->category, r.source->name, r.target->name, fixed(r.score.precision()),
-                    fixed(r.score.recall()), fixed(r.score.f1())});
+    rows.push_back({r.source->category, r.source->name, r.target->name, decimals(r.score.precision()),
+                    decimals(r.score.recall()), decimals(r.score.f1())});
   }
   write_table(std::cout, rows);
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
-#include "cli/Common_options.h"
 #include "io/system/operating_system.h"
 #include "io/system/quoting.h"
 

@@ -16,7 +16,6 @@
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -163,13 +162,6 @@ void for_each_row(const Evaluated_roles& found, const Row& row)
     row(found.gain.categories[c].first, found.mean_geometry.categories[c].second,
         found.mean_with_roles.categories[c].second, found.gain.categories[c].second);
   row("mean", found.mean_geometry.mean, found.mean_with_roles.mean, found.gain.mean);
-}
-
-std::string decimals(double number)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", number);
-  return text;
 }
 
 std::string interval_text(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }

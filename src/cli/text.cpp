@@ -151,12 +151,14 @@ std::string short_number(double number)
   return out.str();
 }
 
-std::string percentage(double share)
+std::string decimals(double number, int count)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
+  std::snprintf(text, sizeof text, "%.*f", count, number);
   return text;
 }
+
+std::string percentage(double share) { return decimals(100 * share, 0) + " %"; }
 
 std::string listed(const std::vector<std::string>& words)
 {

@@ -5,8 +5,6 @@
 #include "io/system/atomic_file.h"
 #include "io/system/checked_file.h"
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstring>

@@ -4,16 +4,13 @@
 #include "base/for_each_index.h"
 #include "collection/Shared_progress.h"
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <set>
 
 namespace CGAL::Shape_correspondence {

@@ -6,7 +6,6 @@
 #include "structure/Sampled_part.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 // Eq. 2 (`rod_rotation()`) for all rods of a pair of parts at once: almost all of the search's time goes here. Numbers

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {

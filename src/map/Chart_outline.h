@@ -5,7 +5,6 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
-#include <array>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {

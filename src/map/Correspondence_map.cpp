@@ -7,7 +7,6 @@
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -5,8 +5,6 @@
 
 #include "base/planar_hull.h"
 
-#include <CGAL/Shape_correspondence/version.h>
-
 #include <array>
 #include <vector>
 

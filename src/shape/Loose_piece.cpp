@@ -5,8 +5,6 @@
 #include "base/Disjoint_sets.h"
 #include "shape/triangle_distance.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -7,8 +7,6 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <utility>
 #include <vector>

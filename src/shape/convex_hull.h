@@ -4,7 +4,6 @@
 #pragma once
 
 #include <CGAL/Shape_correspondence/Points.h>
-#include <CGAL/Shape_correspondence/version.h>
 
 namespace CGAL::Shape_correspondence::internal {
 

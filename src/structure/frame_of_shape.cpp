@@ -4,8 +4,6 @@
 #include "structure/frame_of_shape.h"
 #include "shape/sample_triangles.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "texture/Texture_layout.h"
+#include "shape/triangle_distance.h"
 #include "texture/neighbours.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -22,12 +22,6 @@ constexpr double most_collapsed = 0.01;
 constexpr double steepest = 0.4;
 constexpr int smoothing_rounds = 3;
 constexpr double off_border = 1e-6; // barycentric: pixels whose middles are on an edge are of no triangle
-
-double area_of(const Part_mesh& mesh, Eigen::Index t)
-{
-  const auto corner = [&](int k) -> Point { return mesh.points.col(mesh.triangles(k, t)); };
-  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
-}
 
 /// A chart: triangles of a part, and where their corners lie, from (0, 0) on, in the units of the shape.
 struct Chart
@@ -239,7 +233,7 @@ std::optional<Texture_layout> given_layout(const Segmented_shape& shape, const S
         if (at.minCoeff() < -outside || at.maxCoeff() > 1 + outside) return std::nullopt;
         flat[k] = at.cast<double>() * size;
       }
-      const double of_triangle = area_of(mesh, Eigen::Index(t));
+      const double of_triangle = contacts::area_vector(triangle_of(mesh, Eigen::Index(t))).norm() / 2;
       area += of_triangle;
       if (!(std::abs(cross(flat[1] - flat[0], flat[2] - flat[0])) > 0)) collapsed += of_triangle;
       for_each_pixel(

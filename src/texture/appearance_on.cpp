@@ -90,20 +90,6 @@ private:
   std::map<Corners, Eigen::Index> known_;
 };
 
-/// Some parts of a shape as one mesh, and what it looks like.
-std::pair<Part_mesh, Part_appearance> joined_objects(const Segmented_shape& shape, const Shape_appearance& appearance,
-                                                     const std::set<std::size_t>& objects)
-{
-  std::pair<Part_mesh, Part_appearance> result;
-  for (std::size_t i : objects) {
-    const Part_mesh& object = shape.parts()[i].mesh;
-    IO::add_looks(appearance.parts[i], std::size_t(object.triangles.cols()), std::size_t(result.first.triangles.cols()),
-                  result.second);
-    IO::add_mesh(object, result.first);
-  }
-  return result;
-}
-
 } // namespace
 
 Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it)
@@ -138,7 +124,8 @@ Shape_appearance appearance_of_parts(const Segmented_shape& objects, const Shape
   for (const Model_piece& piece : split.pieces)
     if (piece.part != no_part) objects_of[piece.part].insert(piece.object);
   for (std::size_t part = 0; part < result.parts.size(); ++part) {
-    const auto [mesh, looks] = joined_objects(objects, appearance, objects_of[part]);
+    const auto [mesh, looks] =
+        IO::joined_parts(objects, appearance, {objects_of[part].begin(), objects_of[part].end()});
     result.parts[part] = appearance_on(mesh, looks, split.shape.parts()[part].mesh);
   }
   return result;

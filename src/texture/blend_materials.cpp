@@ -44,7 +44,8 @@ public:
       Looks looks{side, {}, {}};
       for (std::size_t s = 0; s < 2; ++s)
         looks.colour[s] = only_colour(s, parts_of(surfaces_[i].task, s));
-      const auto [mesh, given] = joined_parts(shapes[side], materials_[side], parts_of(surfaces_[i].task, side));
+      const auto [mesh, given] = joined_parts(shapes[side], side == 0 ? appearance.source : appearance.target,
+                                              parts_of(surfaces_[i].task, side));
       looks.appearance = appearance_on(mesh, given, {points[side][i], surfaces_[i].triangles});
       looks_.push_back(std::move(looks));
     }
@@ -81,19 +82,6 @@ private:
     Part_appearance appearance;
     std::array<std::optional<Eigen::Vector4d>, 2> colour; ///< of the parts at both ends, where they have one
   };
-
-  static std::pair<Part_mesh, Part_appearance>
-  joined_parts(const Segmented_shape& shape, const Glb_materials& materials, const std::vector<std::size_t>& parts)
-  {
-    std::pair<Part_mesh, Part_appearance> result;
-    for (std::size_t part : parts) {
-      const Part_mesh& mesh = shape.parts()[part].mesh;
-      add_looks(materials.of_part(part), std::size_t(mesh.triangles.cols()), std::size_t(result.first.triangles.cols()),
-                result.second);
-      add_mesh(mesh, result.first);
-    }
-    return result;
-  }
 
   /// The colour of parts that are of one colour.
   std::optional<Eigen::Vector4d> only_colour(std::size_t side, const std::vector<std::size_t>& parts) const

@@ -8,9 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace CGAL::Shape_correspondence::internal {
 

@@ -172,4 +172,17 @@ void add_looks(const Part_appearance& more, std::size_t more_triangles, std::siz
   append(all.colours, 3 * triangles, more.colours, 3 * more_triangles, Eigen::Vector3f(1, 1, 1));
 }
 
+std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,
+                                                   const std::vector<std::size_t>& parts)
+{
+  std::pair<Part_mesh, Part_appearance> result;
+  for (std::size_t part : parts) {
+    const Part_mesh& mesh = shape.parts()[part].mesh;
+    add_looks(part < appearance.parts.size() ? appearance.parts[part] : Part_appearance(),
+              std::size_t(mesh.triangles.cols()), std::size_t(result.first.triangles.cols()), result.second);
+    add_mesh(mesh, result.first);
+  }
+  return result;
+}
+
 } // namespace CGAL::Shape_correspondence::IO

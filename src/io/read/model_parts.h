@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -71,6 +72,10 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
 
 /// Adds the points and triangles of a mesh to those of another one.
 void add_mesh(const Part_mesh& more, Part_mesh& all);
+
+/// Some parts of a shape as one mesh, with its appearance. \param appearance may lack parts
+std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,
+                                                   const std::vector<std::size_t>& parts);
 
 /// The appearance of some triangles of a part.
 Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);

@@ -8,8 +8,6 @@
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
-#include <Eigen/Geometry>
-
 #include <istream>
 #include <map>
 #include <set>

@@ -9,7 +9,6 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <array>
 #include <functional>
 #include <string>
 #include <vector>
