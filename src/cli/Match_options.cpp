@@ -8,7 +8,6 @@
 #include "cli/load_shape.h"
 #include "cli/text.h"
 
-#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/match_as_in_paper.h>
 
 #include <algorithm>
@@ -151,8 +150,7 @@ void refuse_options_without_effect(const Match_options& match, const Option_tabl
 std::shared_ptr<const Role_model> role_model(const Match_options& match, Search_method method)
 {
   if (match.roles == "none" || !has_roles(match, method)) return nullptr;
-  return match.roles == "auto" ? IO::shipped_role_model()
-                               : std::make_shared<const Role_model>(IO::read_role_model(match.roles));
+  return role_model(match.roles == "auto" ? "" : match.roles);
 }
 
 } // namespace

@@ -43,17 +43,14 @@ std::string alternatives(const std::vector<std::string>& words)
   return result;
 }
 
-bool ends_with(const std::string& path, const std::string& ending)
-{
-  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-}
+std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-bool is_glb(const std::string& path) { return ends_with(path, ".glb"); }
+bool is_glb(const std::string& path) { return ending_of(path) == ".glb"; }
 
 /// \throw Usage_error if a folder is to have the name of a file that blend does not write
 void check_is_no_other_file(const std::string& folder)
 {
-  const std::string ending = std::filesystem::path(folder).extension().string();
+  const std::string ending = ending_of(folder);
   for (const char* file : {".obj", ".ply", ".stl", ".off", ".gltf", ".dae", ".json", ".png", ".gif", ".mp4"})
     if (ending == file)
       throw Usage_error(
@@ -66,13 +63,13 @@ void check_is_no_other_file(const std::string& folder)
 std::string file_format(const Blend_output& output)
 {
   if (!output.is_one_shape() || output.schedule == "all") return "";
-  const std::string ending = std::filesystem::path(output.path).extension().string();
+  const std::string ending = ending_of(output.path);
   return ending == ".ply" ? "ply" : ending == ".glb" ? "glb" : "obj";
 }
 
 } // namespace
 
-bool Blend_output::is_page() const { return ends_with(path, ".html"); }
+bool Blend_output::is_page() const { return ending_of(path) == ".html"; }
 
 bool Blend_output::may_show_materials() const
 {
@@ -124,7 +121,7 @@ void check_output(const Blend_output& output)
   if (output.path.empty())
     throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
   if (output.solid && !output.is_one_shape()) throw Usage_error("--solid makes one shape: --at T says which");
-  const std::string ending = std::filesystem::path(output.path).extension().string();
+  const std::string ending = ending_of(output.path);
   if (output.solid && (output.format == "glb" || file_format(output) == "glb"))
     throw Usage_error("--solid writes a surface without materials: .obj or .ply");
   if (!file_format(output).empty()) {

@@ -10,6 +10,7 @@
 #include "io/read/Json_field.h"
 #include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
+#include "io/system/checked_file.h"
 #include "io/system/digest.h"
 #include "io/system/input_file.h"
 #include "io/write/Json.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -89,11 +89,8 @@ std::string graph_file(const std::string& folder, const std::string& content)
 /// The text of a graph in the folder; none if it is missing or damaged.
 std::optional<std::string> stored_text(const std::string& folder, const std::string& content)
 {
-  std::ifstream in(fs::path(graph_file(folder, content)), std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || IO::digest(text.str()) != content) return std::nullopt;
-  return text.str();
+  const std::string text = IO::bytes_of_file(graph_file(folder, content));
+  return IO::digest(text) == content ? std::optional(text) : std::nullopt;
 }
 
 /// Puts a graph into the folder, if there is one. \return the digest of the graph, which is its name there

@@ -5,7 +5,6 @@
 #include "cli/evaluate_results.h"
 #include "cli/run.h"
 #include "cli/text.h"
-#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
@@ -197,8 +196,6 @@ void print(const Evaluation& evaluation, const std::vector<Judged_result>& resul
   write_table(std::cout, rows);
 }
 
-IO::Json json_of(const Estimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
-
 IO::Json json_of(const std::string& category, const Mean_score& score)
 {
   IO::Json result;
@@ -254,6 +251,8 @@ void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, cons
 }
 
 } // namespace
+
+IO::Json json_of(const Estimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
 
 std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
 {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/Common_options.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
@@ -24,6 +25,9 @@ struct Evaluate_options
 
 /// Adds the options of the command `evaluate`.
 void add_evaluate_options(Option_table& table, Evaluate_options& options, Common_options& common);
+
+/// A mean with its confidence interval.
+IO::Json json_of(const Estimate& estimate);
 
 /// A result, and the file that messages and reports name it by.
 struct Named_result

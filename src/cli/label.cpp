@@ -11,7 +11,6 @@
 #include "cli/text.h"
 #include "io/system/quoting.h"
 
-#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <iostream>
@@ -63,8 +62,7 @@ void write_labels_json(std::ostream& out, const Structural_graph& graph, const P
 void label_shape(const std::string& path, const Label_options& options, const std::string& output,
                  const Common_options& common)
 {
-  auto model = options.roles.empty() ? IO::shipped_role_model()
-                                     : std::make_shared<const Role_model>(IO::read_role_model(options.roles));
+  std::shared_ptr<const Role_model> model = role_model(options.roles);
   Common_options with_roles = common;
   with_roles.roles = model;
   const Loaded_shape shape = load_shape(path, with_roles);

@@ -7,6 +7,7 @@
 #include "io/read/Json_field.h"
 #include "roles/Role_trainer.h"
 
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/train_role_model.h>
 
@@ -122,6 +123,11 @@ std::vector<Labelled_model> load_labelled_models(const std::string& folder, cons
     result.push_back({folder, shapes[i], loaded[i].graph, std::move(labels)});
   }
   return result;
+}
+
+std::shared_ptr<const Role_model> role_model(const std::string& file)
+{
+  return file.empty() ? IO::shipped_role_model() : std::make_shared<const Role_model>(IO::read_role_model(file));
 }
 
 void add_examples(const std::string& folder, const Common_options& options, std::shared_ptr<const Role_model>& model,

@@ -3,11 +3,11 @@
 
 #include "base/for_each_index.h"
 #include "cli/Command.h"
+#include "cli/evaluate_results.h"
 #include "cli/labelled_models.h"
 #include "cli/predicted_labels.h"
 #include "cli/run.h"
 #include "cli/text.h"
-#include "io/write/Json.h"
 #include "matching/mean_differences.h"
 #include "roles/Role_model_data.h"
 
@@ -191,11 +191,8 @@ IO::Json evaluation_json(const Evaluated_roles& found)
   const auto json_of_score = [](const Mean_score& score) {
     IO::Json entry;
     for (const auto& [name, estimate] :
-         {std::pair("precision", score.precision), std::pair("recall", score.recall), std::pair("f1", score.f1)}) {
-      entry[name]["mean"] = estimate.mean;
-      entry[name]["low"] = estimate.low;
-      entry[name]["high"] = estimate.high;
-    }
+         {std::pair("precision", score.precision), std::pair("recall", score.recall), std::pair("f1", score.f1)})
+      entry[name] = json_of(estimate);
     return entry;
   };
   for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
@@ -223,9 +220,7 @@ IO::Json evaluation_json(const Evaluated_roles& found)
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
-  const auto model = roles.label.roles.empty()
-                         ? IO::shipped_role_model()
-                         : std::make_shared<const Role_model>(IO::read_role_model(roles.label.roles));
+  const std::shared_ptr<const Role_model> model = role_model(roles.label.roles);
   std::vector<Labelled_model> models;
   for (const std::string& folder : folders)
     for (Labelled_model& labelled : load_labelled_models(folder, common))

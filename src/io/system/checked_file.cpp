@@ -20,6 +20,14 @@ std::string heading(const std::string& title, const std::string& content)
 
 } // namespace
 
+std::string bytes_of_file(const std::string& path)
+{
+  std::ifstream in(std::filesystem::path(path), std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return bytes.str();
+}
+
 void write_checked_file(const std::string& path, const std::string& title, const std::string& content)
 {
   write_atomically(path, [&](std::ostream& out) { out << heading(title, content) << content; });
@@ -36,10 +44,7 @@ std::optional<std::string> checked_content(const std::string& file, const std::s
 
 std::optional<std::string> read_checked_file(const std::string& path, const std::string& title)
 {
-  std::ifstream in(std::filesystem::path(path), std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return checked_content(text.str(), title);
+  return checked_content(bytes_of_file(path), title);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

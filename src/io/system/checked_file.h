@@ -8,6 +8,9 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
+/// All bytes of a file; none if it cannot be read.
+std::string bytes_of_file(const std::string& path);
+
 /// A file that is kept for later: its first line is a title, which says what it is, and a digest of the rest. Many
 /// processes may use one at a time.
 
