@@ -16,7 +16,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A closed triangle mesh whose edges can be split, collapsed and flipped. Halfedges 3f, 3f + 1 and 3f + 2 are those of
+/// A closed triangle mesh whose edges can be split and collapsed. Halfedges 3f, 3f + 1 and 3f + 2 are those of
 /// face f in turn, so that of each only its source and its opposite are kept (directed edges; Campagna, Kobbelt and
 /// Seidel 1998).
 class Closed_triangulation
@@ -138,32 +138,6 @@ public:
     out_[at(b)] = ca;
     out_[at(c)] = bc;
     out_[at(d)] = ad;
-  }
-
-  /// Whether an edge can be replaced by one between the vertices across.
-  bool can_flip(int h) const
-  {
-    const int c = apex(h), d = apex(opposite(h));
-    return c != d && !are_adjacent(c, d);
-  }
-
-  /// Does so. \pre `can_flip(h)`
-  void flip(int h)
-  {
-    const int o = opposite(h), a = source(h), b = target(h), c = apex(h), d = apex(o);
-    const int bc = opposite(next(h)), ca = opposite(previous(h)), ad = opposite(next(o)), db = opposite(previous(o));
-    const int f = h / 3, g = o / 3;
-    --degrees_[at(a)];
-    --degrees_[at(b)];
-    ++degrees_[at(c)];
-    ++degrees_[at(d)];
-    set_face(f, d, c, a);
-    set_face(g, c, d, b);
-    link(3 * f, 3 * g);
-    link(3 * f + 1, ca);
-    link(3 * f + 2, ad);
-    link(3 * g + 1, db);
-    link(3 * g + 2, bc);
   }
 
   /// The number of edges of a vertex.

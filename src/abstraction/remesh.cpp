@@ -35,7 +35,6 @@ public:
     for (int round = 0; round < rounds; ++round) {
       split_long_edges();
       collapse_short_edges();
-      flip_edges();
       spread_vertices();
     }
     return mesh_.mesh();
@@ -156,41 +155,6 @@ private:
       const Point &a = mesh_.point(u), &b = mesh_.point(v);
       return test((a - from).cross(b - from), (a - to).cross(b - to));
     });
-  }
-
-  /// Flips edges towards six edges a vertex, where the surface is about flat.
-  void flip_edges()
-  {
-    deadline_->check();
-    for (int h = 0; h < mesh_.number_of_halfedges(); ++h)
-      if (is_edge(h) && evens_degrees(h) && mesh_.can_flip(h) && stays_flat(h)) mesh_.flip(h);
-  }
-
-  bool evens_degrees(int h) const
-  {
-    const int wanted = 6;
-    const int o = mesh_.opposite(h);
-    const auto excess = [&](int v, int change) { return std::abs(mesh_.degree(v) + change - wanted); };
-    const auto sum = [&](int change) {
-      return excess(mesh_.source(h), -change) + excess(mesh_.target(h), -change) + excess(mesh_.apex(h), change) +
-             excess(mesh_.apex(o), change);
-    };
-    return sum(1) < sum(0);
-  }
-
-  bool stays_flat(int h) const
-  {
-    const double least_cosine = 0.5;
-    const int o = mesh_.opposite(h);
-    const Point &a = mesh_.point(mesh_.source(h)), &b = mesh_.point(mesh_.target(h)), &c = mesh_.point(mesh_.apex(h)),
-                &d = mesh_.point(mesh_.apex(o));
-    const Point before[] = {mesh_.normal(h), mesh_.normal(o)};
-    const Point after[] = {(a - d).cross(c - d), (b - c).cross(d - c)};
-    for (const Point& n : before) {
-      for (const Point& m : after)
-        if (!(n.dot(m) > least_cosine * n.norm() * m.norm())) return false;
-    }
-    return true;
   }
 
   /// Moves every vertex to the middle of its neighbours, along the surface.

@@ -160,10 +160,10 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   return true;
 }
 
+/// \pre the mesh is closed
 bool is_solid(Halfedge_mesh& mesh)
 {
   const double smallest_fullness = 1e-4;
-  if (!CGAL::is_closed(mesh)) return false;
   turn_outwards(mesh);
   return fullness(mesh) > smallest_fullness;
 }
