@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "box_shapes.h"
 #include "boxed_graphs.h"
+#include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 
@@ -80,4 +81,25 @@ TEST_CASE("A curve that is cut becomes segments, at the border both")
     CHECK((evaluate(structure(to).parts[images[0].part], images[0].parameter) - place).norm() < 1e-6);
   }
   CHECK(map({0, {0.5, 0}}).size() == 2);
+}
+
+TEST_CASE("A ring goes onto a ring whose curve runs the other way, every point to its place")
+{
+  const auto graph_of_ring = [](double sign) {
+    Shape_structure shape;
+    shape.parts = {hand_made::ring("ring", {0, 0.5, 0}, {0.4, 0, 0}, {0, 0, sign * 0.3}),
+                   hand_made::curve("stick", {0.4, 0, 0}, {0.4, 0.5, 0})};
+    shape.contacts = {hand_made::contact(shape, 0, 1, {0.4, 0.5, 0})};
+    return make_structural_graph(std::move(shape), {hand_made::group({0}), hand_made::group({1})});
+  };
+  const Structural_graph from = graph_of_ring(1), to = graph_of_ring(-1);
+  const Correspondence_map map(from, to, pairing({{0, 0}, {1, 1}}));
+  for (double t : {0., 0.1, 0.3, 0.6, 0.9}) {
+    const auto images = map({0, {t, 0}});
+    REQUIRE(images.size() == 1);
+    const Point place = evaluate(structure(from).parts[0], {t, 0});
+    CHECK((evaluate(structure(to).parts[0], images[0].parameter) - place).norm() < 1e-9);
+    const double back = map.inverse()(images[0]).at(0).parameter[0];
+    CHECK((evaluate(structure(from).parts[0], {back, 0}) - place).norm() < 1e-9);
+  }
 }

@@ -93,7 +93,9 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   CHECK(report["frames"].size() == 3);
   CHECK(report["schedules"].size() == 5);
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
-  CHECK(run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --quiet").status == 0);
+  const Run animation = run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --verbose");
+  CHECK(animation.status == 0);
+  CHECK_THAT(animation.out, Contains("The first schedule is used"));
   CHECK(text_of(folder.path("a.glb")).substr(0, 4) == "glTF");
   CHECK(run("blend " + quoted(graph) + " " + quoted(graph) + " -o " + quoted(folder.path("frames.obj"))).status == 2);
   CHECK(run(models + " --quiet --frames 2 -o " + quoted(folder.path("b.html"))).status == 0);

@@ -94,6 +94,9 @@ TEST_CASE("Shapes without labels are left out of training with a warning, and no
   const std::string train =
       "roles train " + folder.path("set") + " --abstraction boxes --trees 5 --output " + folder.path("a.roles");
   CHECK(run(train).error.find("labels.json") == std::string::npos);
+  folder.write("set/pairs.json", R"([["chair", "chair_four_legged", "stool"], ["chair", "stool", "throne"]])");
+  CHECK_THAT(run(train).error, Contains("[1][2] names a shape that is not in the category 'chair'"));
+  fs::remove(folder.path("set/pairs.json"));
   fs::remove(folder.path("set/b/stool/labels.json"));
   const Run one = run(train);
   CHECK(one.status == 0);
@@ -171,6 +174,8 @@ TEST_CASE("The program matches with the user's own examples, and transfers label
       if (part["name"] == known["name"]) CHECK(part["coarse"] == known["coarse"]);
   CHECK(nlohmann::json::parse(text_of(folder.path("labels/stool/labels.json")))["parts"].size() > 3);
 
+  CHECK_THAT(run("collection " + folder.path("examples") + " --labels-from " + data + "/chair_four_legged").out,
+             Contains("mean confidence") && Contains("4 leg"));
   CHECK_THAT(run("collection " + data + " --labels-to x").error, Contains("without --labels-from"));
   CHECK_THAT(run(set + "--csv x.csv").error, Contains("--labels-from goes with"));
   CHECK_THAT(run("collection " + folder.path("examples") + " --labels-from " + folder.path("examples")).error,

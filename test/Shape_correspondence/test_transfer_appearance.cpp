@@ -314,6 +314,10 @@ TEST_CASE("The program transfers a texture; what it writes reads back")
     CHECK(looks.textures[0].image.width == 128);
   }
   CHECK(std::filesystem::exists(folder.path("out.mtl")));
+  CHECK(run("match " + source + " " + target + " --abstraction boxes -o " + quoted(folder.path("m.glb"))).status == 0);
+  const std::string match = model_files::text_of(folder.path("m.glb"));
+  CHECK(match.find(R"("name":"materials")") != std::string::npos);
+  CHECK(match.find(R"("mimeType":"image/png")") != std::string::npos);
   const Run labels = run("transfer " + common + "--labels parts -o " + quoted(folder.path("out.ply")));
   CHECK(labels.status == 0);
   const std::string ply = model_files::text_of(folder.path("out.ply"));
