@@ -211,15 +211,14 @@ IO::Json json_of(const std::string& category, const Mean_score& score)
 
 IO::Json json_of(const Judged_result& r)
 {
-  IO::Json result;
-  result["file"] = r.file;
-  result["category"] = r.source->category;
-  result["source"] = r.source->name;
-  result["target"] = r.target->name;
-  result["precision"] = r.score.precision();
-  result["recall"] = r.score.recall();
-  result["f1"] = r.score.f1();
-  result["coarse_precision"] = r.score.coarse_precision();
+  IO::Json result = {{"file", r.file},
+                     {"category", r.source->category},
+                     {"source", r.source->name},
+                     {"target", r.target->name},
+                     {"precision", r.score.precision()},
+                     {"recall", r.score.recall()},
+                     {"f1", r.score.f1()},
+                     {"coarse_precision", r.score.coarse_precision()}};
   const auto contains = [](const Part_pairs& pairs, const auto& pair) {
     return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
   };

@@ -19,9 +19,7 @@ inline IO::Json parts_json(const std::vector<std::string>& parts, const std::vec
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const auto& [label, probability] = labels[part];
     if (label.coarse.empty()) continue;
-    IO::Json entry;
-    entry["name"] = parts[part];
-    entry["coarse"] = label.coarse;
+    IO::Json entry = {{"name", parts[part]}, {"coarse", label.coarse}};
     if (!label.fine.empty()) entry["fine"] = label.fine;
     entry["probability"] = probability;
     result.push_back(std::move(entry));
@@ -33,11 +31,7 @@ inline IO::Json parts_json(const std::vector<std::string>& parts, const std::vec
 inline IO::Json labels_json(const std::vector<std::string>& parts, const std::string& category,
                             const std::vector<Transferred_label>& labels)
 {
-  IO::Json result;
-  result["format"] = "shape_correspondence/labels";
-  result["category"] = category;
-  result["parts"] = parts_json(parts, labels);
-  return result;
+  return {{"format", "shape_correspondence/labels"}, {"category", category}, {"parts", parts_json(parts, labels)}};
 }
 
 } // namespace CGAL::Shape_correspondence::cli

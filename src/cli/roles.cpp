@@ -63,10 +63,8 @@ void add_weights(const Match_weights& weights, IO::Json& result)
   for (Eigen::Index term = 0; term < PAIR_TERM_COUNT; ++term)
     result["weights"][names[term]] = weights.weights[term];
   for (const auto& [name, confidence] :
-       {std::pair("confidence", weights.confidence), std::pair("geometric_confidence", weights.geometric_confidence)}) {
-    result[name]["slope"] = confidence[SLOPE];
-    result[name]["offset"] = confidence[OFFSET];
-  }
+       {std::pair("confidence", weights.confidence), std::pair("geometric_confidence", weights.geometric_confidence)})
+    result[name] = {{"slope", confidence[SLOPE]}, {"offset", confidence[OFFSET]}};
 }
 
 /// What a model was learned from.
@@ -80,9 +78,7 @@ IO::Json manifest_json(const Trained_roles& trained, const Roles_options& roles)
   result["trees"] = roles.training.options.trees;
   result["categories"] = IO::Json::array();
   for (const Category_roles& learned : Role_model_access::data(trained.model).categories) {
-    IO::Json entry;
-    entry["category"] = learned.name;
-    entry["roles"] = learned.roles;
+    IO::Json entry = {{"category", learned.name}, {"roles", learned.roles}};
     add_weights(learned, entry);
     result["categories"].push_back(std::move(entry));
   }
@@ -90,12 +86,8 @@ IO::Json manifest_json(const Trained_roles& trained, const Roles_options& roles)
   result["shapes"] = IO::Json::array();
   for (std::size_t i = 0; i < trained.number_of_real; ++i) {
     const IO::Labelled_shape& shape = trained.models[i].labels;
-    IO::Json entry;
-    entry["category"] = shape.category;
-    entry["name"] = shape.name;
-    entry["source"] = shape.source;
-    entry["license"] = shape.license;
-    result["shapes"].push_back(std::move(entry));
+    result["shapes"].push_back(
+        {{"category", shape.category}, {"name", shape.name}, {"source", shape.source}, {"license", shape.license}});
   }
   return result;
 }
@@ -188,32 +180,24 @@ IO::Json evaluation_json(const Evaluated_roles& found)
   result["format"] = "shape_correspondence/role_evaluation";
   result["version"] = 2;
   result["categories"] = IO::Json::array();
-  const auto json_of_score = [](const Mean_score& score) {
-    IO::Json entry;
-    for (const auto& [name, estimate] :
-         {std::pair("precision", score.precision), std::pair("recall", score.recall), std::pair("f1", score.f1)})
-      entry[name] = json_of(estimate);
-    return entry;
+  const auto json_of_score = [](const Mean_score& score) -> IO::Json {
+    return {{"precision", json_of(score.precision)}, {"recall", json_of(score.recall)}, {"f1", json_of(score.f1)}};
   };
   for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
                           const Mean_score& gain) {
-    IO::Json entry;
-    entry["category"] = category;
-    entry["pairs"] = geometry.correspondences;
-    entry["geometry"] = json_of_score(geometry);
-    entry["with_roles"] = json_of_score(with_roles);
-    entry["gain"] = json_of_score(gain);
-    result["categories"].push_back(std::move(entry));
+    result["categories"].push_back({{"category", category},
+                                    {"pairs", geometry.correspondences},
+                                    {"geometry", json_of_score(geometry)},
+                                    {"with_roles", json_of_score(with_roles)},
+                                    {"gain", json_of_score(gain)}});
   });
   result["pairs"] = IO::Json::array();
   for (std::size_t i = 0; i < found.geometry.size(); ++i) {
-    IO::Json entry;
-    entry["category"] = found.geometry[i].category;
-    entry["source"] = found.geometry[i].source;
-    entry["target"] = found.geometry[i].target;
-    entry["geometry"] = found.geometry[i].score.f1();
-    entry["with_roles"] = found.with_roles[i].score.f1();
-    result["pairs"].push_back(std::move(entry));
+    result["pairs"].push_back({{"category", found.geometry[i].category},
+                               {"source", found.geometry[i].source},
+                               {"target", found.geometry[i].target},
+                               {"geometry", found.geometry[i].score.f1()},
+                               {"with_roles", found.with_roles[i].score.f1()}});
   }
   return result;
 }

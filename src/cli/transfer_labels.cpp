@@ -71,11 +71,8 @@ IO::Json document(const Labelled_model& source, const Collection_shapes& shapes,
   result["shapes"] = IO::Json::array();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Collection_shape& shape = shapes.shapes()[i];
-    IO::Json entry;
-    entry["name"] = shape.name;
-    entry["file"] = shape.path;
-    entry["parts"] = parts_json(shape.parts, labels[i]);
-    result["shapes"].push_back(std::move(entry));
+    result["shapes"].push_back(
+        {{"name", shape.name}, {"file", shape.path}, {"parts", parts_json(shape.parts, labels[i])}});
   }
   result["warnings"] = IO::Json(shapes.skipped());
   return result;
