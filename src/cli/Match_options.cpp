@@ -150,7 +150,7 @@ void refuse_options_without_effect(const Match_options& match, const Option_tabl
 std::shared_ptr<const Role_model> role_model(const Match_options& match, Search_method method)
 {
   if (match.roles == "none" || !has_roles(match, method)) return nullptr;
-  return role_model(match.roles == "auto" ? "" : match.roles);
+  return role_model_of(match.roles == "auto" ? "" : match.roles);
 }
 
 } // namespace

@@ -202,10 +202,10 @@ IO::Json json_of(const std::string& category, const Mean_score& score)
   if (!category.empty()) result["category"] = category;
   result["results"] = score.correspondences;
   result["empty"] = score.empty;
-  result["precision"] = json_of(score.precision);
-  result["recall"] = json_of(score.recall);
-  result["f1"] = json_of(score.f1);
-  result["coarse_precision"] = json_of(score.coarse_precision);
+  result["precision"] = estimate_json(score.precision);
+  result["recall"] = estimate_json(score.recall);
+  result["f1"] = estimate_json(score.f1);
+  result["coarse_precision"] = estimate_json(score.coarse_precision);
   return result;
 }
 
@@ -251,7 +251,7 @@ void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, cons
 
 } // namespace
 
-IO::Json json_of(const Estimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
+IO::Json estimate_json(const Estimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
 
 std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
 {

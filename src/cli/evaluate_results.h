@@ -27,7 +27,7 @@ struct Evaluate_options
 void add_evaluate_options(Option_table& table, Evaluate_options& options, Common_options& common);
 
 /// A mean with its confidence interval.
-IO::Json json_of(const Estimate& estimate);
+IO::Json estimate_json(const Estimate& estimate);
 
 /// A result, and the file that messages and reports name it by.
 struct Named_result

@@ -62,7 +62,7 @@ void write_labels_json(std::ostream& out, const Structural_graph& graph, const P
 void label_shape(const std::string& path, const Label_options& options, const std::string& output,
                  const Common_options& common)
 {
-  std::shared_ptr<const Role_model> model = role_model(options.roles);
+  std::shared_ptr<const Role_model> model = role_model_of(options.roles);
   Common_options with_roles = common;
   with_roles.roles = model;
   const Loaded_shape shape = load_shape(path, with_roles);

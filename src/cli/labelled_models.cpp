@@ -125,7 +125,7 @@ std::vector<Labelled_model> load_labelled_models(const std::string& folder, cons
   return result;
 }
 
-std::shared_ptr<const Role_model> role_model(const std::string& file)
+std::shared_ptr<const Role_model> role_model_of(const std::string& file)
 {
   return file.empty() ? IO::shipped_role_model() : std::make_shared<const Role_model>(IO::read_role_model(file));
 }

@@ -31,7 +31,7 @@ struct Labelled_model
 std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options);
 
 /// The role model in a file; empty: the one that comes with the program.
-std::shared_ptr<const Role_model> role_model(const std::string& file);
+std::shared_ptr<const Role_model> role_model_of(const std::string& file);
 
 /// Adds the labelled shapes of a folder to what a model was learned from, see `extend_role_model()`. If they are of one
 /// category, and none is asked for, that category is meant. \param model null: none so far

@@ -181,7 +181,9 @@ IO::Json evaluation_json(const Evaluated_roles& found)
   result["version"] = 2;
   result["categories"] = IO::Json::array();
   const auto json_of_score = [](const Mean_score& score) -> IO::Json {
-    return {{"precision", json_of(score.precision)}, {"recall", json_of(score.recall)}, {"f1", json_of(score.f1)}};
+    return {{"precision", estimate_json(score.precision)},
+            {"recall", estimate_json(score.recall)},
+            {"f1", estimate_json(score.f1)}};
   };
   for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
                           const Mean_score& gain) {
@@ -204,7 +206,7 @@ IO::Json evaluation_json(const Evaluated_roles& found)
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
-  const std::shared_ptr<const Role_model> model = role_model(roles.label.roles);
+  const std::shared_ptr<const Role_model> model = role_model_of(roles.label.roles);
   std::vector<Labelled_model> models;
   for (const std::string& folder : folders)
     for (Labelled_model& labelled : load_labelled_models(folder, common))

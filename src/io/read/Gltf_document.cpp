@@ -6,11 +6,11 @@
 #include "io/read/named_files.h"
 #include "io/read/repeated_triangles.h"
 #include "io/read/text_words.h"
+#include "io/system/little_endian.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
-#include <cstring>
 
 // tinygltf would give the same document, but it lets wrong types pass as missing values, cuts large numbers, and takes
 // images from outside of their buffers.
@@ -22,20 +22,6 @@ constexpr std::uint64_t most_numbers =
     200'000'000;                              // of ten million triangles: three corners each, and what they are of
 constexpr std::size_t most_zeros = 1'000'000; // elements of an accessor that the file says nothing of
 const char* const version_1 = "glTF 1.0";
-
-template <typename Number>
-Number number_in(const char* bytes)
-{
-  std::uint32_t bits = 0;
-  for (std::size_t byte = sizeof(Number); byte-- > 0;)
-    bits = bits << 8 | static_cast<unsigned char>(bytes[byte]);
-  if constexpr (std::is_floating_point_v<Number>) {
-    Number result;
-    std::memcpy(&result, &bits, sizeof result);
-    return result;
-  } else
-    return static_cast<Number>(bits);
-}
 
 template <typename Number>
 double component_in(const char* bytes)
@@ -109,8 +95,7 @@ void Gltf_document::split_glb()
   const auto cut_off = [&] { return Invalid_input(file_ + ": it cannot be read as GLB: it is cut off, or damaged"); };
   if (text_.size() < header + chunk_header) throw cut_off();
   const std::uint32_t version = number_in<std::uint32_t>(text_.data() + 4);
-  if (version == 1) needs_ = version_1;
-  if (version == 1) return;
+  if (version == 1) return void(needs_ = version_1);
   if (version != 2)
     throw Invalid_input(file_ + ": it is GLB of version " + std::to_string(version) + "; save it as glTF 2.0");
   const std::size_t length = number_in<std::uint32_t>(text_.data() + 8);

@@ -4,13 +4,13 @@
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
+#include "io/system/little_endian.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <map>
 
 // An own reader for PLY, of all its encodings and number types: CGAL's and assimp's trust the counts in the file.
@@ -294,40 +294,33 @@ private:
     }
     switch (type) {
     case Ply_type::INT8:
-      return next_bytes<std::int8_t, std::uint8_t>();
+      return next_bytes<std::int8_t>();
     case Ply_type::UINT8:
-      return next_bytes<std::uint8_t, std::uint8_t>();
+      return next_bytes<std::uint8_t>();
     case Ply_type::INT16:
-      return next_bytes<std::int16_t, std::uint16_t>();
+      return next_bytes<std::int16_t>();
     case Ply_type::UINT16:
-      return next_bytes<std::uint16_t, std::uint16_t>();
+      return next_bytes<std::uint16_t>();
     case Ply_type::INT32:
-      return next_bytes<std::int32_t, std::uint32_t>();
+      return next_bytes<std::int32_t>();
     case Ply_type::UINT32:
-      return next_bytes<std::uint32_t, std::uint32_t>();
+      return next_bytes<std::uint32_t>();
     case Ply_type::FLOAT32:
-      return next_bytes<float, std::uint32_t>();
+      return next_bytes<float>();
     case Ply_type::FLOAT64:
       break;
     }
-    return next_bytes<double, std::uint64_t>();
+    return next_bytes<double>();
   }
 
-  template <typename Number, typename Bits>
+  template <typename Number>
   double next_bytes()
   {
-    constexpr std::size_t size = sizeof(Bits);
-    if (text_.size() < size) fail("it ends before all of its elements are there; the file is cut off");
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::size_t from_low = encoding_ == Ply_encoding::LITTLE_ENDIAN_BYTES ? i : size - 1 - i;
-      bits |= std::uint64_t(static_cast<unsigned char>(text_[i])) << (8 * from_low);
-    }
-    text_.remove_prefix(size);
-    const auto own_bits = static_cast<Bits>(bits);
-    Number number;
-    std::memcpy(&number, &own_bits, size);
-    return double(number);
+    if (text_.size() < sizeof(Number)) fail("it ends before all of its elements are there; the file is cut off");
+    const char* const bytes = text_.data();
+    text_.remove_prefix(sizeof(Number));
+    return double(encoding_ == Ply_encoding::LITTLE_ENDIAN_BYTES ? number_in<Number>(bytes)
+                                                                 : number_in<Number, boost::endian::order::big>(bytes));
   }
 
   std::string_view text_;

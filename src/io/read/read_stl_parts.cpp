@@ -3,11 +3,11 @@
 
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
+#include "io/system/little_endian.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <cstdint>
-#include <cstring>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -15,32 +15,20 @@ namespace {
 // Of binary files: a header of 80 bytes, a count, and for each triangle a normal, three corners and two bytes more
 constexpr std::size_t header_size = 84, triangle_size = 50, normal_size = 12;
 
-std::uint32_t little_endian(std::string_view bytes)
-{
-  std::uint32_t result = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    result |= std::uint32_t(static_cast<unsigned char>(bytes[i])) << (8 * i);
-  return result;
-}
-
 Model_content read_binary_stl(std::string_view text, const std::string& file)
 {
-  const std::size_t count = little_endian(text.substr(header_size - 4));
+  const std::size_t count = number_in<std::uint32_t>(text.data() + header_size - 4);
   if (count > (text.size() - header_size) / triangle_size)
     throw Invalid_input(file + ": it cannot be read as an STL model: it says that it has " + std::to_string(count) +
                         " triangles, which is more than the file holds; it is cut off or damaged");
   Model_content result;
   result.parts.emplace_back();
   for (std::size_t t = 0; t < count; ++t) {
-    const std::string_view corners = text.substr(header_size + t * triangle_size + normal_size);
+    const char* const corners = text.data() + header_size + t * triangle_size + normal_size;
     for (std::size_t k = 0; k < 3; ++k) {
       Point corner;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t bits = little_endian(corners.substr(4 * (3 * k + i)));
-        float coordinate;
-        std::memcpy(&coordinate, &bits, sizeof coordinate);
-        corner[Eigen::Index(i)] = coordinate;
-      }
+      for (std::size_t i = 0; i < 3; ++i)
+        corner[Eigen::Index(i)] = number_in<float>(corners + 4 * (3 * k + i));
       result.parts[0].corners.push_back(corner);
     }
   }
@@ -84,7 +72,7 @@ Model_content read_text_stl(std::string_view text, const std::string& file)
 bool is_text_stl(std::string_view text)
 {
   if (text.size() >= header_size &&
-      text.size() == header_size + triangle_size * std::size_t(little_endian(text.substr(header_size - 4))))
+      text.size() == header_size + triangle_size * std::size_t(number_in<std::uint32_t>(text.data() + header_size - 4)))
     return false;
   return next_word(text) == "solid";
 }

@@ -3,20 +3,26 @@
 
 #pragma once
 
-#include <cstdint>
-#include <cstring>
+#include <boost/endian/conversion.hpp>
+
 #include <string>
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// Appends a number: the same bytes on every machine. \tparam Bits an unsigned integer of its size
-template <typename Number, typename Bits>
+/// A number in a file, from its bytes.
+template <typename Number, boost::endian::order Order = boost::endian::order::little>
+Number number_in(const char* bytes)
+{
+  return boost::endian::endian_load<Number, sizeof(Number), Order>(reinterpret_cast<const unsigned char*>(bytes));
+}
+
+/// Appends the bytes of a number, the low ones first.
+template <typename Number>
 void append_little_endian(std::string& bytes, Number number)
 {
-  Bits bits;
-  std::memcpy(&bits, &number, sizeof(bits));
-  for (std::size_t byte = 0; byte < sizeof(bits); ++byte)
-    bytes.push_back(static_cast<char>(bits >> (8 * byte) & 0xFF));
+  unsigned char own[sizeof(Number)];
+  boost::endian::endian_store<Number, sizeof(Number), boost::endian::order::little>(own, number);
+  bytes.append(own, own + sizeof own);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

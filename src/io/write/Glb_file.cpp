@@ -20,10 +20,7 @@ constexpr int mode_lines = 1;         // triangles need none
 constexpr int restart_index = 0xFFFF; // no index of 16 bits
 constexpr std::uint32_t magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
 
-void append_uint32(std::string& bytes, std::size_t value)
-{
-  append_little_endian<std::uint32_t, std::uint32_t>(bytes, static_cast<std::uint32_t>(value));
-}
+void append_uint32(std::string& bytes, std::size_t value) { append_little_endian(bytes, std::uint32_t(value)); }
 
 void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
 
@@ -88,7 +85,7 @@ int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dy
   }
   std::string bytes;
   for (Eigen::Index i = 0; i < elements.size(); ++i)
-    append_little_endian<Scalar, std::conditional_t<is_short, std::uint16_t, std::uint32_t>>(bytes, elements.data()[i]);
+    append_little_endian(bytes, elements.data()[i]);
   accessor["bufferView"] = add_bytes(bytes, target);
   return add("accessors", std::move(accessor));
 }

@@ -92,15 +92,15 @@ void write_ply(std::ostream& out, const std::vector<Ply_part>& parts, const std:
     out << "comment part " << number << ' ' << quote_ply(part.name) << '\n';
     for (Eigen::Index v = 0; v < part.mesh.points.cols(); ++v) {
       for (double coordinate : part.mesh.points.col(v))
-        append_little_endian<double, std::uint64_t>(vertices, coordinate);
+        append_little_endian(vertices, coordinate);
       if (has_colours) vertices.append(reinterpret_cast<const char*>(&part.colours[3 * std::size_t(v)]), 3);
     }
     for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t) {
       faces.push_back(3);
       for (int corner : part.mesh.triangles.col(t))
-        append_little_endian<std::int32_t, std::uint32_t>(faces, points + corner);
-      append_little_endian<std::int32_t, std::uint32_t>(faces, number);
-      if (!labels.empty()) append_little_endian<std::int32_t, std::uint32_t>(faces, part.labels[std::size_t(t)]);
+        append_little_endian(faces, points + corner);
+      append_little_endian(faces, number);
+      if (!labels.empty()) append_little_endian(faces, part.labels[std::size_t(t)]);
     }
     points += static_cast<std::int32_t>(part.mesh.points.cols());
     triangles += static_cast<std::int32_t>(part.mesh.triangles.cols());
