@@ -36,10 +36,8 @@ struct Model
   {
     bytes.resize((bytes.size() + 3) / 4 * 4);
     const std::size_t begin = bytes.size();
-    using Bits = std::conditional_t<sizeof(Number) == 1, std::uint8_t,
-                                    std::conditional_t<sizeof(Number) == 2, std::uint16_t, std::uint32_t>>;
     for (Number number : numbers)
-      IO::append_little_endian<Number, Bits>(bytes, number);
+      IO::append_little_endian(bytes, number);
     document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}});
     return int(document["bufferViews"].size()) - 1;
   }
@@ -69,9 +67,7 @@ struct Model
     std::string text = whole.dump(), binary = bytes, result = "glTF";
     text.resize((text.size() + 3) / 4 * 4, ' ');
     binary.resize((bytes.size() + 3) / 4 * 4);
-    const auto append = [&](std::size_t number) {
-      IO::append_little_endian<std::uint32_t, std::uint32_t>(result, std::uint32_t(number));
-    };
+    const auto append = [&](std::size_t number) { IO::append_little_endian(result, std::uint32_t(number)); };
     append(2);
     append(12 + 8 + text.size() + 8 + binary.size());
     append(text.size());
