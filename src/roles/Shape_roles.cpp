@@ -118,26 +118,17 @@ const Role_votes& Shape_roles::votes(std::size_t category) const
 
 namespace {
 
-// \param distance of two shapes, by category: their sum
-template <typename Distance>
-Pair_category nearest_category(const Role_model_data& model, const Role_options& options, const Distance& distance)
+double distance_of(const Shape_roles& shape, std::size_t category) { return shape.distance(category); }
+
+// Mean over the parts of the log of the share of the trees that vote for the likeliest role.
+double agreement_of_trees(const Shape_roles& shape, std::size_t category, int trees)
 {
-  const std::size_t none = model.categories.size();
-  if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone.", none};
-  std::vector<std::pair<double, std::size_t>> categories;
-  for (std::size_t category = 0; category < none; ++category)
-    categories.emplace_back(distance(category), category);
-  std::sort(categories.begin(), categories.end());
-  const auto [least, nearest] = categories[0];
-  const bool is_clear = none > 1 && least <= options.category_ratio * categories[1].first;
-  if (is_clear || least <= 2 * options.category_distance) return {nearest, "", nearest};
-  return {none,
-          "The shapes are not clearly of a category that the role model knows (the nearest is " +
-              model.categories[nearest].name + "); the parts were matched by geometry alone.",
-          nearest};
+  const Eigen::MatrixXi& votes = shape.votes(category).roles;
+  return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-double distance_of_best_turn(const Turned_roles& shape, std::size_t category)
+// Of the turn in which the shape is nearest.
+double distance_of(const Turned_roles& shape, std::size_t category)
 {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& turned : shape)
@@ -145,11 +136,13 @@ double distance_of_best_turn(const Turned_roles& shape, std::size_t category)
   return least;
 }
 
-// Mean over the parts of the log of the share of the trees that vote for the likeliest role.
-double agreement_of_trees(const Shape_roles& shape, std::size_t category, int trees)
+// Of the turn in which the trees agree most.
+double agreement_of_trees(const Turned_roles& shape, std::size_t category, int trees)
 {
-  const Eigen::MatrixXi& votes = shape.votes(category).roles;
-  return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
+  double most = -std::numeric_limits<double>::infinity();
+  for (const auto& turned : shape)
+    most = std::max(most, agreement_of_trees(*turned, category, trees));
+  return most;
 }
 
 Steps clear_difference(const Role_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
@@ -176,24 +169,56 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
 
 namespace {
 
-// The nearest category of both shapes; none if each clearly is of a category of its own.
-// \param source, target distance of a shape, by category
+// Categories by distance, the nearest first. \param distance by category
 template <typename Distance>
-Pair_category category_of_both(const Role_model_data& model, const Role_options& options, const Distance& source,
-                               const Distance& target)
+std::vector<std::pair<double, std::size_t>> by_distance(const Role_model_data& model, const Distance& distance)
 {
-  const Pair_category of_both =
-      nearest_category(model, options, [&](std::size_t category) { return source(category) + target(category); });
-  Role_options by_ratio = options;
-  by_ratio.category_distance = 0;
-  const std::size_t a = nearest_category(model, by_ratio, source).index,
-                    b = nearest_category(model, by_ratio, target).index, none = model.categories.size();
-  if (a == b || a == none || b == none) return of_both;
+  std::vector<std::pair<double, std::size_t>> result;
+  for (std::size_t category = 0; category < model.categories.size(); ++category)
+    result.emplace_back(distance(category), category);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+bool is_clear(const std::vector<std::pair<double, std::size_t>>& categories, const Role_options& options)
+{
+  return categories.size() > 1 && categories[0].first <= options.category_ratio * categories[1].first;
+}
+
+// The category that a shape clearly is of; the number of categories: none.
+template <typename Roles>
+std::size_t clear_category(const Roles& shape, const Role_model_data& model, const Role_options& options)
+{
+  const auto categories = by_distance(model, [&](std::size_t category) { return distance_of(shape, category); });
+  return is_clear(categories, options) ? categories[0].second : categories.size();
+}
+
+template <typename Roles>
+Pair_category category_of_both(const Roles& source, const Roles& target, const Role_model_data& model,
+                               const Role_options& options)
+{
+  const std::size_t none = model.categories.size();
+  if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone.", none};
+  const auto categories = by_distance(
+      model, [&](std::size_t category) { return distance_of(source, category) + distance_of(target, category); });
+  const std::size_t nearest = categories[0].second;
+  const std::size_t a = clear_category(source, model, options), b = clear_category(target, model, options);
+  if (a != b && a != none && b != none)
+    return {none,
+            "The parts of one shape are like those of the category " + model.categories[std::min(a, b)].name +
+                ", those of the other like " + model.categories[std::max(a, b)].name +
+                "; the parts were matched by geometry alone.",
+            nearest};
+  const auto trees_agree = [&] {
+    const double both =
+        agreement_of_trees(source, nearest, model.trees) + agreement_of_trees(target, nearest, model.trees);
+    return quantized(std::exp(both / 2)) >= quantized(options.category_agreement);
+  };
+  if (is_clear(categories, options) || trees_agree()) return {nearest, "", nearest};
   return {none,
-          "The parts of one shape are like those of the category " + model.categories[std::min(a, b)].name +
-              ", those of the other like " + model.categories[std::max(a, b)].name +
-              "; the parts were matched by geometry alone.",
-          of_both.nearest};
+          "The shapes are not clearly of a category that the role model knows (the nearest is " +
+              model.categories[nearest].name + "); the parts were matched by geometry alone.",
+          nearest};
 }
 
 } // namespace
@@ -201,19 +226,13 @@ Pair_category category_of_both(const Role_model_data& model, const Role_options&
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
                                const Role_options& options)
 {
-  const auto distance_of = [](const Shape_roles& shape) {
-    return [&shape](std::size_t category) { return shape.distance(category); };
-  };
-  return category_of_both(model, options, distance_of(source), distance_of(target));
+  return category_of_both(source, target, model, options);
 }
 
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,
                                const Role_options& options)
 {
-  const auto distance_of = [](const Turned_roles& shape) {
-    return [&shape](std::size_t category) { return distance_of_best_turn(shape, category); };
-  };
-  return category_of_both(model, options, distance_of(source), distance_of(target));
+  return category_of_both(source, target, model, options);
 }
 
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options)

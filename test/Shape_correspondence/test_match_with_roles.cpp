@@ -262,8 +262,24 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
   const Role_model model = train_role_model(twice);
   const Furniture usual = chair(0.17, 1.9),
                   odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
-  CHECK(part_roles(usual.graph, model).category == "chair"); // the first of equals, since it is near
+  CHECK(part_roles(usual.graph, model).category == "chair"); // the first of equals: the trees agree on its roles
   CHECK(part_roles(odd.graph, model).category.empty());      // it is as far from chairs as from seats
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(model);
+  for (const int alignments : {1, 0}) {
+    INFO(alignments);
+    options.alignments = alignments;
+    const auto found = [&](const Furniture& shape, double agreement) {
+      options.parts.category_agreement = agreement;
+      return find_correspondence(shape.graph, shape.graph, options);
+    };
+    CHECK(found(usual, Part_matching_options().category_agreement).category == "chair");
+    const Correspondence refused = found(usual, 1.01); // more than all trees
+    CHECK(refused.category.empty());
+    REQUIRE(refused.warnings.size() == 1);
+    CHECK_THAT(refused.warnings[0], Contains("the nearest is chair"));
+    CHECK(found(odd, 0).category == "chair");
+  }
 }
 
 TEST_CASE("A prepared shape is matched with two models by several threads at once")

@@ -71,8 +71,9 @@ struct Role_options
   /// Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from any
   /// other one.
   double category_ratio = 0.78;
-  /// Standard deviations of a feature. They are also of a category if the distance is at most this on average.
-  double category_distance = 0.25;
+  /// Share of the trees. They are also of the nearest category if at least this share of its trees, in the geometric
+  /// mean over their parts, votes for the likeliest role of a part.
+  double category_agreement = 0.64;
   /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
   double clearly_better = 0.05;
 };
@@ -94,7 +95,7 @@ struct Part_roles
 /// The roles of the parts of a shape that is upright and faces +z.
 /// \param graph the shape
 /// \param model the role model
-/// \param category of the shape; empty: the one whose labelled parts are clearly nearest, or none if there is none such
+/// \param category of the shape; empty: the one whose labelled parts are nearest, or none if by `Role_options` it is none
 /// \throw Invalid_input if the model does not have the category
 Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category = "");
 
