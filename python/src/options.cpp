@@ -132,6 +132,7 @@ struct Part_matching_keywords : Keywords
     add("repetition", options.repetition);
     add("category_ratio", options.category_ratio);
     add("category_agreement", options.category_agreement);
+    add("category_distance", options.category_distance);
     add("clearly_better", options.clearly_better);
     add("panels", options.panels);
     add("support", options.support);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -127,22 +126,22 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-// Of the turn in which the shape is nearest.
-double distance_of(const Turned_roles& shape, std::size_t category)
+// In the turn in which it is nearest to a category; the first of equals.
+const Shape_roles& nearest_turn(const Turned_roles& shape, std::size_t category)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& turned : shape)
-    least = std::min(least, turned->distance(category));
-  return least;
+  return **std::min_element(shape.begin(), shape.end(), [&](const auto& a, const auto& b) {
+    return a->distance(category) < b->distance(category);
+  });
 }
 
-// Of the turn in which the trees agree most.
+double distance_of(const Turned_roles& shape, std::size_t category)
+{
+  return nearest_turn(shape, category).distance(category);
+}
+
 double agreement_of_trees(const Turned_roles& shape, std::size_t category, int trees)
 {
-  double most = -std::numeric_limits<double>::infinity();
-  for (const auto& turned : shape)
-    most = std::max(most, agreement_of_trees(*turned, category, trees));
-  return most;
+  return agreement_of_trees(nearest_turn(shape, category), category, trees);
 }
 
 Steps clear_difference(const Role_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
@@ -214,7 +213,8 @@ Pair_category category_of_both(const Roles& source, const Roles& target, const R
         agreement_of_trees(source, nearest, model.trees) + agreement_of_trees(target, nearest, model.trees);
     return quantized(std::exp(both / 2)) >= quantized(options.category_agreement);
   };
-  if (is_clear(categories, options) || trees_agree()) return {nearest, "", nearest};
+  const bool is_near = categories[0].first <= 2 * options.category_distance;
+  if (is_clear(categories, options) || (is_near && trees_agree())) return {nearest, "", nearest};
   return {none,
           "The shapes are not clearly of a category that the role model knows (the nearest is " +
               model.categories[nearest].name + "); the parts were matched by geometry alone.",

@@ -269,16 +269,19 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
   for (const int alignments : {1, 0}) {
     INFO(alignments);
     options.alignments = alignments;
-    const auto found = [&](const Furniture& shape, double agreement) {
+    const auto found = [&](const Furniture& shape, double agreement, double distance) {
       options.parts.category_agreement = agreement;
+      options.parts.category_distance = distance;
       return find_correspondence(shape.graph, shape.graph, options);
     };
-    CHECK(found(usual, Part_matching_options().category_agreement).category == "chair");
-    const Correspondence refused = found(usual, 1.01); // more than all trees
+    CHECK(found(usual, 0.64, 0.5).category == "chair");
+    const Correspondence refused = found(usual, 1.01, 0.5); // more than all trees
     CHECK(refused.category.empty());
     REQUIRE(refused.warnings.size() == 1);
     CHECK_THAT(refused.warnings[0], Contains("the nearest is chair"));
-    CHECK(found(odd, 0).category == "chair");
+    CHECK(found(odd, 0, 0.5).category.empty()); // too far, whatever the trees say
+    CHECK(found(odd, 0, 10).category == "chair");
+    CHECK(found(odd, 0.9, 10).category.empty()); // its trees do not agree so much
   }
 }
 
