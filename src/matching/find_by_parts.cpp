@@ -75,14 +75,16 @@ Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& targ
 {
   const Role_model_data& model = Role_model_access::data(*options_.roles);
   Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
-  const auto by_any_front = [&] {
-    return category_of_pair(a.roles_by_turn(options_.roles), b.roles_by_turn(options_.roles), model, options_.parts);
+  const auto by_any_front = [&](const Role_options& options) {
+    return category_of_pair(a.roles_by_turn(options_.roles), b.roles_by_turn(options_.roles), model, options);
   };
-  if (options_.alignments != 1) return by_any_front();
+  if (options_.alignments != 1) return by_any_front(options_.parts);
   const Pair_category given =
       category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model, options_.parts);
   if (given.index < model.categories.size() || options_.front_is_sure) return given;
-  const Pair_category turned = by_any_front();
+  Role_options clearly_nearest = options_.parts; // the trees are asked for the front already
+  clearly_nearest.category_distance = 0;
+  const Pair_category turned = by_any_front(clearly_nearest);
   const auto turns = [&](Alignments& shape) { return shape.front(options_.roles, turned.index, options_.parts) != 0; };
   return turned.index < model.categories.size() && (turns(a) || turns(b)) ? turned : given;
 }
