@@ -206,7 +206,7 @@ TEST_CASE("A model with y up and one with z up are matched by one plain command"
   CHECK_THAT(without_roles["warnings"][0].get<std::string>(),
              Contains("z.obj") && Contains("confidence") && Contains("--target-up"));
   CHECK(run(match + "--target-up up").status == 2);
-  CHECK(json::parse(run(match + "--up y").out)["energy"].get<double>() > 0.01);
+  CHECK(pairs("--up y") != plain["pairs"]); // one lies on its side
 }
 
 TEST_CASE("Where a model stands on several sides, the roles of its parts tell its upright axis")
