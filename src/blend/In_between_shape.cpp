@@ -152,8 +152,8 @@ void In_between_shape::close_contacts(bool of_matched)
     const auto at = [&](std::size_t part, const Carried_point& p) -> Point {
       return placements_[part] * blend_.parts[part].place(p, progress_[part], 1);
     };
-    for (const auto& [first, second] : contact.points)
-      solver.add_contact(a, at(a, first), b, at(b, second), 1);
+    for (const Contact_points& at_one : contact.points)
+      solver.add_contact(a, at(a, at_one.points[0]) + at_one.due_offset(whole_), b, at(b, at_one.points[1]), 1);
   }
   const std::vector<Box_motion> motions = solver.solve(least_stretch, most_stretch);
   for (std::size_t i = 0; i < motions.size(); ++i) {

@@ -40,7 +40,7 @@ public:
 
   std::vector<Kept_contact> contacts() const
   {
-    std::array<std::map<Index_pair, Touch>, 2> touching = {touching_at(0), touching_at(1)};
+    const std::array<std::map<Index_pair, Touch>, 2> touching = {touching_at(0), touching_at(1)};
     std::vector<Kept_contact> result;
     for (int end : {0, 1})
       for (const auto& [pair, touch] : touching[std::size_t(end)]) {
@@ -48,24 +48,45 @@ public:
         if (!a.is_at(1 - end) || !b.is_at(1 - end)) {
           result.push_back({pair, {}, {touch.gap, touch.gap}});
           for (const Point& p : touch.at)
-            result.back().points.push_back({a.carried(end, p), b.carried(end, p)});
-          continue;
+            result.back().points.push_back({{a.carried(end, p), b.carried(end, p)}});
+        } else if (const auto other = touching[std::size_t(1 - end)].find(pair);
+                   other == touching[std::size_t(1 - end)].end()) {
+          result.push_back(parting(pair, touch, end));
+        } else if (end == 0) {
+          result.push_back(lasting(pair, touch, other->second));
         }
-        if (end == 1) continue;
-        std::optional<Touch> other = touch_of(pair, 1);
-        if (const auto found = touching[1].find(pair); found != touching[1].end()) other = found->second;
-        if (!other) continue;
-        result.push_back({pair, {}, {touch.gap, other->gap}});
-        const bool are_paired = touch.at.size() == other->at.size();
-        const std::vector<Point> from = are_paired ? touch.at : std::vector<Point>{middle(touch.at)};
-        const std::vector<Point> to = are_paired ? other->at : std::vector<Point>{middle(other->at)};
-        for (std::size_t i = 0; i < from.size(); ++i)
-          result.back().points.push_back({a.carried(from[i], to[i]), b.carried(from[i], to[i])});
       }
     return result;
   }
 
 private:
+  /// Of two parts that touch at both ends.
+  Kept_contact lasting(const Index_pair& pair, const Touch& source, const Touch& target) const
+  {
+    Kept_contact result{pair, {}, {source.gap, target.gap}};
+    const bool are_paired = source.at.size() == target.at.size();
+    const std::vector<Point> from = are_paired ? source.at : std::vector<Point>{middle(source.at)};
+    const std::vector<Point> to = are_paired ? target.at : std::vector<Point>{middle(target.at)};
+    for (std::size_t i = 0; i < from.size(); ++i)
+      result.points.push_back(
+          {{parts_[pair[0]].carried(from[i], to[i]), parts_[pair[1]].carried(from[i], to[i])}});
+    return result;
+  }
+
+  /// Of two parts that touch at one end only.
+  Kept_contact parting(const Index_pair& pair, const Touch& touch, int end) const
+  {
+    const contacts::Closest_pair apart = tree(pair[0], 1 - end).nearly_closest(tree(pair[1], 1 - end));
+    const Point at = middle(touch.at);
+    const auto carried = [&](std::size_t i, const Point& other) {
+      return end == 0 ? parts_[pair[i]].carried(at, other) : parts_[pair[i]].carried(other, at);
+    };
+    Kept_contact result{pair, {{{carried(0, apart.first), carried(1, apart.second)}}}, {touch.gap, touch.gap}};
+    result.points[0].offset[std::size_t(1 - end)] = apart.second - apart.first;
+    result.gap[std::size_t(1 - end)] = std::sqrt(apart.squared);
+    return result;
+  }
+
   /// The parts whose given parts have a contact in the graph: if there are several pieces of one, those that touch.
   std::map<Index_pair, Touch> touching_at(int end) const
   {
