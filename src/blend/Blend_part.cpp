@@ -111,24 +111,26 @@ Eigen::Matrix3d axes_of_box(const Blend_stage& stage, int end, std::size_t part)
   return image == part || axes(image) == upright ? upright : axes(part);
 }
 
-/// By part of a shape, where it is carried if it goes: the places of mirror images are mirror images, too.
-std::vector<std::vector<Point>> places_of(const std::vector<Carried_part>& going, const Mirror_images& images,
-                                          std::size_t parts)
+/// Points with the mirror images of those of the mirror image.
+std::vector<Point> with_mirrored(std::vector<Point> points, const std::vector<Point>& of_image)
 {
-  std::vector<std::vector<Point>> result(parts);
-  for (const Carried_part& part : going)
-    for (const Root& root : part.roots) {
-      result[part.part].push_back(root.at);
-      const std::size_t image = images[part.part];
-      if (image != Mirror_images::none) result[image].push_back(mirrored(root.at));
-    }
+  for (const Point& p : of_image)
+    points.push_back(mirrored(p));
+  return points;
+}
+
+std::vector<Point> places_of(const Carried_part& part)
+{
+  std::vector<Point> result;
+  for (const Root& root : part.roots)
+    result.push_back(root.at);
   return result;
 }
 
 /// The part of a shape that goes.
-/// \param places where it is carried
-Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried,
-                          const std::vector<Point>& places, const std::vector<Blend_part>& parts)
+/// \param image its mirror image, if that goes, too
+Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried, const Carried_part* image,
+                          const std::vector<Blend_part>& parts)
 {
   const auto e = std::size_t(end);
   Blend_part result;
@@ -137,12 +139,16 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
   (end == 0 ? result.task.source : result.task.target) = carried.part;
   const Part_mesh& mesh = stage.meshes[e][carried.part];
-  for (const Root& root : carried.roots)
-    result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
-  result.retreat =
-      std::make_shared<Retreating_part>(mesh, axes_of_box(stage, end, carried.part), places, carried.joins);
+  for (const Root& root : carried.roots) {
+    result.roots.push_back(root);
+    if (!root.carriers.empty()) result.roots.back().carriers = parts_of(parts, end, root.carriers[0]);
+  }
+  const std::vector<Point> none;
+  result.retreat = std::make_shared<Retreating_part>(
+      mesh, axes_of_box(stage, end, carried.part), with_mirrored(places_of(carried), image ? places_of(*image) : none),
+      with_mirrored(carried.joints, image ? image->joints : none));
   result.set_ends();
-  result.is_needed = result.stands || carried.joins || reaches_out(stage, end, carried.part, parts);
+  result.is_needed = result.stands || !carried.joints.empty() || reaches_out(stage, end, carried.part, parts);
   return result;
 }
 
@@ -169,23 +175,25 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
     for (const auto& [s, t] : unlike)
       corresponds[end == 0 ? s : t] = 1;
     const std::vector<Carried_part> going = carried_parts(stage, end, stays);
-    const std::vector<std::vector<Point>> places = places_of(going, stage.images[std::size_t(end)], stays.size());
+    std::vector<const Carried_part*> by_number(stays.size());
+    for (const Carried_part& carried : going)
+      by_number[carried.part] = &carried;
+    std::vector<char> is_needed(stays.size(), 0), is_unlike(stays.size(), 0); // by chain, which goes as a whole
+    const std::size_t first = parts.size();
     for (const Carried_part& carried : going) {
-      Blend_part part = unmatched_part(stage, end, carried, places[carried.part], parts);
-      bool is_unlike = corresponds[carried.part];
-      for (const Root& root : part.roots) // what unlike parts carry goes with them
-        for (std::size_t carrier : root.carriers)
-          is_unlike = is_unlike || (parts[carrier].retreat && parts[carrier].task.obstacle != Blend_obstacle::NONE);
-      if (is_unlike) part.task.obstacle = Blend_obstacle::UNLIKE;
-      parts.push_back(std::move(part));
+      const std::size_t image = stage.images[std::size_t(end)][carried.part];
+      parts.push_back(unmatched_part(stage, end, carried,
+                                     image == Mirror_images::none ? nullptr : by_number[image], parts));
+      is_needed[carried.chain] = is_needed[carried.chain] || parts.back().is_needed;
+      is_unlike[carried.chain] = is_unlike[carried.chain] || corresponds[carried.part];
+    }
+    for (std::size_t i = 0; i < going.size(); ++i) {
+      parts[first + i].is_needed = is_needed[going[i].chain];
+      if (is_unlike[going[i].chain]) parts[first + i].task.obstacle = Blend_obstacle::UNLIKE;
     }
   }
   for (std::size_t i = matched; i < parts.size(); ++i)
     set_image(stage, i, parts);
-  for (std::size_t i = parts.size(); i-- > matched;) // carriers come before what they carry
-    for (const Root& root : parts[i].roots)
-      for (std::size_t carrier : root.carriers)
-        parts[carrier].is_needed = parts[carrier].is_needed || parts[i].is_needed;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -66,6 +67,19 @@ struct Part_box
     return std::any_of(roots.begin(), roots.end(), [&](const Point& root) { return side({root}, 0) == end; });
   }
 
+  /// Whether points are spread along an axis, over much of the part.
+  bool is_spanned(const Roots& roots, int axis) const
+  {
+    constexpr double much = 0.5; // of the extent
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Point& root : roots) {
+      const double at = directions.col(axis).dot(root);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    return high - low > much * 2 * half[axis];
+  }
+
   static constexpr double rod = 0.3; ///< the most of its middle extent over the longest
   Eigen::Matrix3d directions;
   Point half, middle;
@@ -86,14 +100,25 @@ Roots lowest(const Roots& roots, int axis)
 
 } // namespace
 
-Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const Roots& roots, bool joins)
+Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const Roots& roots,
+                                 const Roots& joints)
     : mesh_(mesh), staying_(Eigen::Matrix3d::Zero())
 {
   const Part_box box(mesh.points, axes);
+  if (!joints.empty()) { // thins across the ways between its joints, and never to a point
+    for (int axis = 0; axis < 2; ++axis)
+      if (box.is_spanned(joints, axis)) staying_ += box.directions.col(axis) * box.directions.col(axis).transpose();
+    thins_ = !staying_.isZero();
+    if (thins_) {
+      root_ = mean(joints);
+      vanishing_ = Eigen::Matrix3d::Identity() - staying_;
+      return;
+    }
+  }
   const Roots low =
       lowest(roots, 1); // what is carried at several ends grows upwards, or from the back, unless it is a rod
   const bool spans = box.is_rod() && box.has_roots_at(roots, -1) && box.has_roots_at(roots, 1);
-  if (!joins && !spans)
+  if (!spans)
     for (const Roots& some : {roots, low, lowest(low, 2)})
       if (const std::optional<int> axis = box.retreat(some)) {
         root_ = mean(some);

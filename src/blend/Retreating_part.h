@@ -22,8 +22,9 @@ class Retreating_part
 public:
   /// \param axes of the part, a rotation
   /// \param roots where it is carried
-  /// \param joins whether it joins parts that nothing else joins
-  Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const std::vector<Point>& roots, bool joins);
+  /// \param joints where it touches others, if it is of a chain that joins parts that nothing else joins
+  Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const std::vector<Point>& roots,
+                  const std::vector<Point>& joints);
 
   const Eigen::Matrix3Xi& triangles() const { return mesh_.triangles; }
   /// The middle of those of its roots that it draws back to.

@@ -10,6 +10,7 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -20,10 +21,11 @@ class Carrier_search
 {
 public:
   Carrier_search(const Blend_stage& stage, int end, const std::vector<char>& stays)
-      : stage_(stage), end_(end), stays_(stays), is_found_(stays), joined_(stays.size())
+      : stage_(stage), end_(end), stays_(stays), is_found_(stays), joined_(stays.size()), joins_(stays.size(), 0)
   {
     for (const Contact& contact : contacts())
-      if (stays[contact.parts[0]] && stays[contact.parts[1]]) joined_.unite(contact.parts[0], contact.parts[1]);
+      if (stays[contact.parts[0]] == stays[contact.parts[1]]) joined_.unite(contact.parts[0], contact.parts[1]);
+    find_joining_chains();
     for (const Part_mesh& mesh : stage.meshes[std::size_t(end)])
       boxes_.push_back(box_of(mesh.points));
   }
@@ -36,10 +38,38 @@ public:
     while (add_carried()) {
     }
     add_grounded(std::numeric_limits<double>::infinity());
+    for (Carried_part& found : found_) {
+      found.chain = joined_[found.part];
+      if (joins_[found.chain]) found.joints = joints(found.part);
+    }
     return std::move(found_);
   }
 
 private:
+  /// Chains that touch parts that stay and are not joined otherwise.
+  void find_joining_chains()
+  {
+    std::vector<std::optional<std::size_t>> touched(stays_.size());
+    for (const Contact& contact : contacts())
+      for (std::size_t i : {0u, 1u}) {
+        if (stays_[contact.parts[i]] || !stays_[contact.parts[1 - i]]) continue;
+        const std::size_t chain = joined_[contact.parts[i]], other = joined_[contact.parts[1 - i]];
+        if (!touched[chain]) touched[chain] = other;
+        if (*touched[chain] != other) joins_[chain] = 1;
+      }
+  }
+
+  std::vector<Point> joints(std::size_t part) const
+  {
+    std::vector<Point> result;
+    for (const Contact& contact : contacts()) {
+      if (contact.parts[0] != part && contact.parts[1] != part) continue;
+      const std::vector<Point> places = stage_.places_of(end_, contact);
+      result.insert(result.end(), places.begin(), places.end());
+    }
+    return result;
+  }
+
   const std::vector<Contact>& contacts() const { return structure(stage_.graphs[std::size_t(end_)]).contacts; }
   double size(std::size_t part) const { return boxes_[part].diagonal().norm(); }
 
@@ -52,11 +82,6 @@ private:
       for (std::size_t i : {0u, 1u}) {
         const std::size_t part = contact.parts[i], carrier = contact.parts[1 - i];
         if (is_found_[part] || !is_found_[carrier] || size(carrier) < least_size * size(part)) continue;
-        if (!next[part].roots.empty()) {
-          const std::size_t other = next[part].roots[0].carriers[0];
-          next[part].joins =
-              next[part].joins || (stays_[carrier] && stays_[other] && joined_[carrier] != joined_[other]);
-        }
         for (const Point& place : stage_.places_of(end_, contact))
           next[part].roots.push_back({place, {carrier}});
       }
@@ -92,7 +117,8 @@ private:
   int end_;
   const std::vector<char>& stays_;
   std::vector<char> is_found_; ///< or stays
-  Disjoint_sets joined_;       ///< parts that stay
+  Disjoint_sets joined_;       ///< parts that stay, and chains of parts that go
+  std::vector<char> joins_;    ///< by chain, whether it joins parts that nothing else joins
   std::vector<contacts::Box> boxes_;
   std::vector<Carried_part> found_;
 };

@@ -17,14 +17,16 @@ struct Root
 {
   Point at;
   std::vector<std::size_t> carriers; ///< what carries it there, pieces of one part; none if the ground does
+  double distance = 0;               ///< from the surface of the carrier
 };
 
 /// A part of a shape that goes, and its roots, where it touches what is before it on the shortest way to what stays.
 struct Carried_part
 {
   std::size_t part;
-  std::vector<Root> roots; ///< carriers are parts of the shape
-  bool joins = false;      ///< parts that stay, and that nothing else that stays joins
+  std::vector<Root> roots;    ///< carriers are parts of the shape
+  std::size_t chain;          ///< the same number for parts that go and touch each other, directly or not
+  std::vector<Point> joints;  ///< where it touches others, if its chain joins parts that nothing else joins
 };
 
 /// The parts of a shape that go, those that carry others before them. What touches nothing that stays, or nothing that
