@@ -8,6 +8,7 @@
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -141,7 +142,15 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   const Part_mesh& mesh = stage.meshes[e][carried.part];
   for (const Root& root : carried.roots) {
     result.roots.push_back(root);
-    if (!root.carriers.empty()) result.roots.back().carriers = parts_of(parts, end, root.carriers[0]);
+    if (root.carriers.empty()) continue;
+    Root& own = result.roots.back();
+    own.carriers = parts_of(parts, end, root.carriers[0]);
+    own.distance = std::numeric_limits<double>::infinity();
+    for (std::size_t carrier : own.carriers) {
+      std::size_t triangle = 0;
+      const Point nearest = parts[carrier].trees[std::size_t(parts[carrier].end_surface(end))].nearest(own.at, triangle);
+      own.distance = std::min(own.distance, (nearest - own.at).norm());
+    }
   }
   const std::vector<Point> none;
   result.retreat = std::make_shared<Retreating_part>(
