@@ -153,9 +153,11 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
     }
   }
   const std::vector<Point> none;
+  const bool is_ring = stage.charted[e].parts[carried.part]->is_closed_curve(); // its chart is that of its box
   result.retreat = std::make_shared<Retreating_part>(
-      mesh, axes_of_box(stage, end, carried.part), with_mirrored(places_of(carried), image ? places_of(*image) : none),
-      with_mirrored(carried.joints, image ? image->joints : none));
+      mesh, is_ring ? nullptr : &stage.charted[e].charts[carried.part], axes_of_box(stage, end, carried.part),
+      with_mirrored(places_of(carried), image ? places_of(*image) : none),
+      with_mirrored(carried.joints, image ? image->joints : none), image == &carried);
   result.set_ends();
   result.is_needed = result.stands || !carried.joints.empty() || reaches_out(stage, end, carried.part, parts);
   return result;

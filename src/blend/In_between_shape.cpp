@@ -192,11 +192,12 @@ void In_between_shape::close_contacts(bool of_matched)
 }
 
 /// Stretches a part that stands to its height above the ground, and one that is in the ground up out of it; what is
-/// highest stays. What would be stretched too much moves as a whole.
+/// highest stays. What would be stretched too much moves as a whole, unless it hangs.
 void In_between_shape::put_on_ground(std::size_t part)
 {
-  constexpr double least_stretch = 0.5, most_stretch = 2;
   const Blend_part& own = blend_.parts[part];
+  const bool hangs = own.retreat && !own.roots[0].carriers.empty();
+  const double most_stretch = hangs ? 5 : 2, least_stretch = 1 / most_stretch;
   const double low = points_[part].row(1).minCoeff(), high = points_[part].row(1).maxCoeff();
   const double level = own.stands ? (1 - progress_[part]) * own.foot[0] + progress_[part] * own.foot[1] : 0;
   if (!own.stands && low >= 0) return;

@@ -100,20 +100,25 @@ Roots lowest(const Roots& roots, int axis)
 
 } // namespace
 
-Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& axes, const Roots& roots,
-                                 const Roots& joints)
-    : mesh_(mesh), staying_(Eigen::Matrix3d::Zero())
+Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart, const Eigen::Matrix3d& axes,
+                                 const Roots& roots, const Roots& joints, bool is_own_image)
+    : mesh_(mesh), is_own_image_(is_own_image), staying_(Eigen::Matrix3d::Zero())
 {
   const Part_box box(mesh.points, axes);
-  if (!joints.empty()) { // thins across the ways between its joints, and never to a point
-    for (int axis = 0; axis < 2; ++axis)
-      if (box.is_spanned(joints, axis)) staying_ += box.directions.col(axis) * box.directions.col(axis).transpose();
-    thins_ = !staying_.isZero();
-    if (thins_) {
-      root_ = mean(joints);
-      vanishing_ = Eigen::Matrix3d::Identity() - staying_;
-      return;
-    }
+  const auto stay = [&](int axis) { staying_ += box.directions.col(axis) * box.directions.col(axis).transpose(); };
+  const auto thin = [&](bool along_sheet) {
+    if (chart && chart->is_sheet() == along_sheet) chart_ = *chart;
+    ends_.resize(3, mesh.points.cols());
+    for (Eigen::Index i = 0; i < ends_.cols(); ++i)
+      ends_.col(i) = end_of(mesh.points.col(i));
+  };
+  const std::array<bool, 2> is_spanned = {box.is_spanned(joints, 0), box.is_spanned(joints, 1)};
+  if (is_spanned[0] || is_spanned[1]) {
+    root_ = mean(joints);
+    for (int axis : {0, 1})
+      if (is_spanned[std::size_t(axis)]) stay(axis);
+    thin(is_spanned[0] && is_spanned[1]);
+    return;
   }
   const Roots low =
       lowest(roots, 1); // what is carried at several ends grows upwards, or from the back, unless it is a rod
@@ -126,26 +131,48 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Eigen::Matrix3d& a
         return;
       }
   root_ = mean(roots);
-  thins_ = box.has_roots_at(roots, -1) || box.has_roots_at(roots, 1);
-  if (thins_) staying_ = box.directions.col(0) * box.directions.col(0).transpose();
-  vanishing_ = Eigen::Matrix3d::Identity() - staying_;
+  if (box.has_roots_at(roots, -1) || box.has_roots_at(roots, 1)) {
+    stay(0);
+    thin(false);
+  } else {
+    vanishing_ = Eigen::Matrix3d::Identity();
+  }
 }
 
-/// Of the way from the root.
+/// Of the way from the root, of what does not thin.
 Eigen::Matrix3d Retreating_part::scale(double remaining) const
 {
   constexpr double little = 0.3;
-  const Eigen::Matrix3d others = Eigen::Matrix3d::Identity() - vanishing_ - staying_;
-  const double left = thins_ ? std::cbrt(remaining) : remaining; // quickly out of what would be as thin as a hair
-  return left * vanishing_ + std::min(1., remaining / little) * others + staying_;
+  const Eigen::Matrix3d others = Eigen::Matrix3d::Identity() - vanishing_;
+  return remaining * vanishing_ + std::min(1., remaining / little) * others;
 }
 
-Point Retreating_part::place(const Point& p, double remaining) const { return root_ + scale(remaining) * (p - root_); }
+/// Where a point goes of what thins.
+Point Retreating_part::end_of(const Point& p) const
+{
+  if (!chart_) return root_ + staying_ * (p - root_);
+  const auto on_chart = [&](const Point& at) {
+    Point k = chart_->coordinates(at);
+    k.tail(chart_->is_sheet() ? 1 : 2).setZero();
+    return (*chart_)(k);
+  };
+  const Point flip(-1, 1, 1);
+  return is_own_image_ ? Point((on_chart(p) + flip.cwiseProduct(on_chart(flip.cwiseProduct(p)))) / 2) : on_chart(p);
+}
+
+// By the cube root: quickly out of what would be as thin as a hair
+Point Retreating_part::place(const Point& p, double remaining) const
+{
+  if (ends_.cols() == 0) return root_ + scale(remaining) * (p - root_);
+  const Point end = end_of(p);
+  return end + std::cbrt(remaining) * (p - end);
+}
 
 Points Retreating_part::points(double remaining) const
 {
   if (remaining >= 1) return mesh_.points;
-  return (scale(remaining) * (mesh_.points.colwise() - root_)).colwise() + root_;
+  if (ends_.cols() == 0) return (scale(remaining) * (mesh_.points.colwise() - root_)).colwise() + root_;
+  return ends_ + std::cbrt(remaining) * (mesh_.points - ends_);
 }
 
 } // namespace CGAL::Shape_correspondence::internal
