@@ -33,11 +33,10 @@ public:
 
   std::vector<Carried_part> carried_parts()
   {
-    while (add_carried()) {
-    }
+    add_all_carried(large);
     add_grounded(Blend_part::on_ground);
-    while (add_carried()) {
-    }
+    add_all_carried(large);
+    add_all_carried(0);
     add_grounded(std::numeric_limits<double>::infinity());
     for (Carried_part& found : found_) {
       found.chain = joined_[found.part];
@@ -50,6 +49,8 @@ public:
   }
 
 private:
+  static constexpr double large = 0.4; ///< the size of a carrier, of what it carries
+
   void find_what_chains_touch()
   {
     for (const Contact& contact : contacts())
@@ -75,10 +76,17 @@ private:
   const std::vector<Contact>& contacts() const { return structure(stage_.graphs[std::size_t(end_)]).contacts; }
   double size(std::size_t part) const { return boxes_[part].diagonal().norm(); }
 
-  /// Adds what touches parts that are found. \return whether there is some
-  bool add_carried()
+  void add_all_carried(double least_size)
   {
-    constexpr double least_size = 0.4; // of a carrier, of what it carries
+    while (add_carried(least_size)) {
+    }
+  }
+
+  /// Adds what touches parts that are found.
+  /// \param least_size of a carrier, of what it carries
+  /// \return whether there is some
+  bool add_carried(double least_size)
+  {
     std::vector<Carried_part> next(stays_.size());
     for (const Contact& contact : contacts())
       for (std::size_t i : {0u, 1u}) {

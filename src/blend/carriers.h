@@ -30,8 +30,8 @@ struct Carried_part
   std::vector<Point> joints;
 };
 
-/// The parts of a shape that go, those that carry others before them. What touches nothing that stays, or nothing that
-/// is large enough to carry it, grows out of the ground below it.
+/// The parts of a shape that go, those that carry others before them. What is large enough carries first, then the
+/// ground what is on it, then what is small; what touches nothing that is found grows out of the ground below it.
 /// \param stays by part
 std::vector<Carried_part> carried_parts(const Blend_stage& stage, int end, const std::vector<char>& stays);
 
