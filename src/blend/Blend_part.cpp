@@ -148,7 +148,8 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
     own.distance = std::numeric_limits<double>::infinity();
     for (std::size_t carrier : own.carriers) {
       std::size_t triangle = 0;
-      const Point nearest = parts[carrier].trees[std::size_t(parts[carrier].end_surface(end))].nearest(own.at, triangle);
+      const Point nearest =
+          parts[carrier].trees[std::size_t(parts[carrier].end_surface(end))].nearest(own.at, triangle);
       own.distance = std::min(own.distance, (nearest - own.at).norm());
     }
   }
@@ -193,8 +194,8 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
     const std::size_t first = parts.size();
     for (const Carried_part& carried : going) {
       const std::size_t image = stage.images[std::size_t(end)][carried.part];
-      parts.push_back(unmatched_part(stage, end, carried,
-                                     image == Mirror_images::none ? nullptr : by_number[image], parts));
+      parts.push_back(
+          unmatched_part(stage, end, carried, image == Mirror_images::none ? nullptr : by_number[image], parts));
       is_needed[carried.chain] = is_needed[carried.chain] || parts.back().is_needed;
       is_unlike[carried.chain] = is_unlike[carried.chain] || corresponds[carried.part];
     }

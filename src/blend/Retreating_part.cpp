@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
+
+constexpr double no_extent = 1e-6; // of the height
 
 using Roots = std::vector<Point>;
 
@@ -67,17 +69,29 @@ struct Part_box
     return std::any_of(roots.begin(), roots.end(), [&](const Point& root) { return side({root}, 0) == end; });
   }
 
-  /// Whether points are spread along an axis, over much of the part.
-  bool is_spanned(const Roots& roots, int axis) const
+  /// How far points are spread along an axis, over the extent of the part.
+  double spread(const Roots& points, int axis) const
   {
-    constexpr double much = 0.5; // of the extent
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Point& root : roots) {
-      const double at = directions.col(axis).dot(root);
-      low = std::min(low, at);
-      high = std::max(high, at);
-    }
-    return high - low > much * 2 * half[axis];
+    const auto at = [&](const Point& a, const Point& b) {
+      return directions.col(axis).dot(a) < directions.col(axis).dot(b);
+    };
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), at);
+    return low == points.end() ? 0 : directions.col(axis).dot(*high - *low) / std::max(2 * half[axis], no_extent);
+  }
+
+  /// The axes along which points are spread most, two at most; of a rod at most its length.
+  std::vector<int> spanned(const Roots& points) const
+  {
+    constexpr double much = 0.2; // of the extent; places are midway between the middles of parts
+    std::vector<std::pair<double, int>> order;
+    for (int axis = 0; axis < (is_rod() ? 1 : 3); ++axis)
+      if (const double share = spread(points, axis); share > much) order.emplace_back(-share, axis);
+    std::sort(order.begin(), order.end());
+    std::vector<int> result;
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, order.size()); ++i)
+      result.push_back(order[i].second);
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   static constexpr double rod = 0.3; ///< the most of its middle extent over the longest
@@ -105,19 +119,17 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart,
     : mesh_(mesh), is_own_image_(is_own_image), staying_(Eigen::Matrix3d::Zero())
 {
   const Part_box box(mesh.points, axes);
-  const auto stay = [&](int axis) { staying_ += box.directions.col(axis) * box.directions.col(axis).transpose(); };
-  const auto thin = [&](bool along_sheet) {
-    if (chart && chart->is_sheet() == along_sheet) chart_ = *chart;
+  const auto thin = [&](const std::vector<int>& along) {
+    for (int axis : along)
+      staying_ += box.directions.col(axis) * box.directions.col(axis).transpose();
+    if (chart && along == (chart->is_sheet() ? std::vector<int>{0, 1} : std::vector<int>{0})) chart_ = *chart;
     ends_.resize(3, mesh.points.cols());
     for (Eigen::Index i = 0; i < ends_.cols(); ++i)
       ends_.col(i) = end_of(mesh.points.col(i));
   };
-  const std::array<bool, 2> is_spanned = {box.is_spanned(joints, 0), box.is_spanned(joints, 1)};
-  if (is_spanned[0] || is_spanned[1]) {
+  if (const std::vector<int> axes_between = box.spanned(joints); !axes_between.empty()) {
     root_ = mean(joints);
-    for (int axis : {0, 1})
-      if (is_spanned[std::size_t(axis)]) stay(axis);
-    thin(is_spanned[0] && is_spanned[1]);
+    thin(axes_between);
     return;
   }
   const Roots low =
@@ -132,8 +144,7 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart,
       }
   root_ = mean(roots);
   if (box.has_roots_at(roots, -1) || box.has_roots_at(roots, 1)) {
-    stay(0);
-    thin(false);
+    thin({0});
   } else {
     vanishing_ = Eigen::Matrix3d::Identity();
   }

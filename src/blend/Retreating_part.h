@@ -45,8 +45,8 @@ private:
 
   Part_mesh mesh_;
   Point root_;
-  Points ends_;                         ///< where the points go if it thins; else none
-  std::optional<Part_chart> chart_;     ///< to whose curve or sheet it thins; else to the axes that stay
+  Points ends_;                     ///< where the points go if it thins; else none
+  std::optional<Part_chart> chart_; ///< to whose curve or sheet it thins; else to the axes that stay
   bool is_own_image_ = false;
   Eigen::Matrix3d vanishing_, staying_; ///< the ways from the root that vanish first, and not: projections onto axes
 };

@@ -21,7 +21,12 @@ class Carrier_search
 {
 public:
   Carrier_search(const Blend_stage& stage, int end, const std::vector<char>& stays)
-      : stage_(stage), end_(end), stays_(stays), is_found_(stays), joined_(stays.size()), touched_(stays.size()),
+      : stage_(stage),
+        end_(end),
+        stays_(stays),
+        is_found_(stays),
+        joined_(stays.size()),
+        touched_(stays.size()),
         joins_(stays.size(), 0)
   {
     for (const Contact& contact : contacts())
@@ -130,10 +135,10 @@ private:
   const Blend_stage& stage_;
   int end_;
   const std::vector<char>& stays_;
-  std::vector<char> is_found_; ///< or stays
-  Disjoint_sets joined_;       ///< parts that stay, and chains of parts that go
+  std::vector<char> is_found_;                      ///< or stays
+  Disjoint_sets joined_;                            ///< parts that stay, and chains of parts that go
   std::vector<std::optional<std::size_t>> touched_; ///< by chain, the first set of parts that stay that it touches
-  std::vector<char> joins_;    ///< by chain, whether it joins parts that nothing else joins
+  std::vector<char> joins_;                         ///< by chain, whether it joins parts that nothing else joins
   std::vector<contacts::Box> boxes_;
   std::vector<Carried_part> found_;
 };

@@ -68,8 +68,7 @@ private:
     const std::vector<Point> from = are_paired ? source.at : std::vector<Point>{middle(source.at)};
     const std::vector<Point> to = are_paired ? target.at : std::vector<Point>{middle(target.at)};
     for (std::size_t i = 0; i < from.size(); ++i)
-      result.points.push_back(
-          {{parts_[pair[0]].carried(from[i], to[i]), parts_[pair[1]].carried(from[i], to[i])}});
+      result.points.push_back({{parts_[pair[0]].carried(from[i], to[i]), parts_[pair[1]].carried(from[i], to[i])}});
     return result;
   }
 

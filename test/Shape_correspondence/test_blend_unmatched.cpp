@@ -1,0 +1,195 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend/Retreating_part.h"
+#include "blend_checks.h"
+#include "box_shapes.h"
+
+#include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What becomes of parts without counterpart, and of contacts that only one end has.
+
+using namespace CGAL::Shape_correspondence;
+using namespace blend_checks;
+using box_shapes::box;
+
+namespace {
+
+struct Model
+{
+  explicit Model(Segmented_shape given) : shape(std::move(given)), graph(build_structural_graph(shape)) {}
+
+  std::size_t part(const std::string& name) const
+  {
+    const auto& parts = shape.parts();
+    return std::size_t(std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; }) -
+                       parts.begin());
+  }
+
+  Segmented_shape shape;
+  Structural_graph graph;
+};
+
+using Name_pairs = std::vector<std::pair<std::string, std::string>>;
+
+Shape_blend blend_of(const Model& source, const Model& target, const Name_pairs& names)
+{
+  Correspondence correspondence;
+  for (const auto& [from, to] : names)
+    correspondence.pairs.push_back({source.part(from), target.part(to)});
+  Blend_options options;
+  options.samples = 1;
+  return Shape_blend(source.graph, source.shape, target.graph, target.shape, correspondence, options);
+}
+
+/// The distance of the parts whose names begin so, over the height of the shape.
+double distance(const Segmented_shape& shape, const std::string& first, const std::string& second)
+{
+  const std::vector<Triangle_tree> trees = trees_of(shape);
+  std::array<std::size_t, 2> found{};
+  double low = 1e9, high = -1e9;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    const std::string& name = shape.parts()[i].name;
+    if (name.rfind(first, 0) == 0) found[0] = i;
+    if (name.rfind(second, 0) == 0) found[1] = i;
+    low = std::min(low, trees[i].box().min().y());
+    high = std::max(high, trees[i].box().max().y());
+  }
+  REQUIRE(found[0] != found[1]);
+  return std::sqrt(trees[found[0]].nearly_closest(trees[found[1]]).squared) / (high - low);
+}
+
+constexpr double touching = 0.02; // of the height
+
+} // namespace
+
+TEST_CASE("What touches at one end parts evenly: a crest stays on its posts while these shorten")
+{
+  const Model chair(IO::read_segmented_shape(SHAPE_CORRESPONDENCE_DATA_DIR "/chair_slatted/parts"));
+  const Model other(IO::read_segmented_shape(SHAPE_CORRESPONDENCE_DATA_DIR "/chair_spindle/parts"));
+  const Shape_blend blend = blend_of(chair, other,
+                                     {{"crest", "bow"},
+                                      {"leg_bl", "turned_leg_c"},
+                                      {"leg_br", "turned_leg_d"},
+                                      {"leg_fl", "turned_leg_a"},
+                                      {"leg_fr", "turned_leg_b"},
+                                      {"rush_seat", "saddle_seat"}});
+  for (double t : {0.2, 0.4, 0.5, 0.6, 0.8}) {
+    const double due = t * distance(blend(1), "bow", "turned_leg_c"); // at the source they touch
+    CHECK(distance(blend(t), "crest", "leg_bl") < due + touching);
+  }
+}
+
+TEST_CASE("A chain that joins parts that nothing else joins goes together, and holds together until it is gone")
+{
+  Segmented_shape joined("joined"), apart("apart");
+  joined.add_part("foot", box({0, 0.1, 0}, {1, 0.2, 1}));
+  joined.add_part("rod", box({0.3, 0.5, 0.1}, {0.06, 0.6, 0.06}));
+  joined.add_part("elbow", box({0.25, 0.9, 0.1}, {0.25, 0.2, 0.2}));
+  joined.add_part("arm", box({-0.075, 0.9, 0.1}, {0.4, 0.06, 0.06}));
+  joined.add_part("shade", box({-0.4, 0.9, 0.1}, {0.25, 0.4, 0.4}));
+  apart.add_part("foot", box({0, 0.1, 0}, {1, 0.2, 1}));
+  apart.add_part("shade", box({-0.4, 0.9, 0.1}, {0.25, 0.4, 0.4}));
+  const Model source(joined), target(apart);
+  const Shape_blend blend = blend_of(source, target, {{"foot", "foot"}, {"shade", "shade"}});
+  int seen = 0;
+  for (double t = 0.05; t < 1; t += 0.05) {
+    const Segmented_shape shape = blend(t);
+    const auto count = shape.parts().size();
+    CHECK((count == 2 || count == 5));
+    if (count == 2) continue;
+    ++seen;
+    INFO("t = " << t);
+    CHECK(widest_gap(shape, 1.1) < touching);
+  }
+  CHECK(seen > 3);
+}
+
+TEST_CASE("What nothing large carries is carried by what is small, not by the ground below")
+{
+  Segmented_shape plain("plain"), with_bar("with bar");
+  for (Segmented_shape* shape : {&plain, &with_bar}) {
+    shape->add_part("base", box({0, 0.3, 0}, {1, 0.6, 0.5}));
+    shape->add_part("lid", box({0, 0.7, 0}, {1, 0.2, 0.5}));
+  }
+  with_bar.add_part("knob", box({0, 0.85, 0}, {0.1, 0.1, 0.1}));
+  with_bar.add_part("bar", box({0, 0.95, 0}, {0.8, 0.1, 0.1}));
+  const Model source(plain), target(with_bar);
+  const Shape_blend blend = blend_of(source, target, {{"base", "base"}, {"lid", "lid"}});
+  int seen = 0;
+  for (double t = 0.3; t < 1; t += 0.1) {
+    const Segmented_shape shape = blend(t);
+    if (shape.parts().size() < 4) continue;
+    ++seen;
+    INFO("t = " << t);
+    CHECK(distance(shape, "~knob", "~bar") < touching);
+  }
+  CHECK(seen > 2);
+}
+
+TEST_CASE("Legs hang on a seat that is far higher than where they come from")
+{
+  Segmented_shape high("high"), low("low");
+  high.add_part("seat", box({0, 0.95, 0}, {0.4, 0.1, 0.4}));
+  high.add_part("column", box({0, 0.45, 0}, {0.1, 0.9, 0.1}));
+  low.add_part("seat", box({0, 0.3, 0}, {1, 0.2, 1}));
+  low.add_part("back", box({0, 0.7, -0.45}, {1, 0.6, 0.1}));
+  for (int i : {-1, 1})
+    for (int j : {-1, 1})
+      low.add_part("leg_" + std::to_string(i) + std::to_string(j), box({0.4 * i, 0.1, 0.4 * j}, {0.06, 0.2, 0.06}));
+  const Model source(high), target(low);
+  const Shape_blend blend = blend_of(source, target, {{"seat", "seat"}});
+  int seen = 0;
+  for (double t = 0.1; t < 1; t += 0.1) {
+    const Segmented_shape shape = blend(t);
+    const auto& parts = shape.parts();
+    if (std::none_of(parts.begin(), parts.end(), [](const auto& p) { return p.name == "~leg_11"; })) continue;
+    ++seen;
+    INFO("t = " << t);
+    CHECK(distance(shape, "seat", "~leg_11") < touching);
+  }
+  CHECK(seen > 2);
+}
+
+TEST_CASE("A bent rod between others thins to its curve, where it is")
+{
+  constexpr double half_thickness = 0.05;
+  Part_mesh bow = box({0, 0, 0}, {1, 2 * half_thickness, 2 * half_thickness}, 0, 24);
+  Points spine(3, 33);
+  for (Eigen::Index i = 0; i < spine.cols(); ++i)
+    spine.col(i) << double(i) / double(spine.cols() - 1) - 0.5, 0, 0;
+  for (Points* points : {&bow.points, &spine})
+    for (Eigen::Index i = 0; i < points->cols(); ++i) {
+      const double angle = EIGEN_PI * (*points)(0, i), radius = 1 + (*points)(1, i);
+      points->col(i).head<2>() << radius * std::sin(angle), radius * std::cos(angle);
+    }
+  Part_abstraction part;
+  part.geometry = Curve{spine, false};
+  const auto chart = internal::Part_chart::around(part, spine, bow.points);
+  const std::vector<Point> ends = {{-1, 0, 0}, {1, 0, 0}};
+  const internal::Retreating_part retreating(bow, &chart, Eigen::Matrix3d::Identity(), ends, ends, false);
+  const double remaining = 0.125, left = std::cbrt(remaining);
+  const Points points = retreating.points(remaining);
+  double farthest = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Point p = points.col(i);
+    farthest = std::max(farthest, std::hypot(std::hypot(p.x(), p.y()) - 1, p.z()));
+    CHECK((p - retreating.place(bow.points.col(i), remaining)).norm() < 1e-12);
+  }
+  CHECK(farthest < 1.1 * left * std::sqrt(2) * half_thickness);
+  CHECK(farthest > 0.9 * left * std::sqrt(2) * half_thickness);
+  CHECK(points.row(1).maxCoeff() > 0.99); // it is as bent as ever
+}
