@@ -35,7 +35,7 @@ const std::vector<Blend_measure>& blend_measures()
        "radians by which a part turns more than it has to"},
       {"travel", &Blend_quality::travel, Shape_blend::travel_tolerance, "distance of a part from its straight way"},
       {"gap", &Blend_quality::gap, Shape_blend::contact_tolerance,
-       "how much wider a contact is than in the source and the target"},
+       "how much wider than due the gap is of parts that touch at an end"},
       {"apart", &Blend_quality::apart, Shape_blend::apart_tolerance,
        "how much wider gaps it takes to join all parts than there"},
       {"asymmetry", &Blend_quality::asymmetry, Shape_blend::symmetry_tolerance,

@@ -50,8 +50,9 @@ struct Blend_surface
 ///   the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
 ///   and rotation; the axes of boxes are paired for the least rotation. Then all parts are moved and
-///   stretched along the axes as little as it takes to keep contacts; mirror images stay that, what stands on the
-///   ground stands, and the whole has the height, width and depth that are due between the ends.
+///   stretched along the axes as little as it takes to keep contacts, and to part evenly what touches at one end only;
+///   mirror images stay that, what stands on the ground stands, and the whole has the height, width and depth that are
+///   due between the ends.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
 ///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where there is no such map,
 ///   as a surface would be torn or crushed on the way, or would have to turn, to change its proportions, to travel or
@@ -59,9 +60,9 @@ struct Blend_surface
 ///   as one: surfaces in between are level sets of the mean of both fields, with the volume that is due. If these would
 ///   fall apart, a surface that would be torn is replaced by the other one in its box half-way.
 /// - *Unmatched parts*, and those that become their counterparts in neither way, go with what carries them, and draw
-///   back into it, or grow out of it. What the shape needs to stand or to hang together, and what reaches beyond all
-///   that stays, goes last and comes first. Two parts without counterpart that are alike in place and size become each
-///   other (`Blend_task_type::EXCHANGE`).
+///   back into it, or grow out of it; what joins parts that nothing else joins thins where it is. What the shape needs
+///   to stand or to hang together, and what reaches beyond all that stays, goes last and comes first. Two parts without
+///   counterpart that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///
