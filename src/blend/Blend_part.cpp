@@ -8,7 +8,6 @@
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -140,19 +139,8 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
   (end == 0 ? result.task.source : result.task.target) = carried.part;
   const Part_mesh& mesh = stage.meshes[e][carried.part];
-  for (const Root& root : carried.roots) {
-    result.roots.push_back(root);
-    if (root.carriers.empty()) continue;
-    Root& own = result.roots.back();
-    own.carriers = parts_of(parts, end, root.carriers[0]);
-    own.distance = std::numeric_limits<double>::infinity();
-    for (std::size_t carrier : own.carriers) {
-      std::size_t triangle = 0;
-      const Point nearest =
-          parts[carrier].trees[std::size_t(parts[carrier].end_surface(end))].nearest(own.at, triangle);
-      own.distance = std::min(own.distance, (nearest - own.at).norm());
-    }
-  }
+  for (const Root& root : carried.roots)
+    result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
   const std::vector<Point> none;
   const bool is_ring = stage.charted[e].parts[carried.part]->is_closed_curve(); // its chart is that of its box
   result.retreat = std::make_shared<Retreating_part>(

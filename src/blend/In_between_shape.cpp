@@ -7,8 +7,6 @@
 #include "blend/ease.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -91,17 +89,12 @@ Points In_between_shape::points(std::size_t part, int surface) const
 In_between_shape::Trees In_between_shape::trees() const
 {
   Trees result(points_.size());
-  for (std::size_t part = 0; part < result.size(); ++part)
-    if (is_there(part)) result[part] = tree(part);
-  return result;
-}
-
-/// Of the surface that there is.
-In_between_shape::Tree In_between_shape::tree(std::size_t part) const
-{
-  Tree result = blend_.parts[part].trees[std::size_t(surface_[part])];
-  const Eigen::Matrix3Xi& triangles = blend_.parts[part].triangles(surface_[part]);
-  result.move([&](std::size_t t) { return triangle_of(points(part), triangles, t); });
+  for (std::size_t part = 0; part < result.size(); ++part) {
+    if (!is_there(part)) continue;
+    result[part] = blend_.parts[part].trees[std::size_t(surface_[part])];
+    const Eigen::Matrix3Xi& triangles = blend_.parts[part].triangles(surface_[part]);
+    result[part]->move([&](std::size_t t) { return triangle_of(points(part), triangles, t); });
+  }
   return result;
 }
 
@@ -115,11 +108,6 @@ void In_between_shape::place(std::size_t part, const Eigen::Affine3d& map)
 void In_between_shape::ride_carriers()
 {
   constexpr double least_stretch = 0.5, most_stretch = 2;
-  Trees carriers(points_.size());
-  for (const Blend_part& part : blend_.parts)
-    for (const Root& root : part.roots)
-      for (std::size_t carrier : root.carriers)
-        if (blend_.parts[carrier].morph && !carriers[carrier]) carriers[carrier] = tree(carrier);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Blend_part& part = blend_.parts[i];
     if (!part.retreat) continue;
@@ -128,25 +116,10 @@ void In_between_shape::ride_carriers()
     Eigen::Affine3d map(whole.linear().diagonal().cwiseMax(least_stretch).cwiseMin(most_stretch).asDiagonal());
     Point way = Point::Zero();
     for (const Root& root : part.roots)
-      way += (root.carriers.empty() ? whole * root.at : place(root, carriers, end)) - map * root.at;
-    if (blend_.is_symmetric && part.image == i) way.x() = 0;
+      way += (root.carriers.empty() ? whole : carrier_map(root.carriers, end)) * root.at - map * root.at;
     map.translation() += way / double(part.roots.size());
     place(i, map);
   }
-}
-
-/// Where carriers have taken a root: as near to their surface as it is at the end.
-Point In_between_shape::place(const Root& root, const Trees& carriers, std::size_t end) const
-{
-  const Point moved = carrier_map(root.carriers, end) * root.at;
-  if (blend_.parts[root.carriers[0]].retreat) return moved;
-  Point nearest = moved;
-  double squared = std::numeric_limits<double>::infinity();
-  std::size_t triangle = 0;
-  for (std::size_t carrier : root.carriers)
-    carriers[carrier]->improve_nearest(moved, nearest, squared, triangle);
-  const double away = std::sqrt(squared);
-  return away > root.distance ? Point(nearest + root.distance / away * (moved - nearest)) : moved;
 }
 
 /// How a part, of which these are all pieces, has moved and been stretched.

@@ -60,8 +60,6 @@ private:
   void set_progress(const Task_times& times, double t);
   void ride_carriers();
   Eigen::Affine3d carrier_map(const std::vector<std::size_t>& pieces, std::size_t end) const;
-  Point place(const Root& root, const Trees& carriers, std::size_t end) const;
-  Tree tree(std::size_t part) const;
   void close_contacts(bool of_matched);
   void put_on_ground(std::size_t part);
   void draw_back();

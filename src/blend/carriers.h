@@ -17,7 +17,6 @@ struct Root
 {
   Point at;
   std::vector<std::size_t> carriers; ///< what carries it there, pieces of one part; none if the ground does
-  double distance = 0;               ///< from the surface of the carrier
 };
 
 /// A part of a shape that goes, and its roots, where it touches what is before it on the shortest way to what stays.
