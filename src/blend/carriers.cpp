@@ -21,17 +21,11 @@ class Carrier_search
 {
 public:
   Carrier_search(const Blend_stage& stage, int end, const std::vector<char>& stays)
-      : stage_(stage),
-        end_(end),
-        stays_(stays),
-        is_found_(stays),
-        joined_(stays.size()),
-        touched_(stays.size()),
-        joins_(stays.size(), 0)
+      : stage_(stage), end_(end), stays_(stays), is_found_(stays), joined_(stays.size()), joins_(stays.size(), 0)
   {
     for (const Contact& contact : contacts())
       if (stays[contact.parts[0]] == stays[contact.parts[1]]) joined_.unite(contact.parts[0], contact.parts[1]);
-    find_what_chains_touch();
+    find_joining_chains();
     for (const Part_mesh& mesh : stage.meshes[std::size_t(end)])
       boxes_.push_back(box_of(mesh.points));
   }
@@ -45,10 +39,7 @@ public:
     add_grounded(std::numeric_limits<double>::infinity());
     for (Carried_part& found : found_) {
       found.chain = joined_[found.part];
-      const bool is_free = !touched_[found.chain];
-      if (joins_[found.chain] || is_free) found.joints = joints(found.part);
-      if (is_free && boxes_[found.part].min().y() <= Blend_part::on_ground)
-        found.joints.push_back(ground_below(found.part));
+      if (joins_[found.chain]) found.joints = joints(found.part);
     }
     return std::move(found_);
   }
@@ -56,14 +47,16 @@ public:
 private:
   static constexpr double large = 0.4; ///< the size of a carrier, of what it carries
 
-  void find_what_chains_touch()
+  /// Chains that touch parts that stay and are not joined otherwise.
+  void find_joining_chains()
   {
+    std::vector<std::optional<std::size_t>> touched(stays_.size()); // by chain
     for (const Contact& contact : contacts())
       for (std::size_t i : {0u, 1u}) {
         if (stays_[contact.parts[i]] || !stays_[contact.parts[1 - i]]) continue;
         const std::size_t chain = joined_[contact.parts[i]], other = joined_[contact.parts[1 - i]];
-        if (!touched_[chain]) touched_[chain] = other;
-        if (*touched_[chain] != other) joins_[chain] = 1;
+        if (!touched[chain]) touched[chain] = other;
+        if (*touched[chain] != other) joins_[chain] = 1;
       }
   }
 
@@ -108,15 +101,11 @@ private:
   {
     std::vector<Carried_part> next(stays_.size());
     for (std::size_t part = 0; part < next.size(); ++part) {
-      if (!is_found_[part] && boxes_[part].min().y() <= height) next[part].roots = {{ground_below(part), {}}};
+      const contacts::Box& box = boxes_[part];
+      if (!is_found_[part] && box.min().y() <= height)
+        next[part].roots = {{{box.center().x(), box.min().y(), box.center().z()}, {}}};
     }
     add(next);
-  }
-
-  Point ground_below(std::size_t part) const
-  {
-    const contacts::Box& box = boxes_[part];
-    return {box.center().x(), box.min().y(), box.center().z()};
   }
 
   bool add(std::vector<Carried_part>& next)
@@ -135,10 +124,9 @@ private:
   const Blend_stage& stage_;
   int end_;
   const std::vector<char>& stays_;
-  std::vector<char> is_found_;                      ///< or stays
-  Disjoint_sets joined_;                            ///< parts that stay, and chains of parts that go
-  std::vector<std::optional<std::size_t>> touched_; ///< by chain, the first set of parts that stay that it touches
-  std::vector<char> joins_;                         ///< by chain, whether it joins parts that nothing else joins
+  std::vector<char> is_found_; ///< or stays
+  Disjoint_sets joined_;       ///< parts that stay, and chains of parts that go
+  std::vector<char> joins_;    ///< by chain, whether it joins parts that nothing else joins
   std::vector<contacts::Box> boxes_;
   std::vector<Carried_part> found_;
 };

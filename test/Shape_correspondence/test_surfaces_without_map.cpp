@@ -291,7 +291,7 @@ TEST_CASE("A part without counterpart draws back into what carries it")
   using Roots = std::vector<Point>;
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   const auto box_when = [&](const Part_mesh& mesh, const Roots& roots, double remaining, bool joins = false) {
-    const internal::Retreating_part part(mesh, axes, roots, joins);
+    const internal::Retreating_part part(mesh, nullptr, axes, roots, joins ? roots : Roots(), false);
     CHECK(part.points(1) == mesh.points);
     CHECK((part.points(remaining).col(0) - part.place(mesh.points.col(0), remaining)).norm() < 1e-12);
     CHECK(part.place(part.root(), remaining).isApprox(part.root(), 1e-12));
