@@ -168,9 +168,10 @@ void In_between_shape::close_contacts(bool of_matched)
 /// highest stays. What would be stretched too much moves as a whole, unless it hangs.
 void In_between_shape::put_on_ground(std::size_t part)
 {
+  constexpr double most_stretch_standing = 2, most_stretch_hanging = 5;
   const Blend_part& own = blend_.parts[part];
   const bool hangs = own.retreat && !own.roots[0].carriers.empty();
-  const double most_stretch = hangs ? 5 : 2, least_stretch = 1 / most_stretch;
+  const double most_stretch = hangs ? most_stretch_hanging : most_stretch_standing, least_stretch = 1 / most_stretch;
   const double low = points_[part].row(1).minCoeff(), high = points_[part].row(1).maxCoeff();
   const double level = own.stands ? (1 - progress_[part]) * own.foot[0] + progress_[part] * own.foot[1] : 0;
   if (!own.stands && low >= 0) return;

@@ -174,6 +174,7 @@ Point Retreating_part::end_of(const Point& p) const
 // By the cube root: quickly out of what would be as thin as a hair
 Point Retreating_part::place(const Point& p, double remaining) const
 {
+  if (remaining >= 1) return p;
   if (ends_.cols() == 0) return root_ + scale(remaining) * (p - root_);
   const Point end = end_of(p);
   return end + std::cbrt(remaining) * (p - end);

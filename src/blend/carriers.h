@@ -23,8 +23,8 @@ struct Root
 struct Carried_part
 {
   std::size_t part;
-  std::vector<Root> roots; ///< carriers are parts of the shape
-  std::size_t chain;       ///< the same number for parts that go and touch each other, directly or not
+  std::vector<Root> roots;   ///< carriers are parts of the shape
+  std::size_t chain;         ///< the same number for parts that go and touch each other, directly or not
   std::vector<Point> joints; ///< where it touches others, if its chain joins parts that nothing else joins
 };
 
