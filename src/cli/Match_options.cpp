@@ -174,9 +174,9 @@ void add_match_options(Option_table& table, Match_options& match)
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
       "that `roles train` wrote. Shapes must be upright and face +z");
   add("examples", "FOLDER", &match.examples,
-      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; five or "
-      "more of a category that the model does not know help. If they are of one category, both shapes are taken to be "
-      "of it")
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition, where they "
+      "match each other better by what is learned from the others, by more than chance; three or more of a category. "
+      "If they are of one category, both shapes are taken to be of it")
       .usual();
   add("category", "NAME", &search.category,
       "category of both shapes for --roles, such as chair; default: the most similar one")
@@ -332,9 +332,10 @@ void take_graphs_of_paper(const Match_options& match, const Option_table& given,
   if (!given.is_given(contact_points_option)) options.contacts.closest_points = paper.contacts.closest_points;
 }
 
-void add_examples(const Match_options& match, const Common_options& common, Search_options& search)
+std::vector<std::string> add_examples(const Match_options& match, const Common_options& common, Search_options& search)
 {
-  if (!match.examples.empty()) add_examples(match.examples, common, search.roles, search.category);
+  if (match.examples.empty()) return {};
+  return add_examples(match.examples, common, search.roles, search.category);
 }
 
 namespace {

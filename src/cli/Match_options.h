@@ -48,8 +48,9 @@ void take_graphs_of_paper(const Match_options& match, const Option_table& given,
 /// \throw Usage_error if an option of the search is given
 void refuse_search_options(const Option_table& given);
 
-/// Adds the labelled shapes of `--examples`, if any, to the roles of a search.
-void add_examples(const Match_options& match, const Common_options& common, Search_options& search);
+/// Adds the labelled shapes of `--examples`, if any, to the roles of a search, where they help.
+/// \return what is said of those that are left out
+std::vector<std::string> add_examples(const Match_options& match, const Common_options& common, Search_options& search);
 
 /// Sets the chosen parts, the pinned pairs and the forbidden pairs of `search`.
 /// \param paths name the shapes in messages \throw Usage_error if there is no part of a name

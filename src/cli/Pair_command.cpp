@@ -36,7 +36,8 @@ void Pair_command::load()
   shapes = load_pair(inputs, common, warnings);
   for (const std::string& warning : warnings_of(inputs, shapes))
     warnings.push_back(warning);
-  add_examples(match, common, search);
+  for (const std::string& left_out : add_examples(match, common, search))
+    warnings.push_back(left_out);
   choose_parts(match, source().graph, target().graph, inputs, search);
 }
 

@@ -37,7 +37,7 @@ protected:
   std::string result; ///< a file of `match --json`; empty: the correspondence is searched for
   Search_options search;
   std::vector<Loaded_shape> shapes;
-  std::vector<std::string> warnings; ///< of the shapes
+  std::vector<std::string> warnings; ///< of the shapes and examples
 };
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -142,7 +142,8 @@ private:
     const Thread_limit limit(threads_of_process(common, team));
     if (!left_out_.empty() && team.is_first())
       warn(common, inputs[0] + ": left out, since they are no shapes: " + listed(left_out_));
-    add_examples(match_, common, matching_.search);
+    for (const std::string& left_out : add_examples(match_, common, matching_.search))
+      if (team.is_first()) warn(common, left_out);
     common.roles = matching_.search.roles;
     if (common.cache.empty()) common.cache = stored("cache");
     const Collection_shapes shapes(paths_, stored("graphs"), options_.skip_bad, common, team);

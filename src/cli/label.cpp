@@ -68,7 +68,9 @@ void label_shape(const std::string& path, const Label_options& options, const st
   const Loaded_shape shape = load_shape(path, with_roles);
   check_part_kinds(common, part_names(shape.graph));
   std::string category = options.category;
-  if (!options.examples.empty()) add_examples(options.examples, common, model, category);
+  if (!options.examples.empty())
+    for (const std::string& left_out : add_examples(options.examples, common, model, category, true))
+      warn(common, left_out);
   const Part_roles found = predicted_roles(path, shape.graph, *model, category);
   const std::vector<Transferred_label> labels = likeliest_labels(found);
   const std::vector<std::string> parts = part_names(shape.graph);

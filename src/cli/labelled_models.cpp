@@ -4,6 +4,7 @@
 #include "cli/labelled_models.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
+#include "cli/text.h"
 #include "io/read/Json_field.h"
 #include "roles/Role_trainer.h"
 
@@ -130,16 +131,34 @@ std::shared_ptr<const Role_model> role_model_of(const std::string& file)
   return file.empty() ? IO::shipped_role_model() : std::make_shared<const Role_model>(IO::read_role_model(file));
 }
 
-void add_examples(const std::string& folder, const Common_options& options, std::shared_ptr<const Role_model>& model,
-                  std::string& category)
+std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,
+                                      std::shared_ptr<const Role_model>& model, std::string& category, bool always_new)
 {
   const std::vector<Labelled_model> models = load_labelled_models(folder, options);
-  std::set<std::string> categories;
-  for (const Labelled_model& shape : models)
-    categories.insert(shape.labels.category);
-  model = std::make_shared<const Role_model>(
-      extend_role_model(model ? *model : Role_model(), labelled_graphs(models, models.size())));
-  if (category.empty() && categories.size() == 1) category = *categories.begin();
+  const bool is_asked_for = !category.empty();
+  const Role_model known = model ? *model : Role_model();
+  const std::vector<std::string> names = known.categories();
+  std::vector<Labelled_graph> shapes = labelled_graphs(models, models.size());
+  std::vector<std::string> left_out;
+  const std::vector<Gain_of_examples> gains = gains_of_examples(known, shapes);
+  for (const Gain_of_examples& gain : gains) {
+    if (gain.is_clear()) continue;
+    const bool is_new = !std::binary_search(names.begin(), names.end(), gain.category);
+    if (always_new && is_new) continue;
+    if (is_new && category == gain.category) category.clear();
+    left_out.push_back(
+        folder + ": the examples of the category " + gain.category + " were not used, since " +
+        (gain.pairs == 0
+             ? "three or more are needed to measure a gain"
+             : "what was learned from the others does not make their matches better by more than chance (F1 " +
+                   short_number(gain.with) + " with it, " + short_number(gain.without) + " without)"));
+    shapes.erase(std::remove_if(shapes.begin(), shapes.end(),
+                                [&](const Labelled_graph& shape) { return shape.category == gain.category; }),
+                 shapes.end());
+  }
+  if (!is_asked_for && gains.size() == 1 && left_out.empty()) category = gains[0].category;
+  if (!shapes.empty()) model = std::make_shared<const Role_model>(extend_role_model(known, shapes));
+  return left_out;
 }
 
 std::vector<Pair> listed_pairs(const std::vector<Labelled_model>& models, std::size_t most)

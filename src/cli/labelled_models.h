@@ -33,10 +33,13 @@ std::vector<Labelled_model> load_labelled_models(const std::string& folder, cons
 /// The role model in a file; empty: the one that comes with the program.
 std::shared_ptr<const Role_model> role_model_of(const std::string& file);
 
-/// Adds the labelled shapes of a folder to what a model was learned from, see `extend_role_model()`. If they are of one
-/// category, and none is asked for, that category is meant. \param model null: none so far
-void add_examples(const std::string& folder, const Common_options& options, std::shared_ptr<const Role_model>& model,
-                  std::string& category);
+/// Adds the labelled shapes of a folder to what a model was learned from, see `extend_role_model()`: those of a
+/// category in which they help, see `gains_of_examples()`. If they are of one category, and none is asked for,
+/// that category is meant. \param model null: none so far \param always_new also all of a category that the model lacks
+/// \return what is said of those that are left out
+std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,
+                                      std::shared_ptr<const Role_model>& model, std::string& category,
+                                      bool always_new = false);
 
 /// Pairs of shapes of a category and folder: those that FOLDER/pairs.json lists, or else at most `most` of a category,
 /// spread evenly over all. \throw Invalid_input if a list names a shape that is not there

@@ -137,17 +137,80 @@ TEST_CASE("The shipped model knows the models of the package, and the program ma
   CHECK_THAT(missing.error, Contains("/nowhere.roles"));
 }
 
-TEST_CASE("The program matches with the user's own examples, and transfers labels")
+namespace {
+
+// A shelf as `shelf()` makes it, in a folder, with labels of its lower and upper boards. Returns its parts.
+std::string write_shelf(const Temporary_folder& folder, const std::string& name, double thickness, int boards)
+{
+  const Furniture shape = shelf(thickness, boards);
+  const std::vector<Part_abstraction>& parts = structure(shape.graph).parts;
+  auto document = nlohmann::json{{"id", name}, {"category", "shelf"}, {"parts", nlohmann::json::array()}};
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const Point low = parts[part].surface.col(0), size = parts[part].surface.col(1) - low;
+    const std::string file = "parts/" + parts[part].name + ".obj", role = part < 2      ? "side"
+                                                                          : low.y() < 2 ? "lower"
+                                                                                        : "upper";
+    folder.write(name + "/" + file, obj_box("o part", 0, low.x(), low.y(), low.z(), size.x(), size.y(), size.z()));
+    document["parts"].push_back({{"name", parts[part].name}, {"file", file}, {"coarse", role}});
+  }
+  folder.write(name + "/labels.json", document.dump());
+  return folder.path(name) + "/parts";
+}
+
+} // namespace
+
+TEST_CASE("The program uses the user's own examples where they match each other better with what others teach")
+{
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
+  const Temporary_folder folder;
+  const auto match = [](const std::string& words) {
+    return nlohmann::json::parse(run("match --quiet --json - --roles none " + words).out);
+  };
+  const auto examples = [&](const std::string& names, const std::vector<std::string>& chairs) {
+    for (const std::string& chair : chairs)
+      std::filesystem::copy(data + "/" + chair, folder.path(names + "/" + chair),
+                            std::filesystem::copy_options::recursive);
+    return " --examples " + folder.path(names);
+  };
+  std::filesystem::create_directory(folder.path("two"));
+  std::filesystem::create_directory(folder.path("four"));
+  const std::string two = examples("two", {"chair_slatted", "chair_spindle"});
+  const std::string four = examples("four", {"chair_slatted", "chair_spindle", "chair_swivel", "chair_four_legged"});
+  const std::string chairs = data + "/chair_four_legged/parts " + data + "/stool/parts";
+  const auto without = match(chairs);
+  for (const auto& [of_chairs, reason] : {std::pair(two, "three or more"), std::pair(four, "more than chance")}) {
+    INFO(of_chairs);
+    for (const std::string category : {"", " --category chair"}) {
+      const auto matched = match(chairs + of_chairs + category);
+      CHECK(!matched.contains("category"));
+      CHECK(matched["pairs"] == without["pairs"]);
+      CHECK(matched["confidences"] == without["confidences"]);
+      CHECK_THAT(matched["warnings"].dump(),
+                 Contains("examples of the category chair were not used") && Contains(reason));
+    }
+    CHECK_THAT(run("collection " + folder.path("two") + " --json - --roles none" + of_chairs).error, Contains(reason));
+  }
+  // Nothing else can label shapes of a category of one's own
+  const std::string stool = "label " + data + "/stool/parts -o - ";
+  CHECK(run(stool + two).error.find("not used") != std::string::npos);
+
+  const std::string a = write_shelf(folder, "a", 0.06, 4), b = write_shelf(folder, "b", 0.1, 6);
+  for (int i = 1; i < 6; ++i)
+    write_shelf(folder, "shelves/" + std::to_string(i), 0.03 + 0.01 * i, 2 * i);
+  const auto shelves = match(a + " " + b + " --examples " + folder.path("shelves"));
+  CHECK(shelves["category"] == "shelf");
+  CHECK(shelves["pairs"].size() == 2 + 2 * 3 + 2 * 3); // every lower board with every lower board
+  CHECK(shelves["warnings"].dump().find("not used") == std::string::npos);
+}
+
+TEST_CASE("The program takes examples with other options, and transfers labels")
 {
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
   const Temporary_folder folder;
   std::filesystem::create_directory(folder.path("examples"));
-  for (const std::string name : {"chair_four_legged", "stool"}) // as a category of one's own
+  for (const std::string name : {"chair_four_legged", "stool"})
     std::filesystem::copy(data + "/" + name, folder.path("examples/" + name), std::filesystem::copy_options::recursive);
   const std::string shapes = data + "/chair_four_legged/parts " + data + "/stool/parts --quiet --json - ";
-  const auto matched =
-      nlohmann::json::parse(run("match " + shapes + "--roles none --examples " + folder.path("examples")).out);
-  CHECK(matched["category"] == "chair");
   const Run predicted =
       run("roles predict " + data + "/stool/parts --json - --quiet --examples " + folder.path("examples"));
   CHECK(nlohmann::json::parse(predicted.out)["category"] == "chair");

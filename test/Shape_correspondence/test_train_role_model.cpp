@@ -151,3 +151,31 @@ TEST_CASE("Few examples: the training sees so many shapes of the category, and n
   for (std::size_t i = 0; i < pairs.size(); ++i)
     CHECK(few.pairs()[i].joined.right == all.pairs()[i].joined.right);
 }
+
+TEST_CASE("Examples help where they match each other better with what was learned from the others")
+{
+  std::deque<Furniture> shapes = examples();
+  const auto gains = gains_of_examples(Role_model(), labelled(shapes));
+  REQUIRE(gains.size() == 2);
+  CHECK(gains[0].category == "chair");
+  CHECK(gains[0].pairs == 10);
+  CHECK(gains[0].without > 0.9); // geometry suffices
+  CHECK(!gains[0].is_clear());
+  CHECK(gains[1].category == "shelf");
+  CHECK(gains[1].with > 0.9);
+  CHECK(gains[1].is_clear()); // every board with every board
+
+  // Not if the model knows as much without them
+  for (const Gain_of_examples& gain : gains_of_examples(train_role_model(labelled(shapes)), labelled(shapes)))
+    CHECK(!gain.is_clear());
+
+  // Two leave nothing to learn from
+  shapes = {shelf(0.06, 3), shelf(0.1, 5)};
+  CHECK(gains_of_examples(Role_model(), labelled(shapes))[0].pairs == 0);
+  CHECK(!gains_of_examples(Role_model(), labelled(shapes))[0].is_clear());
+
+  // The fewer pairs, the greater the gain must be
+  CHECK(Gain_of_examples{"", 4, 0.56, 0.5}.is_clear());
+  CHECK(!Gain_of_examples{"", 4, 0.54, 0.5}.is_clear());
+  CHECK(!Gain_of_examples{"", 1, 0.56, 0.5}.is_clear());
+}

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -40,6 +41,24 @@ Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Rol
 /// \throw Invalid_input as `train_role_model()`
 Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
                              const Role_training_options& options = {});
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// How well labelled shapes of a category match each other, with and without learning from them.
+struct Gain_of_examples
+{
+  std::string category;
+  std::size_t pairs = 0;        ///< of these shapes, that were matched; none of fewer than three shapes
+  double with = 0, without = 0; ///< mean F1 over the pairs
+  bool is_clear() const;        ///< whether the gain is more than chance
+};
+
+/// \ingroup PkgShapeCorrespondenceRoles
+/// Whether it helps to extend a model by labelled shapes, for each of their categories, sorted. Up to 20 pairs of a
+/// category are matched: with `model`, and, given the category, with the model that is extended by the shapes that are
+/// not in the pair.
+/// \throw Invalid_input as `train_role_model()`
+std::vector<Gain_of_examples> gains_of_examples(const Role_model& model, const std::vector<Labelled_graph>& shapes,
+                                                const Role_training_options& options = {});
 
 } // namespace Shape_correspondence
 } // namespace CGAL
