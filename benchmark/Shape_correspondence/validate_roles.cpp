@@ -40,6 +40,10 @@ of the training.
                            shapes with their `source` in labels.json) or category (all shapes of their category)
   --number-of-examples N   the training sees at most N shapes of the pair's category that are not generated, drawn for every
                            pair; with --leave-out category, no others of the category. Default: all that are not left out
+  --own-examples N         what a user gains who gives the matcher N labelled shapes of the category, as --examples of
+                           `match`, drawn for every pair, of one source as far as possible; the training does not see
+                           them. `geometry` and `with roles` are then without and with them; `always`: if they were
+                           used wherever they are given, `used`: share of the pairs for which they are
   --told                   give the category to the matcher
   --turned HOW             turn every shape about the up axis by an angle drawn for the pair: no (the default), quarters (a
                            multiple of 90°) or any
@@ -85,6 +89,8 @@ Options parsed(int argc, char** argv)
        }},
       {"--number-of-examples",
        [&](const std::string& word) { options.validation.examples = whole_number(word, "--number-of-examples"); }},
+      {"--own-examples",
+       [&](const std::string& word) { options.validation.own_examples = whole_number(word, "--own-examples"); }},
       {"--turned",
        [&](const std::string& word) {
          options.validation.turns = Validation_turns(index_of("--turned", word, {"no", "quarters", "any"}));
@@ -255,12 +261,17 @@ std::vector<Row> rows_of(const Validated_shapes& set, std::uint64_t seed)
   return result;
 }
 
-void write_table(const Validated_shapes& set, const std::vector<Row>& rows)
+double always_f1(const Validated_pair& pair) { return pair.always.f1(); }
+
+double examples_help(const Validated_pair& pair) { return pair.gain.is_clear(); }
+
+void write_table(const Validated_shapes& set, const std::vector<Row>& rows, bool has_own_examples)
 {
   std::vector<std::vector<std::string>> table{{"category",     "pairs",  "geometry P", "R",      "F1",
                                                "with roles P", "R",      "F1",         "95 %",   "gain",
                                                "95 %",         "stated", "right",      "AUC",    "P sure",
                                                "share",        "front",  "sure front", "labels", "with roles"}};
+  if (has_own_examples) table[0].insert(table[0].end(), {"always", "used"});
   const auto interval = [](const Estimate& e) { return decimals(e.low) + ".." + decimals(e.high); };
   const auto text = [](const std::optional<double>& number) { return number ? decimals(*number) : "-"; };
   for (const Row& row : rows) {
@@ -279,6 +290,8 @@ void write_table(const Validated_shapes& set, const std::vector<Row>& rows)
     for (const auto labels : {&Validated_pair::labels_by_geometry, &Validated_pair::labels_joined})
       cells.push_back(text(set.share(
           row.category, [&](const Validated_pair& pair) { return pair.*labels; }, one)));
+    for (const auto value : {always_f1, examples_help})
+      if (has_own_examples) cells.push_back(text(set.share(row.category, value, one)));
     table.push_back(std::move(cells));
   }
   cli::write_table(std::cout, table);
@@ -293,7 +306,8 @@ Json json_of(const Mean_score& score)
   return result;
 }
 
-Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const std::string& left_out)
+Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const std::string& left_out,
+             bool has_own_examples)
 {
   const auto labels = [&](const Row& row, double Validated_pair::*share) {
     return *set.share(
@@ -309,6 +323,10 @@ Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const st
                                     {"gain", json_of(row.gain)},
                                     {"labels", labels(row, &Validated_pair::labels_by_geometry)},
                                     {"labels_with_roles", labels(row, &Validated_pair::labels_joined)}});
+  for (std::size_t i = 0; has_own_examples && i < rows.size(); ++i) {
+    result["categories"][i]["always"] = *set.share(rows[i].category, always_f1, one);
+    result["categories"][i]["used"] = *set.share(rows[i].category, examples_help, one);
+  }
   result["weights"] = {{"same_label", w[SAME_LABEL]},   {"same_role", w[SAME_ROLE]},
                        {"votes_agree", w[VOTES_AGREE]}, {"geometric_pair", w[GEOMETRIC_PAIR]},
                        {"excess", w[EXCESS]},           {"constant", w[CONSTANT]}};
@@ -320,6 +338,11 @@ Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const st
                {"geometry", pair.geometric.f1()},
                {"with_roles", pair.joined.f1()},
                {"confidences", Json::array()}};
+    if (has_own_examples) {
+      entry["always"] = always_f1(pair);
+      entry["gain_of_examples"] = {
+          {"pairs", pair.gain.pairs}, {"with", pair.gain.with}, {"without", pair.gain.without}};
+    }
     for (const Judged_pair& judged : pair.judged)
       entry["confidences"].push_back(Json::array({judged.confidence, judged.is_right, judged.has_one_role}));
     result["pairs"].push_back(std::move(entry));
@@ -339,8 +362,10 @@ int main(int argc, char** argv)
     const Options options = parsed(argc, argv);
     const Validated_shapes set(options);
     const std::vector<Row> rows = rows_of(set, options.training.seed);
-    write_table(set, rows);
-    if (!options.json.empty()) std::ofstream(options.json) << json_of(set, rows, options.left_out).dump(1) << '\n';
+    const bool has_own_examples = options.validation.own_examples > 0;
+    write_table(set, rows, has_own_examples);
+    if (!options.json.empty())
+      std::ofstream(options.json) << json_of(set, rows, options.left_out, has_own_examples).dump(1) << '\n';
   } catch (const std::invalid_argument& error) {
     std::cerr << "validate_roles: " << error.what() << " (see --help)\n";
     return bad_usage;

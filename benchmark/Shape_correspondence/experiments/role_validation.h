@@ -13,6 +13,7 @@
 
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/train_role_model.h>
 
 #include <Eigen/Geometry>
 
@@ -59,6 +60,9 @@ struct Validation_options
   /// How many shapes of the category that are not generated the training sees at most, drawn for every pair; with
   /// `Left_out::CATEGORY` it sees these of all the category.
   std::optional<std::size_t> examples;
+  /// Not 0: what a user gains who gives the matcher at most this many labelled shapes of the category, as `match
+  /// --examples`, drawn for every pair, of one source as far as it has as many. The training does not see them.
+  std::size_t own_examples = 0;
   bool category_known = false; ///< to the matcher
   Validation_turns turns = Validation_turns::NONE;
   /// What the matcher does about fronts. Where it finds them, the confidences of pairs are of what it finds.
@@ -88,6 +92,8 @@ struct Validated_pair
   Shape_pair shapes{};
   std::string category;                   ///< as the matcher finds it; empty: none
   Correspondence_score geometric, joined; ///< by geometry alone, and as the matcher does it
+  Correspondence_score always; ///< with own examples, helpful or not; `geometric` and `joined` are without and with
+  Gain_of_examples gain;       ///< by which the matcher decides whether it uses them
   /// The share of the target's parts that get their coarse label from the source.
   double labels_by_geometry = 0, labels_joined = 0;
   Front_count fronts;              ///< of the two shapes, with the category known
@@ -141,6 +147,7 @@ public:
     // What was learned with much left out tells nothing of how good what is learned of others is
     fitted_to_ = options.left_out != Left_out::SHAPES && !options.examples ? predicted({}, false) : unseen_;
     match({});
+    if (options_.own_examples > 0) for_each_index(pairs_.size(), true, [&](std::size_t i) { match_with_examples(i); });
   }
 
   /// Matches the pairs again by other options. What roles predict stays as it is.
@@ -171,29 +178,40 @@ private:
     return result;
   }
 
-  /// What the training does not see for a pair; examples are drawn by its number.
+  bool is_of_same_source(std::size_t shape, const Shape_pair& pair) const
+  {
+    return shapes_[shape].source == shapes_[pair[0]].source || shapes_[shape].source == shapes_[pair[1]].source;
+  }
+
+  /// The shapes of the category of a pair that may be examples, in an order drawn by its number.
+  std::vector<std::size_t> drawn_examples(std::size_t number, Left_out left_out) const
+  {
+    const Shape_pair& pair = pairs_[number].shapes;
+    std::vector<std::size_t> result;
+    for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
+      if (labelled_[shape].category == labelled_[pair[0]].category && !shapes_[shape].is_generated &&
+          shape != pair[0] && shape != pair[1] && !(left_out == Left_out::SOURCES && is_of_same_source(shape, pair)))
+        result.push_back(shape);
+    std::mt19937_64 random(number); // the same numbers on all machines
+    for (std::size_t i = 0; i < result.size(); ++i)
+      std::swap(result[i], result[i + std::size_t(random() % (result.size() - i))]);
+    return result;
+  }
+
+  /// What the training does not see for a pair.
   std::vector<char> left_out_shapes(std::size_t number, const Validation_options& options) const
   {
     const Shape_pair& pair = pairs_[number].shapes;
     std::vector<char> result(shapes_.size(), 0);
-    std::vector<std::size_t> examples;
-    for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
-      const bool is_in_pair = shape == pair[0] || shape == pair[1];
-      const bool same_category = labelled_[shape].category == labelled_[pair[0]].category;
-      const bool same_source =
-          options.left_out == Left_out::SOURCES &&
-          (shapes_[shape].source == shapes_[pair[0]].source || shapes_[shape].source == shapes_[pair[1]].source);
-      const bool is_example = same_category && !shapes_[shape].is_generated && !same_source && !is_in_pair;
-      if (is_example) examples.push_back(shape);
-      result[shape] = is_in_pair || same_source || (options.left_out == Left_out::CATEGORY && same_category) ||
-                      (options.examples && is_example);
-    }
+    for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
+      result[shape] =
+          shape == pair[0] || shape == pair[1] ||
+          (options.left_out == Left_out::SOURCES && is_of_same_source(shape, pair)) ||
+          (options.left_out == Left_out::CATEGORY && labelled_[shape].category == labelled_[pair[0]].category);
     if (!options.examples) return result;
-    std::mt19937_64 random(number); // the same numbers on all machines
+    const std::vector<std::size_t> examples = drawn_examples(number, options.left_out);
     for (std::size_t i = 0; i < examples.size(); ++i)
-      std::swap(examples[i], examples[i + std::size_t(random() % (examples.size() - i))]);
-    for (std::size_t i = 0; i < std::min(examples.size(), *options.examples); ++i)
-      result[examples[i]] = 0;
+      result[examples[i]] = i >= *options.examples;
     return result;
   }
 
@@ -227,6 +245,43 @@ private:
       least_energy_[i][1] = of_least_energy(pair, std::move(costs));
     });
     return result;
+  }
+
+  /// Matches a pair without and with examples of a user's own.
+  void match_with_examples(std::size_t number)
+  {
+    Validated_pair& result = pairs_[number];
+    const Labelled_graph &source = labelled_[result.shapes[0]], &target = labelled_[result.shapes[1]];
+    std::vector<std::size_t> drawn = drawn_examples(number, options_.left_out);
+    if (!drawn.empty())
+      std::stable_partition(drawn.begin(), drawn.end(), [&, source = shapes_[drawn[0]].source](std::size_t shape) {
+        return shapes_[shape].source == source;
+      });
+    drawn.resize(std::min(drawn.size(), options_.own_examples));
+    std::vector<char> is_left_out = left_out_shapes(number, options_);
+    std::vector<Labelled_graph> examples;
+    for (std::size_t shape : drawn) {
+      is_left_out[shape] = 1;
+      examples.push_back(labelled_[shape]);
+    }
+    Role_model_data data = trainer_.model_without(all_, source.category, is_left_out);
+    for (Category_roles& known : data.categories)
+      known.weights = options_.left_out == Left_out::CATEGORY ? fit_->of_others(source.category).weights
+                                                              : fit_->weights_of_pair(number);
+    const Role_model model = Role_model_access::model(std::move(data));
+    const auto score = [&](const Role_model& roles, const std::string& category) {
+      Search_options search;
+      search.front_is_sure = options_.fronts == Validation_fronts::GIVEN;
+      search.roles = std::make_shared<const Role_model>(roles);
+      search.category = category;
+      const Correspondence found = find_correspondence(*source.graph, *target.graph, search);
+      return evaluate_correspondence(part_pairs(found.pairs), ground_truth(source.labels, target.labels));
+    };
+    result.geometric = result.joined = result.always = score(model, "");
+    if (examples.empty()) return;
+    result.always = score(extend_role_model(model, examples), source.category);
+    result.gain = gains_of_examples(model, examples)[0];
+    if (result.gain.is_clear()) result.joined = result.always;
   }
 
   static void count_front(const std::vector<int>& turns, Front_count& fronts)
