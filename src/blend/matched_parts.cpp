@@ -291,6 +291,7 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
       Blend_task& task = result[i].task;
       if (i >= matched || std::binary_search(leftover.begin(), leftover.end(), std::pair(task.source, task.target)))
         task.type = Blend_task_type::EXCHANGE;
+      if (i >= matched) task.obstacle = Blend_obstacle::NONE; // there was nothing that they should become
     }
     add_unmatched_parts(stage, unlike, result);
     return result;

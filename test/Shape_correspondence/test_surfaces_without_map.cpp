@@ -156,6 +156,7 @@ TEST_CASE("Parts without counterpart that fill one place become each other toget
   const std::vector<Blend_task>& tasks = blend.schedules()[0].tasks;
   REQUIRE(tasks.size() == 4);
   CHECK(tasks[3].type == Blend_task_type::EXCHANGE);
+  CHECK(tasks[3].obstacle == Blend_obstacle::NONE);
   CHECK(tasks[3].source == 3);
   CHECK(tasks[3].target == 3);
   CHECK(tasks[3].other_targets == std::vector<std::size_t>{4, 5, 6, 7, 8});
