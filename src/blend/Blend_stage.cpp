@@ -3,6 +3,7 @@
 
 #include "blend/Blend_stage.h"
 
+#include "base/quantized.h"
 #include "base/quarter_turn.h"
 #include "blend/surface_components.h"
 

@@ -56,6 +56,16 @@ struct Field_morph::Fields
     is_fine = is_fine || own_holes > many_holes || double(without_excess) < least_share * double(all);
   }
 
+  /// The share of the smaller inside that is inside of the other, too.
+  double common_share() const
+  {
+    std::size_t common = 0;
+    for (std::size_t i = 0; i < ends[0].size(); ++i)
+      common += std::size_t(ends[0][i] < 0 && ends[1][i] < 0);
+    const auto all = [&](std::size_t end) { return grid.number_below(ends[end], 0); };
+    return double(common) / double(std::min(all(0), all(1)));
+  }
+
   /// The level below which there are as many points.
   static double level_of(Distance_grid::Values values, double due)
   {
@@ -70,6 +80,7 @@ Field_morph::Field_morph(const Pair_charts& boxes, const Part_mesh& source, cons
     : source_(boxes.source), target_(boxes.target)
 {
   constexpr int level_sets = 8;
+  constexpr double least_common = 0.5;  // of the smaller inside
   constexpr double first_change = 0.06; // when the first level set takes over from the source's surface
   const Point extents = grid_extents(boxes);
   Fields fields{Distance_grid(extents), {}, {}};
@@ -83,7 +94,7 @@ Field_morph::Field_morph(const Pair_charts& boxes, const Part_mesh& source, cons
   }
   Part_mesh last = std::move(surfaces_.back());
   surfaces_.pop_back();
-  bool holds = !fields.is_fine;
+  bool holds = !fields.is_fine && fields.common_share() >= least_common;
   for (int i = 0; i < level_sets && holds; ++i) {
     changes_.push_back(first_change + (1 - 2 * first_change) * i / level_sets);
     holds = add_level_set(fields, (i + 0.5) / level_sets);

@@ -9,10 +9,10 @@ namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-/// Pairs of parts that neither morph nor correspond to others, alike in place and size, those that overlap most
-/// first.
-/// \param paired what morphs
-/// \param unlike what corresponds but is too unlike to
-Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& paired, const Part_pairs& unlike);
+/// Pairs of parts that are in none of the given ones, alike in place and size, those that overlap most first.
+Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given);
+
+/// All pairs of parts that are in none of the given ones and share their place.
+Part_pairs leftover_links(const Blend_stage& stage, const Part_pairs& given);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -262,7 +262,11 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
     const Part_pairs unlike = take_unlike_pairs(stage, torn, mapped);
     std::vector<Part_set> sets = connected_sets(stage, unlike, torn);
     const std::vector<Part_set> broken = maker.take_broken(sets);
-    const Part_pairs leftover = leftover_pairs(stage, mapped, unlike);
+    Part_pairs used = mapped;
+    used.insert(used.end(), unlike.begin(), unlike.end());
+    const Part_pairs leftover = leftover_pairs(stage, used);
+    used.insert(used.end(), leftover.begin(), leftover.end());
+    std::vector<Part_set> exchanged = connected_sets(stage, leftover_links(stage, used), {});
     Part_pairs others = most_alike(stage, pairs_in(broken, unlike));
     others.insert(others.end(), leftover.begin(), leftover.end());
     std::vector<Part_set> single;
@@ -280,9 +284,15 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
     maker.take_broken(single);
     sets.insert(sets.end(), single.begin(), single.end());
     maker.add(sets, result);
-    for (Blend_part& part : result)
-      if (std::binary_search(leftover.begin(), leftover.end(), std::pair(part.task.source, part.task.target)))
-        part.task.type = Blend_task_type::EXCHANGE;
+    const std::size_t matched = result.size();
+    maker.take_broken(exchanged);
+    maker.add(exchanged, result);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      Blend_task& task = result[i].task;
+      if (i >= matched || std::binary_search(leftover.begin(), leftover.end(), std::pair(task.source, task.target)))
+        task.type = Blend_task_type::EXCHANGE;
+      if (i >= matched) task.obstacle = Blend_obstacle::NONE; // there was nothing that they should become
+    }
     add_unmatched_parts(stage, unlike, result);
     return result;
   }

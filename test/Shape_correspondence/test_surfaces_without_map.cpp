@@ -145,6 +145,26 @@ TEST_CASE("Of parts without counterpart, two alike in one place become each othe
                       [](const Blend_task& task) { return task.type == Blend_task_type::EXCHANGE; }) == 1);
 }
 
+TEST_CASE("Parts without counterpart that fill one place become each other together")
+{
+  std::vector<Named_box> closed = stand(), open = stand();
+  closed.push_back({"cupboard", {0, 1.3, 0}, {0.9, 0.6, 0.5}});
+  for (double x : {-0.4, 0., 0.4})
+    for (double z : {-0.2, 0.2})
+      open.push_back({"bar_" + std::to_string(open.size()), {x, 1.3, z}, {0.1, 0.6, 0.1}});
+  const Shape_blend blend = blend_of(model_of(closed), model_of(open), same_parts(3));
+  const std::vector<Blend_task>& tasks = blend.schedules()[0].tasks;
+  REQUIRE(tasks.size() == 4);
+  CHECK(tasks[3].type == Blend_task_type::EXCHANGE);
+  CHECK(tasks[3].obstacle == Blend_obstacle::NONE);
+  CHECK(tasks[3].source == 3);
+  CHECK(tasks[3].target == 3);
+  CHECK(tasks[3].other_targets == std::vector<std::size_t>{4, 5, 6, 7, 8});
+  open.push_back({"knob", {0.4, 0.8, 0.2}, {0.05, 0.2, 0.05}}); // in another place
+  const std::vector<Blend_task> more = blend_of(model_of(closed), model_of(open), same_parts(3)).schedules()[0].tasks;
+  CHECK(more.size() == 5);
+}
+
 namespace {
 
 /// A ring around the z axis, of radii 1 and 0.2.
@@ -266,6 +286,46 @@ TEST_CASE("Where level sets would not fill their box, the one surface takes over
   CHECK(morph.changes() == std::vector<double>{0.5});
   CHECK(morph.points(0, 0.4).isApprox(up.points, 1e-9));
   CHECK(morph.points(1, 0.6).isApprox(down.points, 1e-9));
+}
+
+namespace {
+
+/// Rods between points, as one surface.
+Part_mesh rods(const std::vector<std::array<Point, 2>>& ends, double thickness)
+{
+  Part_mesh result;
+  for (const auto& [a, b] : ends) {
+    Part_mesh rod = box_shapes::box({0, 0, 0}, {(b - a).norm() + thickness, thickness, thickness});
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Point::UnitX(), b - a);
+    rod.points = (turn.toRotationMatrix() * rod.points).colwise() + (a + b) / 2;
+    const Eigen::Index points = result.points.cols(), triangles = result.triangles.cols();
+    result.points.conservativeResize(3, points + rod.points.cols());
+    result.points.rightCols(rod.points.cols()) = rod.points;
+    result.triangles.conservativeResize(3, triangles + rod.triangles.cols());
+    result.triangles.rightCols(rod.triangles.cols()) = rod.triangles.array() + int(points);
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Frames with less than half of the smaller in common do not swell into each other")
+{
+  constexpr double thickness = 0.1;
+  const Part_mesh two = rods({{{{1, -1, -0.6}, {1, -1, 0.6}}}, {{{-1, 1, 0.6}, {1, 1, 0.6}}}}, thickness);
+  const Part_mesh four = rods({{{{-1, -1, -0.6}, {-1, 1, -0.6}}},
+                               {{{-1, -1, -0.6}, {-1, -1, 0.6}}},
+                               {{{1, -1, -0.6}, {1, 1, -0.6}}},
+                               {{{-1, 1, -0.6}, {-1, 1, 0.6}}}},
+                              thickness);
+  const auto holds = [](const Part_mesh& from, const Part_mesh& to) {
+    const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    const auto chart = [&](const Part_mesh& mesh) { return internal::Part_chart::box(mesh.points, axes); };
+    return internal::Field_morph({chart(from), chart(to)}, from, to).holds_together();
+  };
+  CHECK(!holds(two, four));
+  CHECK(holds(two, two));
+  CHECK(holds(four, four));
 }
 
 TEST_CASE("The axes of boxes are paired for the least rotation; a box has its own axes where they make it smaller")

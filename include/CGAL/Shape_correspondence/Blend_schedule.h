@@ -26,7 +26,7 @@ enum class Blend_task_type {
   MERGE,   ///< a part, or a piece of it, becomes a piece of another, or parts become fewer
   SHRINK,  ///< a part without counterpart draws back into what carries it
   GROW,    ///< the inverse of `SHRINK`
-  EXCHANGE ///< of two parts without counterpart, alike in place and size, the one becomes the other
+  EXCHANGE ///< parts without counterpart become others in the same place
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

@@ -58,11 +58,13 @@ struct Blend_surface
 ///   as a surface would be torn or crushed on the way, or would have to turn, to change its proportions, to travel or
 ///   to be cut up too much (`Blend_obstacle`), parts become their counterparts by *distance fields*, several together
 ///   as one: surfaces in between are level sets of the mean of both fields, with the volume that is due. If these would
-///   fall apart, a surface that would be torn is replaced by the other one in its box half-way.
+///   fall apart, or the ends have little in common, a surface that would be torn is replaced by the other one in its
+///   box half-way.
 /// - *Unmatched parts*, and those that become their counterparts in neither way, go with what carries them, and draw
 ///   back into it, or grow out of it; what joins parts that nothing else joins thins where it is. What the shape needs
 ///   to stand or to hang together, and what reaches beyond all that stays, goes last and comes first. Two parts without
-///   counterpart that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
+///   counterpart that are alike in place and size, or several that fill one place, become each other
+///   (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///

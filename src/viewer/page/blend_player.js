@@ -52,9 +52,9 @@ export class BlendPlayer {
     tasks.prepend(element('summary', `${blend.tasks.length} tasks`, tasks));
     bars.className = 'bars';
     for (const task of blend.tasks) {
-      const reason = (task.task === 'exchange' ? ': neither has a counterpart, and they are alike in place and size' : '')
-        + (task.obstacle === 'unlike' ? ': too unlike for a map onto its counterpart'
-          : task.obstacle ? `: by distance fields, as a surface would be ${task.obstacle}` : '');
+      const reason = task.task === 'exchange' ? ': none has a counterpart, and they are in the same place'
+        : task.obstacle === 'unlike' ? ': too unlike for a map onto its counterpart'
+          : task.obstacle ? `: by distance fields, as a surface would be ${task.obstacle}` : '';
       element('span', `${task.task}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
       bar.className = task.task;
