@@ -91,10 +91,9 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
 
 /// \ingroup PkgShapeCorrespondenceAppearance
 /// The same for labels of the source's parts, each of which has a colour. A part that corresponds to several is divided
-/// among them. A part without
-/// counterpart has no label, and keeps its own looks, or is grey. The label of a triangle is that of most of its
-/// points, smoothed in three rounds to the label of most of its neighbours in the part, so that borders of labels are
-/// smooth.
+/// among them; one without counterpart has no label, and keeps its own looks, or is grey. The label of a triangle is
+/// that of most of its points, smoothed in three rounds to the label of most of its neighbours in the part, so that
+/// borders of labels are smooth.
 /// \param source,target the structural graphs
 /// \param source_shape,target_shape the models that the graphs were built from
 /// \param labels by source part
