@@ -350,6 +350,26 @@ class Pictures:
             picture.draw(read_model(chairs[i]), lambda name: numbered_colour(0) if column == 0 else GREY, column)
         picture.write(self.out("gallery_figure14"))
 
+    def gallery_nearest(self):
+        """The medoids of the categories of generated shapes, and the ten shapes of all that are nearest to each."""
+        folder, count = self.generated("--benchmark"), 10
+        shapes = {category: [os.path.join(folder, category, name) for name in sorted(os.listdir(os.path.join(folder, category)))]
+                  for category in sorted(os.listdir(folder))}
+        everything = sum(shapes.values(), [])
+        picture = Picture(1 + count, len(shapes), fineness=1)
+        for row, (category, members) in enumerate(shapes.items()):
+            query = next(m for m in members if os.path.basename(m) == self.result("collection", *members)["medoid"]["shape"])
+            others = [shape for shape in everything if shape != query]
+            parts = read_model(query)
+            number = {name: i for i, (name, _) in enumerate(parts)}
+            corners = {name: [p for t in triangles for p in t] for name, triangles in parts}
+            size = {name: sum(max(axis) - min(axis) for axis in zip(*points)) for name, points in corners.items()}
+            picture.draw(parts, lambda name: numbered_colour(number[name]), 0, row)
+            for column, near in enumerate(self.result("collection", *others, "--nearest", query, "-k", str(count))["nearest"]):
+                colour = {b: numbered_colour(number[a]) for a, b in sorted(near["pairs"], key=lambda pair: size[pair[0]])}
+                picture.draw(read_model(near["file"]), lambda name: colour.get(name, GREY), 1 + column, row)
+        picture.write(self.out("gallery_nearest"))
+
     def graph(self):
         page = os.path.join(self.scratch, "graph.html")
         self.run("graph", self.data("chair_spindle"), "--html", page)
@@ -363,7 +383,7 @@ class Pictures:
 
 NAMES = ["readme", "match", "abstraction", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
          "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure13",
-         "gallery_figure14"]
+         "gallery_figure14", "gallery_nearest"]
 
 
 def main():

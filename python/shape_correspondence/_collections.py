@@ -132,6 +132,7 @@ class NearShape(Record):
 
     name: str  #: its name
     file: str  #: the file that it was read from
+    category: str  #: its category by the roles of its parts, or empty
     distance: float  #: mean of the energies of both directions
     pairs: List[Tuple[str, str]]  #: parts that correspond, (query, shape)
     confidences: List[float]  #: by pair
@@ -144,9 +145,11 @@ class Nearest(Record):
     _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/nearest", "version": 1}
 
     query: str  #: its file or name
+    category: str  #: category of the query by the roles of its parts, or empty
     shapes: int  #: number of shapes in the collection
     evaluations: int  #: shapes that were matched with the query
-    nearest: List[NearShape]  #: the nearest first
+    #: shapes of the query's category first, then those of none that is known; among them the nearest first
+    nearest: List[NearShape]
     warnings: List[str]  #: what was approximated, in whole sentences
 
 

@@ -249,8 +249,11 @@ class TransferredPart(Record):
     """What was transferred to a part of the target."""
 
     name: str  #: the target part
-    looks: str  #: where its materials, textures and colours come from: source, target (its own), or neutral (grey)
-    sources: List[str]  #: the source parts that it is mapped to
+    #: where its materials, textures and colours come from: source, neighbour (a part that it touches), target (its own),
+    #: or neutral (grey)
+    looks: str
+    sources: List[str]  #: the source parts that it is mapped to; without labels, the one whose looks it has is the first
+    neighbour: Optional[str] = None  #: the target part that it touches and looks like
     label: Optional[str] = None  #: the label of most of its faces, where labels were transferred
 
 

@@ -173,11 +173,12 @@ private:
         load_shape(options_.nearest, common).graph, options_.nearest, shapes, options_.nearest_count, matching_);
     write_output(common.json, [&](std::ostream& out) { IO::write_nearest_json(out, found); });
     if (!common.prints_table()) return;
-    std::vector<std::vector<std::string>> rows{{"nearest", "distance", "pairs of parts"}};
+    std::vector<std::vector<std::string>> rows{{"nearest", "category", "distance", "pairs of parts"}};
     for (const Near_shape& near : found.nearest.shapes)
-      rows.push_back(
-          {found.shapes[near.shape].name, short_number(near.distance), std::to_string(near.map.pairs.size())});
+      rows.push_back({found.shapes[near.shape].name, near.category.empty() ? "-" : near.category,
+                      short_number(near.distance), std::to_string(near.map.pairs.size())});
     write_table(std::cout, rows);
+    if (!found.nearest.category.empty()) std::cout << "\ncategory of the query: " << found.nearest.category;
     std::cout << "\nmatched with " << found.nearest.evaluations << " of " << shapes.size() << " shapes\n";
   }
 
@@ -241,7 +242,8 @@ void add_collection_options(Option_table& table, Common_options& common, Collect
       "pairs and distances then need not fit into memory")
       .in_python();
   add("nearest", "QUERY", &options.nearest,
-      "find the shapes of the set that are nearest to this one instead, without matching all pairs");
+      "find the shapes of the set that are nearest to this one instead, without matching all pairs: those of its "
+      "category first, if --roles know it, then those of none that is known");
   add("count,k", "K", &options.nearest_count, "how many shapes --nearest finds").at_least(1);
   add("labels-from", "SHAPE", &options.labels_from,
       "transfer the labels of this shape to the set instead: a folder with labels.json and parts, one mesh file for "

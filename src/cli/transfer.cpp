@@ -21,8 +21,12 @@ Carries the colours and textures of the source over to the target, along the cor
 between their surfaces, and writes the target with them. With --labels, labels of parts are carried over instead.
 
 Everything is baked, pixel by pixel, into one texture of the target. It has the texture coordinates of the target if no
-triangles overlap in them; otherwise new ones are laid out. Where a part corresponds to several, their looks blend into
-each other without a seam. Target parts without counterpart keep their own looks, or are grey; the table lists them.
+triangles overlap in them; otherwise new ones are laid out.
+
+A target part with several counterparts has the looks of the largest one, or of the highest of several about as large,
+which the table lists first. One without counterpart looks like the largest part that it touches of those that share a
+material with it in the target; of all that it touches, if it has no looks of its own. Otherwise it keeps its own looks,
+or is grey. Labels are not passed on to what touches; a part with several counterparts is divided among them.
 
 SOURCE and TARGET are models, as for `match`. Looks are read from OBJ with its MTL files, glTF/GLB, COLLADA, PLY, OFF,
 FBX, 3DS and AC3D; textures must be PNG or JPEG.

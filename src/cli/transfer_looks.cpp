@@ -54,7 +54,7 @@ Source_labels source_labels(const Segmented_shape& source, const std::string& fr
 
 const char* origin_name(Looks_origin origin)
 {
-  static constexpr const char* names[] = {"source", "target", "neutral"};
+  static constexpr const char* names[] = {"source", "neighbour", "target", "neutral"};
   return names[int(origin)];
 }
 
@@ -128,6 +128,7 @@ void write_transfer_json(std::ostream& out, const std::string& source_file, cons
     const Transferred_part& part = transferred.result.parts[i];
     IO::Json line = {{"name", structure(target.graph).parts[i].name}, {"looks", origin_name(part.origin)}};
     line["sources"] = names_of(part.sources, source);
+    if (part.origin == Looks_origin::NEIGHBOUR) line["neighbour"] = structure(target.graph).parts[part.neighbour].name;
     if (const int label = main_label(part); label >= 0) line["label"] = transferred.labels[std::size_t(label)];
     json["parts"].push_back(line);
   }
@@ -140,25 +141,29 @@ void write_transfer_table(std::ostream& out, const Loaded_shape& source, const L
 {
   const bool has_labels = !transferred.labels.empty();
   std::vector<std::vector<std::string>> rows{{"target part", has_labels ? "label" : "looks of", "source parts"}};
-  std::size_t neutral = 0, own = 0;
+  std::size_t neutral = 0, own = 0, taken = 0;
   for (std::size_t i = 0; i < transferred.result.parts.size(); ++i) {
     const Transferred_part& part = transferred.result.parts[i];
     const int label = main_label(part);
     const std::string first = has_labels ? (label < 0 ? "-" : transferred.labels[std::size_t(label)])
                               : part.origin == Looks_origin::SOURCE ? "the source"
+                              : part.origin == Looks_origin::NEIGHBOUR
+                                  ? structure(target.graph).parts[part.neighbour].name
                               : part.origin == Looks_origin::TARGET ? "its own"
                                                                     : "none: grey";
     rows.push_back({structure(target.graph).parts[i].name, first,
                     part.sources.empty() ? "-" : listed(names_of(part.sources, source))});
     neutral += part.origin == Looks_origin::NEUTRAL;
     own += part.origin == Looks_origin::TARGET;
+    taken += part.origin == Looks_origin::NEIGHBOUR;
   }
   write_table(out, rows);
   out << "\ntexture coordinates: "
       << (transferred.result.has_given_coordinates ? "those of the target" : "laid out anew") << '\n';
-  if (own + neutral > 0)
-    out << "parts that nothing was transferred to: " << own + neutral << " (" << own << " keep their own looks, "
-        << neutral << " are grey)\n";
+  if (own + neutral + taken > 0)
+    out << "parts that nothing was transferred to: " << own + neutral + taken << " ("
+        << (has_labels ? "" : std::to_string(taken) + " look like a part that they touch, ") << own
+        << " keep their own looks, " << neutral << " are grey)\n";
 }
 
 } // namespace CGAL::Shape_correspondence::cli

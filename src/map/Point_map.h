@@ -13,28 +13,23 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A place on the surface of a source part, and how much it counts.
-struct Weighted_place
+/// A place on the surface of a part.
+struct Part_place
 {
   std::size_t part = 0;
   Eigen::Index triangle = 0;
   Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< barycentric coordinates
-  double share = 1;                                  ///< the shares of a point's places add up to 1
 };
 
-/// The map of a `Surface_map`, from any points of the target's surface, exact in between the vertices. Where a part is
-/// divided among several, it goes over from the one to the other in a band about their border, so that there is no
-/// seam.
+/// The map of a `Surface_map`, from any points of the target's surface, exact in between the vertices.
 class Point_map
 {
 public:
   Point_map(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
             const Segmented_shape& target_shape, const Correspondence& correspondence);
 
-  /// The places of a point of a part's triangle, that with the greatest share first; none if the part has no
-  /// counterpart. O(log n)
-  std::vector<Weighted_place> operator()(std::size_t target_part, Eigen::Index triangle,
-                                         const Eigen::Vector3d& weights) const;
+  /// The place on the source of a point of a part's triangle. O(log n) \pre the part has a counterpart
+  Part_place operator()(std::size_t target_part, Eigen::Index triangle, const Eigen::Vector3d& weights) const;
 
   /// The source parts that a target part is mapped to.
   std::vector<std::size_t> sources(std::size_t target_part) const;

@@ -74,6 +74,7 @@ public:
   std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
   std::vector<Transferred_label> transferred_labels(const std::vector<Part_label>& labels,
                                                     const Prepared_shape& target) const;
+  std::string source_category() const;
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:

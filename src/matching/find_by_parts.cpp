@@ -89,6 +89,14 @@ Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& targ
   return turned.index < model.categories.size() && (turns(a) || turns(b)) ? turned : given;
 }
 
+std::string Correspondence_finder::Impl::source_category() const
+{
+  if (!options_.roles || !options_.category.empty()) return options_.category;
+  const std::vector<Category_roles>& known = Role_model_access::data(*options_.roles).categories;
+  const std::size_t category = recognised(prepared_source_).index;
+  return category < known.size() ? known[category].name : "";
+}
+
 std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates_by_roles(const Prepared_shape& target,
                                                                                   std::size_t category) const
 {

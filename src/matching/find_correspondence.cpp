@@ -202,6 +202,8 @@ std::vector<Transferred_label> Correspondence_finder::transfer_labels(const std:
   return impl_->transferred_labels(labels, target);
 }
 
+std::string Correspondence_finder::source_category() const { return impl_->source_category(); }
+
 double Correspondence_finder::lower_bound(const Prepared_shape& target, double unmatched_energy) const
 {
   return impl_->lower_bound(target, unmatched_energy);

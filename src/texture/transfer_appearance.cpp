@@ -1,7 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/quantized.h"
 #include "map/Point_map.h"
+#include "shape/triangle_distance.h"
 #include "texture/Looks_sampler.h"
 #include "texture/bake.h"
 #include "texture/neighbours.h"
@@ -10,7 +12,10 @@
 #include <CGAL/Shape_correspondence/transfer_appearance.h>
 
 #include <algorithm>
+#include <array>
+#include <deque>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -27,6 +32,22 @@ void check_option(const std::string& name, int value, int least, int most)
                         std::to_string(most));
 }
 
+/// The areas of the parts, as shares of that of the shape.
+std::vector<Steps> sizes_of_parts(const Segmented_shape& shape)
+{
+  std::vector<double> areas;
+  for (const Shape_part& part : shape.parts()) {
+    areas.push_back(0);
+    for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t)
+      areas.back() += contacts::area_vector(triangle_of(part.mesh, t)).norm();
+  }
+  const double whole = std::accumulate(areas.begin(), areas.end(), 0.);
+  std::vector<Steps> result;
+  for (double area : areas)
+    result.push_back(quantized(area / whole));
+  return result;
+}
+
 /// A transfer under way: where the pixels are, and what parts get.
 class Transfer
 {
@@ -35,6 +56,7 @@ public:
            const Segmented_shape& target_shape, const Shape_appearance& target_appearance,
            const Correspondence& correspondence, const Transfer_options& options)
       : map_(source, source_shape, target, target_shape, correspondence),
+        target_appearance_(target_appearance),
         target_looks_(target_appearance, options.neutral),
         options_(options)
   {
@@ -52,27 +74,75 @@ public:
   }
 
   const Point_map& map() const { return map_; }
-  Transferred_part& part(std::size_t number) { return result_.parts[number]; }
+  std::vector<Transferred_part>& parts() { return result_.parts; }
 
-  /// \param has_looks whether parts of the source have \param colour of a place on the source
-  template <typename Has_looks, typename Colour>
-  void paint(const Has_looks& has_looks, const Colour& colour)
+  /// Looks come from the largest part of the source that has any; of several about as large, from the highest.
+  void take_from_sources(const Segmented_shape& source, const Shape_frame& frame, const Looks_sampler& looks)
   {
-    for (std::size_t i = 0; i < result_.parts.size(); ++i) {
-      Transferred_part& part = result_.parts[i];
-      if (std::any_of(part.sources.begin(), part.sources.end(), has_looks))
-        part.origin = Looks_origin::SOURCE;
-      else if (target_looks_.is_known(i))
-        part.origin = Looks_origin::TARGET;
+    constexpr double about_as_large = 0.8;
+    const std::vector<Steps> sizes = sizes_of_parts(source);
+    std::vector<Steps> tops;
+    for (const Shape_part& part : source.parts())
+      tops.push_back(quantized(frame.to_frame(part.mesh.points).row(1).maxCoeff()));
+    for (Transferred_part& part : result_.parts) {
+      std::vector<std::size_t>& from = part.sources;
+      const auto end =
+          std::stable_partition(from.begin(), from.end(), [&](std::size_t s) { return looks.is_known(s); });
+      if (end == from.begin()) continue;
+      part.origin = Looks_origin::SOURCE;
+      std::stable_sort(from.begin(), end, [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+      const auto smaller = std::find_if(
+          from.begin(), end, [&](std::size_t s) { return double(sizes[s]) < about_as_large * double(sizes[from[0]]); });
+      std::stable_sort(from.begin(), smaller, [&](std::size_t a, std::size_t b) { return tops[a] > tops[b]; });
     }
+  }
+
+  /// Parts without looks from the source take those of parts that they touch, and then of parts that touch these.
+  /// \return by part, the part whose looks from the source it has
+  std::vector<std::size_t> take_from_neighbours(const std::vector<Contact>& contacts, const Segmented_shape& target)
+  {
+    const std::vector<Steps> sizes = sizes_of_parts(target);
+    const auto is_larger = [&](std::size_t a, std::size_t b) {
+      return sizes[a] > sizes[b] || (sizes[a] == sizes[b] && a < b);
+    };
+    std::vector<std::size_t> like(result_.parts.size());
+    std::iota(like.begin(), like.end(), std::size_t(0));
+    std::map<std::size_t, std::size_t> found; // of a round
+    do {
+      found.clear();
+      for (const Contact& contact : contacts)
+        for (const auto& [part, other] :
+             {std::pair(contact.parts[0], contact.parts[1]), std::pair(contact.parts[1], contact.parts[0])}) {
+          if (result_.parts[part].origin != Looks_origin::NEUTRAL ||
+              result_.parts[other].origin == Looks_origin::NEUTRAL || !may_look_like(part, other))
+            continue;
+          std::size_t& best = found.emplace(part, other).first->second;
+          if (is_larger(other, best)) best = other;
+        }
+      for (const auto& [part, other] : found) {
+        result_.parts[part].origin = Looks_origin::NEIGHBOUR;
+        result_.parts[part].neighbour = other;
+        like[part] = like[other];
+      }
+    } while (!found.empty());
+    return like;
+  }
+
+  /// Paints the target by the colours of places on the source, by target part.
+  template <typename Colour>
+  void paint(const Colour& colour)
+  {
+    for (std::size_t i = 0; i < result_.parts.size(); ++i)
+      if (Looks_origin& origin = result_.parts[i].origin; origin == Looks_origin::NEUTRAL && target_looks_.is_known(i))
+        origin = Looks_origin::TARGET;
     const auto colour_of_point = [&](std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights) {
       switch (result_.parts[part].origin) {
-      case Looks_origin::SOURCE:
-        return colour(map_(part, Eigen::Index(triangle), weights));
       case Looks_origin::TARGET:
         return target_looks_(part, triangle, weights);
-      default:
+      case Looks_origin::NEUTRAL:
         return options_.neutral;
+      default:
+        return colour(part, Eigen::Index(triangle), weights);
       }
     };
     Texture texture{"transferred", "", {}, Texture_wrap::CLAMP, Texture_wrap::CLAMP};
@@ -93,7 +163,19 @@ public:
   Transferred_appearance result() { return std::move(result_); }
 
 private:
+  /// Whether a part has a material of another one, or no looks that it could keep.
+  bool may_look_like(std::size_t part, std::size_t other) const
+  {
+    if (!target_looks_.is_known(part)) return true;
+    const std::vector<int>&own = target_appearance_.parts[part].materials,
+          &others = target_appearance_.parts[other].materials;
+    return std::any_of(own.begin(), own.end(), [&](int material) {
+      return material >= 0 && std::find(others.begin(), others.end(), material) != others.end();
+    });
+  }
+
   Point_map map_;
+  const Shape_appearance& target_appearance_;
   Looks_sampler target_looks_;
   const Transfer_options& options_;
   Texture_layout layout_;
@@ -103,12 +185,11 @@ private:
 /// The label that most of a triangle is mapped to.
 int label_of_triangle(const Point_map& map, const std::vector<int>& labels, std::size_t part, Eigen::Index triangle)
 {
-  std::map<int, double> votes;
+  std::map<int, int> votes;
   for (int corner = -1; corner < 3; ++corner) {
     Eigen::Vector3d weights = Eigen::Vector3d::Constant(corner < 0 ? 1. / 3 : 1. / 6);
     if (corner >= 0) weights[corner] = 2. / 3;
-    for (const Weighted_place& place : map(part, triangle, weights))
-      votes[labels[place.part]] += place.share;
+    ++votes[labels[map(part, triangle, weights).part]];
   }
   return std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
@@ -141,13 +222,25 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
     throw Invalid_input(source_shape.name() + ": it has no materials, textures or colours to transfer");
   Transfer transfer(source, source_shape, target, target_shape, target_appearance, correspondence, options);
   const Looks_sampler looks(source_appearance, options.neutral);
-  transfer.paint([&](std::size_t part) { return looks.is_known(part); },
-                 [&](const std::vector<Weighted_place>& places) {
-                   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-                   for (const Weighted_place& place : places)
-                     sum += place.share * looks(place.part, std::size_t(place.triangle), place.weights);
-                   return sum;
-                 });
+  transfer.take_from_sources(source_shape, structure(source).frame, looks);
+  const std::vector<std::size_t> like = transfer.take_from_neighbours(structure(target).contacts, target_shape);
+  // Of their own, so that a part of the source is not divided among a part and what touches it
+  std::array<Correspondence, 2> pairs;
+  std::vector<std::size_t> map_of_part;
+  for (std::size_t part = 0; part < like.size(); ++part) {
+    map_of_part.push_back(transfer.parts()[part].origin == Looks_origin::NEIGHBOUR);
+    if (const Transferred_part& from = transfer.parts()[like[part]]; from.origin == Looks_origin::SOURCE)
+      pairs[map_of_part[part]].pairs.push_back({from.sources[0], part});
+  }
+  std::deque<Point_map> maps;
+  for (Correspondence& chosen : pairs) {
+    chosen.target_quarter_turns = correspondence.target_quarter_turns;
+    maps.emplace_back(source, source_shape, target, target_shape, chosen);
+  }
+  transfer.paint([&](std::size_t part, Eigen::Index triangle, const Eigen::Vector3d& weights) {
+    const Part_place place = maps[map_of_part[part]](part, triangle, weights);
+    return looks(place.part, std::size_t(place.triangle), place.weights);
+  });
   return transfer.result();
 }
 
@@ -166,16 +259,18 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
   Transfer transfer(source, source_shape, target, target_shape, target_appearance, correspondence, options);
   for (std::size_t part = 0; part < target_shape.parts().size(); ++part) {
     const Part_mesh& mesh = target_shape.parts()[part].mesh;
-    std::vector<int>& of_triangles = transfer.part(part).labels;
+    Transferred_part& transferred = transfer.parts()[part];
+    std::vector<int>& of_triangles = transferred.labels;
     of_triangles.assign(std::size_t(mesh.triangles.cols()), -1);
-    if (transfer.part(part).sources.empty()) continue;
+    if (transferred.sources.empty()) continue;
+    transferred.origin = Looks_origin::SOURCE;
     for (std::size_t t = 0; t < of_triangles.size(); ++t)
       of_triangles[t] = label_of_triangle(transfer.map(), labels, part, Eigen::Index(t));
     smooth(mesh, of_triangles);
   }
-  transfer.paint(
-      [](std::size_t) { return true; },
-      [&](const std::vector<Weighted_place>& places) { return colours[std::size_t(labels[places[0].part])]; });
+  transfer.paint([&](std::size_t part, Eigen::Index triangle, const Eigen::Vector3d& weights) {
+    return colours[std::size_t(labels[transfer.map()(part, triangle, weights).part])];
+  });
   return transfer.result();
 }
 

@@ -77,7 +77,7 @@ double rounded(double energy) { return std::round(energy * 1e4) / 1e4; }
 /// per cent.
 Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& maps)
 {
-  Json result = Json::object();
+  std::string result;
   for (const Shape_pair_map& map : maps) {
     if (map.source > map.target) continue;
     Correspondence correspondence;
@@ -87,11 +87,12 @@ Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& 
       blocks.push_back(
           Json::array({block.source, block.target, name_of(block.operation), std::lround(100 * block.confidence)}));
     const std::size_t i = map.source, j = map.target;
-    result[std::to_string(map.source) + ',' + std::to_string(map.target)] = {
-        {"energies", {rounded(collection.energy(i, j)), rounded(collection.energy(j, i))}},
-        {"blocks", std::move(blocks)}};
+    result += (result.empty() ? "\"" : ",\"") + std::to_string(i) + ',' + std::to_string(j) + "\":" +
+              Json({{"energies", {rounded(collection.energy(i, j)), rounded(collection.energy(j, i))}},
+                    {"blocks", std::move(blocks)}})
+                  .line();
   }
-  return result;
+  return Json::of_text('{' + result + '}');
 }
 
 /// The shapes that the page shows: all, or the ones at even steps of a walk along the spanning tree from the medoid on.

@@ -306,6 +306,24 @@ TEST_CASE("The nearest shapes of a query")
   CHECK_THAT(run(quoted(in) + " --nearest " + quoted(query)).out, Contains("of 6 shapes"));
 }
 
+TEST_CASE("The nearest shapes are of the query's category where roles know it")
+{
+  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR, chair = quoted(data + "/chair_four_legged");
+  const std::string shapes = quoted(data + "/table_four_legged") + " " + quoted(data + "/chair_slatted");
+  const auto nearest = [&](const std::string& options) {
+    const Run done = run(shapes + " --abstraction boxes --nearest " + chair + " -k 1 --json - " + options);
+    INFO(done.error);
+    REQUIRE(done.status == 0);
+    return json::parse(done.out);
+  };
+  CHECK(nearest("--roles none")["nearest"][0]["name"] == "table_four_legged"); // with legs and aprons alike
+  CHECK(nearest("--roles none")["category"] == "");
+  const json by_category = nearest("");
+  CHECK(by_category["category"] == "chair");
+  CHECK(by_category["nearest"][0]["name"] == "chair_slatted");
+  CHECK(by_category["nearest"][0]["category"] == "chair");
+}
+
 TEST_CASE("Usage and inputs that make no sense")
 {
   const Temporary_folder folder;

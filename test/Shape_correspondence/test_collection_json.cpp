@@ -54,7 +54,7 @@ TEST_CASE("The nearest shapes with their pairs of parts by names")
   IO::Nearest_in_collection found;
   found.query = {"q", "q.obj", {"top", "leg"}};
   found.shapes = {{"a", "a.obj", {"seat"}}, {"b", "b.obj", {"x", "y"}}};
-  found.nearest.shapes = {{1, .25, {{{0, 1, .5}, {1, 0, 1}}}}};
+  found.nearest.shapes = {{1, .25, {{{0, 1, .5}, {1, 0, 1}}}, "chair"}};
   found.nearest.evaluations = 2;
   std::ostringstream out;
   IO::write_nearest_json(out, found);
@@ -63,6 +63,8 @@ TEST_CASE("The nearest shapes with their pairs of parts by names")
   CHECK(result["query"] == "q.obj");
   CHECK(result["evaluations"] == 2);
   CHECK(result["nearest"][0]["name"] == "b");
+  CHECK(result["category"] == "");
+  CHECK(result["nearest"][0]["category"] == "chair");
   CHECK(result["nearest"][0]["distance"] == .25);
   CHECK(result["nearest"][0]["pairs"].dump() == R"([["top","y"],["leg","x"]])");
 }

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "hand_made_graphs.h"
+#include "labelled_furniture.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
@@ -109,6 +110,33 @@ TEST_CASE("The same in parallel, and of any number of neighbours")
     }
   }
   CHECK(nearest_shapes(hand_made::table(), std::vector<Structural_graph>(), 3).shapes.empty());
+}
+
+TEST_CASE("Shapes of the query's category come first, then those of none that is known, in parallel, too")
+{
+  Energy_matrix_options options;
+  options.search.roles = std::make_shared<const Role_model>(
+      train_role_model(labelled_furniture::labelled(labelled_furniture::examples())));
+  const std::vector<Structural_graph> shapes{labelled_furniture::shelf(.1, 4).graph, hand_made::pedestal_table(),
+                                             labelled_furniture::chair(.3, 3).graph,
+                                             labelled_furniture::chair(.1, 1.7).graph};
+  const std::vector<std::string> categories{"shelf", "", "chair", "chair"};
+  const Nearest_shapes found = nearest_shapes(shapes[3], shapes, 4, options);
+  CHECK(found.category == "chair");
+  std::vector<std::size_t> order;
+  for (const Near_shape& near : found.shapes) {
+    CHECK(near.category == categories[near.shape]);
+    order.push_back(near.shape);
+  }
+  CHECK(order == std::vector<std::size_t>{2, 3, 1, 0}); // without contacts the chairs are alike
+  const Nearest_shapes two = nearest_shapes<CGAL::Parallel_if_available_tag>(shapes[3], shapes, 2, options);
+  CHECK(two.shapes[0].shape == 2);
+  CHECK(two.shapes[1].shape == 3);
+  const Nearest_shapes unknown = nearest_shapes(hand_made::pedestal_table(), shapes, 1, options);
+  CHECK(unknown.category.empty());
+  CHECK(unknown.shapes[0].shape == 1);
+  options.search.category = "shelf";
+  CHECK(nearest_shapes(shapes[3], shapes, 1, options).category == "shelf");
 }
 
 TEST_CASE("Options out of their range are refused")

@@ -175,38 +175,71 @@ TEST_CASE("New texture coordinates are inside, apart, and of one scale")
   }
 }
 
-TEST_CASE("A panel gets the looks of the laths in their order, without a seam")
+TEST_CASE(
+    "A panel that three laths merge into is not in bands: it has the looks of the largest, and what touches it, too")
 {
-  const Segmented_shape source = laths(), target = plate();
-  const Shape_appearance looks = painted(source, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  Transfer_options options;
-  options.size = 256;
-  options.neutral = Eigen::Vector3d(0.1, 0.1, 0.1);
-  const Transferred_appearance result = transfer_appearance(graph_of(source), source, looks, graph_of(target), target,
-                                                            {}, pairing({{0, 0}, {1, 0}, {2, 0}}), options);
-  CHECK(result.parts[0].sources == std::vector<std::size_t>{0, 1, 2});
-  CHECK(result.parts[0].origin == Looks_origin::SOURCE);
-  CHECK(result.parts[1].origin == Looks_origin::NEUTRAL);
-  const Looks_sampler sampler(result.appearance, Eigen::Vector3d::Zero());
-  const Part_mesh& mesh = target.parts()[0].mesh;
-  std::set<int> mixed;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point middle = (mesh.points.col(mesh.triangles(0, t)) + mesh.points.col(mesh.triangles(1, t)) +
-                          mesh.points.col(mesh.triangles(2, t))) /
-                         3;
-    const Eigen::Vector3d colour = sampler(0, std::size_t(t), Eigen::Vector3d::Constant(1. / 3));
-    CHECK(colour.sum() == Approx(1).margin(0.03));
-    const int lath = middle.x() < -0.2 ? 0 : middle.x() < 0.2 ? 1 : 2;
-    Eigen::Index main = 0;
-    colour.maxCoeff(&main);
-    CAPTURE(middle.x(), colour.transpose());
-    const double border = std::min(std::abs(middle.x() + 0.2), std::abs(middle.x() - 0.2));
-    if (border > 1e-6) CHECK(main == lath);
-    if (border > 0.1) CHECK(colour[lath] > 0.97);
-    if (border < 0.03) CHECK(colour[lath] < 0.9); // one goes over into the other
+  Segmented_shape source("laths");
+  const double widths[] = {0.3, 0.5, 0.2};
+  double x = -0.6;
+  for (double width : widths) {
+    source.add_part("lath" + std::to_string(source.parts().size()), box({x + width / 2, 0.05, 0}, {width, 0.1, 0.6}));
+    x += 1.1 * width;
   }
-  const Eigen::Vector3d of_knob = sampler(1, 0, Eigen::Vector3d::Constant(1. / 3));
-  CHECK((of_knob - options.neutral).norm() < 0.02);
+  const Segmented_shape target = plate();
+  const Transferred_appearance result =
+      transfer_appearance(graph_of(source), source, painted(source, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
+                          graph_of(target), target, {}, pairing({{0, 0}, {1, 0}, {2, 0}}));
+  CHECK(result.parts[0].sources == std::vector<std::size_t>{1, 0, 2});
+  CHECK(result.parts[0].origin == Looks_origin::SOURCE);
+  CHECK(result.parts[1].origin == Looks_origin::NEIGHBOUR); // the knob has no looks of its own
+  CHECK(result.parts[1].neighbour == 0);
+  CHECK(greatest_difference(painted(target, {{0, 1, 0}, {0, 1, 0}}), result.appearance, target) < 0.02);
+}
+
+TEST_CASE("Of parts that merge and are about as large the highest one has the looks, if it has any")
+{
+  Segmented_shape source("seat");
+  source.add_part("board", box({0, 0.05, 0}, {1.25, 0.1, 0.6}));
+  source.add_part("pad", box({0, 0.15, 0}, {1.2, 0.1, 0.6}));
+  source.add_part("label", box({0, 0.21, 0}, {0.1, 0.02, 0.1}));
+  const Segmented_shape target = plate();
+  Shape_appearance looks = painted(source, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const auto first_source = [&] {
+    return transfer_appearance(graph_of(source), source, looks, graph_of(target), target, {},
+                               pairing({{0, 0}, {1, 0}, {2, 0}}))
+        .parts[0]
+        .sources[0];
+  };
+  CHECK(first_source() == 1);
+  looks.parts[1] = {};
+  CHECK(first_source() == 0);
+}
+
+TEST_CASE("A part without counterpart looks like what it touches if it is of the same material, also by way of another")
+{
+  Segmented_shape target("tower"); // of a plate, a block on it, a knob on that, and a handle of another material
+  target.add_part("plate", box({0, 0.05, 0}, {1.2, 0.1, 0.6}));
+  target.add_part("block", box({0, 0.2, 0}, {0.3, 0.2, 0.3}));
+  target.add_part("knob", box({0, 0.35, 0}, {0.1, 0.1, 0.1}));
+  target.add_part("handle", box({0.65, 0.05, 0}, {0.1, 0.05, 0.2}));
+  Shape_appearance own = painted(target, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {1, 1, 0}});
+  for (std::size_t part : {1, 2})
+    std::fill(own.parts[part].materials.begin(), own.parts[part].materials.end(), 0);
+  const Segmented_shape source = plate();
+  const Shape_appearance looks = painted(source, {{1, 0, 0}, {0, 1, 0}});
+  const auto transferred = [&](const Shape_appearance& of_target) {
+    return transfer_appearance(graph_of(source), source, looks, graph_of(target), target, of_target, pairing({{0, 0}}));
+  };
+  const Transferred_appearance result = transferred(own);
+  CHECK(result.parts[1].neighbour == 0);
+  CHECK(result.parts[2].neighbour == 1);
+  CHECK(result.parts[2].origin == Looks_origin::NEIGHBOUR);
+  CHECK(result.parts[3].origin == Looks_origin::TARGET);
+  const Shape_appearance expected = painted(target, {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+  CHECK(greatest_difference(expected, result.appearance, target) < 0.02);
+  own.parts[3] = {};
+  CHECK(transferred(own).parts[3].neighbour == 0);
+  CHECK(transferred(own).parts[3].origin == Looks_origin::NEIGHBOUR);
 }
 
 TEST_CASE("Labels of faces have straight borders, and parts without counterpart none")

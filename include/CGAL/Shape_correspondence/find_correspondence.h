@@ -87,6 +87,10 @@ public:
   std::vector<Transferred_label> transfer_labels(const std::vector<Part_label>& labels,
                                                  const Prepared_shape& target) const;
 
+  /// The category that the source is taken to be of by the roles of its parts, or `Search_options::category`; empty:
+  /// none, or there are no `Search_options::roles`.
+  std::string source_category() const;
+
   /// A lower bound of the `distance_energy()` of the correspondence, without a search: the sum of the least values of
   /// the terms of one and of two groups; for `Search_method::PARTS`, where every part may correspond to every other, of
   /// one and of two parts. 0 if no bound is known. `unmatched_energy` is that of `distance_energy()`.

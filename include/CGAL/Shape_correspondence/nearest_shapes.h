@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -30,6 +31,7 @@ struct Near_shape
   std::size_t shape = 0; ///< its index
   double distance = 0;   ///< mean of the `distance_energy()` of both directions
   Part_map map;          ///< query to shape
+  std::string category;  ///< `Correspondence_finder::source_category()` of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
@@ -38,10 +40,13 @@ struct Nearest_shapes
 {
   std::vector<Near_shape> shapes; ///< the nearest first, by index among equals
   std::size_t evaluations = 0;    ///< shapes that were matched with the query
+  std::string category;           ///< `Correspondence_finder::source_category()` of the query
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The `k` shapes of a set that are nearest to a query, without matching all of them: distances are bounded from below
+/// The `k` shapes of a set that are nearest to a query. If `Search_options::roles` know the category of the query,
+/// shapes of this category are nearer than those of none that is known, and these nearer than those of another one.
+/// Among them, the distance decides. Not all shapes are matched: distances are bounded from below
 /// (`Correspondence_finder::lower_bound()`) and computed in the order of these bounds until no bound is less than the
 /// k-th distance. So the result is that of matching all, bitwise identical sequentially and in parallel.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`

@@ -38,9 +38,10 @@ struct Transfer_options
 /// \ingroup PkgShapeCorrespondenceAppearance
 /// Where the looks (materials, textures and colours) of a target part come from.
 enum class Looks_origin {
-  SOURCE, ///< the parts of the source that it corresponds to
-  TARGET, ///< the target: it has no counterpart
-  NEUTRAL ///< unknown: the part is grey
+  SOURCE,    ///< the part of the source that it corresponds to, one of several
+  NEIGHBOUR, ///< as those of a part that it touches: it has no counterpart
+  TARGET,    ///< the target: it has no counterpart, and another material than what it touches
+  NEUTRAL    ///< unknown: the part is grey
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -48,8 +49,10 @@ enum class Looks_origin {
 struct Transferred_part
 {
   Looks_origin origin = Looks_origin::NEUTRAL; ///< where its looks are from
-  std::vector<std::size_t> sources;            ///< the source parts that it is mapped to
-  std::vector<int> labels;                     ///< by triangle, of `transfer_labels()`; -1: none
+  /// The source parts that it is mapped to; of `transfer_appearance()`, the one whose looks it has is the first.
+  std::vector<std::size_t> sources;
+  std::size_t neighbour = 0; ///< of `Looks_origin::NEIGHBOUR`: the target part that it touches
+  std::vector<int> labels;   ///< by triangle, of `transfer_labels()`; -1: none
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -64,9 +67,11 @@ struct Transferred_appearance
 /// \ingroup PkgShapeCorrespondenceAppearance
 /// Transfers colours and textures from the source to the target along a correspondence: they are baked, pixel by pixel,
 /// into one texture of the target. A point of the target gets the colour of the point of the source that it is mapped
-/// to, as in `Surface_map`. Where a part corresponds to several, their colours are blended in a band of .15 of their
-/// extent on both sides of their border, so that there is no seam. Parts without counterpart keep their own looks, or
-/// are grey.
+/// to, as in `Surface_map`. A part that corresponds to several has the looks of the one of largest area, or of the
+/// highest of those of at least .8 of this area, so that it is not in bands. A part without counterpart has the looks
+/// of the largest part that it touches of those that have a material of its own in the target; of all that it touches,
+/// if the target has no looks for it. What it touches may have its looks in this way, too. If there is no such part, it
+/// keeps its own looks, or is grey.
 ///
 /// The texture has the texture coordinates of the target if all of its parts have them, within [0, 1], and no two
 /// triangles overlap. Otherwise they are laid out anew: a part is cut into charts of triangles of similar orientation,
@@ -85,9 +90,10 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
                                            const Correspondence& correspondence, const Transfer_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// The same for labels of the source's parts, each of which has a colour. The label of a triangle is that of most of
-/// its points, smoothed in three rounds to the label of most of its neighbours in the part, so that borders of labels
-/// are smooth.
+/// The same for labels of the source's parts, each of which has a colour. A part that corresponds to several is divided
+/// among them; one without counterpart has no label, and keeps its own looks, or is grey. The label of a triangle is
+/// that of most of its points, smoothed in three rounds to the label of most of its neighbours in the part, so that
+/// borders of labels are smooth.
 /// \param source,target the structural graphs
 /// \param source_shape,target_shape the models that the graphs were built from
 /// \param labels by source part

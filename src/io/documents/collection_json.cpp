@@ -145,6 +145,7 @@ void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
   result["format"] = "shape_correspondence/nearest";
   result["version"] = 1;
   result["query"] = found.query.file;
+  result["category"] = found.nearest.category;
   result["shapes"] = found.shapes.size();
   result["evaluations"] = found.nearest.evaluations;
   result["nearest"] = Json::array();
@@ -152,6 +153,7 @@ void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
     const Collection::Shape& shape = found.shapes[near.shape];
     result["nearest"].push_back({{"name", shape.name},
                                  {"file", shape.file},
+                                 {"category", near.category},
                                  {"distance", near.distance},
                                  {"pairs", pairs_json(near.map, found.query, shape)},
                                  {"confidences", confidences_json(near.map)}});

@@ -24,11 +24,10 @@ void append_uint32(std::string& bytes, std::size_t value) { append_little_endian
 
 void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
 
-void append_chunk(std::string& bytes, std::uint32_t type, const std::string& content)
+void append_chunk_header(std::string& bytes, std::uint32_t type, const std::string& content)
 {
   append_uint32(bytes, content.size());
   append_uint32(bytes, type);
-  bytes += content;
 }
 
 template <typename Vector>
@@ -64,7 +63,7 @@ int Glb_file::add_bytes(const std::string& bytes, int target)
   if (target != no_target) view["target"] = target;
   buffer_ += bytes;
   pad(buffer_, '\0');
-  return add("bufferViews", std::move(view));
+  return add("bufferViews", Json::of_text(view.line()));
 }
 
 /// Elements of an attribute, a column each.
@@ -87,7 +86,7 @@ int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dy
   for (Eigen::Index i = 0; i < elements.size(); ++i)
     append_little_endian(bytes, elements.data()[i]);
   accessor["bufferView"] = add_bytes(bytes, target);
-  return add("accessors", std::move(accessor));
+  return add("accessors", Json::of_text(accessor.line()));
 }
 
 int Glb_file::add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha, int texture)
@@ -112,7 +111,7 @@ int Glb_file::add_node(const std::string& name, const std::vector<Drawn_mesh>& m
   if (!primitives.empty()) {
     Json mesh = {{"name", name}, {"primitives", std::move(primitives)}};
     if (!meshes[0].morphs.empty()) mesh["weights"] = std::vector<double>(meshes[0].morphs.size(), 0.);
-    node["mesh"] = add("meshes", std::move(mesh));
+    node["mesh"] = add("meshes", Json::of_text(mesh.line()));
   }
   return add("nodes", std::move(node));
 }
@@ -198,14 +197,14 @@ void Glb_file::write(std::ostream& out, const std::vector<Glb_scene>& scenes) co
   if (!buffer_.empty()) document["buffers"] = Json::array({Json{{"byteLength", buffer_.size()}}});
   for (const char* list : {"meshes", "materials", "textures", "images", "samplers", "accessors", "bufferViews"})
     if (document[list].empty()) document.erase(list); // empty lists are not allowed
-  std::string json = document.line(), chunks, header;
+  std::string json = document.line(), header, binary_header;
   pad(json, ' ');
-  append_chunk(chunks, chunk_json, json);
-  if (!buffer_.empty()) append_chunk(chunks, chunk_binary, buffer_);
+  if (!buffer_.empty()) append_chunk_header(binary_header, chunk_binary, buffer_);
   append_uint32(header, magic);
   append_uint32(header, 2);
-  append_uint32(header, 12 + chunks.size());
-  out << header << chunks;
+  append_uint32(header, 20 + json.size() + binary_header.size() + buffer_.size());
+  append_chunk_header(header, chunk_json, json);
+  out << header << json << binary_header << buffer_;
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/write/Json.h"
+#include "base/number_text.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -48,11 +49,24 @@ Json Json::object()
   return result;
 }
 
+Json Json::of_text(std::string json)
+{
+  Json result;
+  result.type_ = Type::SCALAR;
+  result.text_ = std::move(json);
+  return result;
+}
+
 std::string Json::text_of_real(double number)
 {
   if (!std::isfinite(number))
     throw Invalid_input("a number of the result is not finite: the input is too degenerate to be computed with");
   return nlohmann::json(number).dump();
+}
+
+std::string Json::text_of_real(float number)
+{
+  return std::isfinite(number) ? internal::number_text(number) : text_of_real(double(number));
 }
 
 std::size_t Json::index_of(const std::string& key) const

@@ -34,6 +34,8 @@ public:
 
   static Json array(std::initializer_list<Json> elements = {});
   static Json object();
+  /// A value that is kept as its text, in a fraction of the memory. Nothing inside of it can be changed.
+  static Json of_text(std::string json);
 
   std::size_t size() const { return elements_.size(); } ///< of an array or object
   bool empty() const { return elements_.empty(); }
@@ -44,7 +46,7 @@ public:
   void push_back(Json element); ///< into an array, or null, which becomes one
   void erase(const std::string& key);
 
-  /// The text on one line. Numbers are the shortest that read back to the same double.
+  /// The text on one line. Numbers are the shortest that read back to the same double or float.
   std::string line() const;
   /// Writes an object for people and for line-wise comparison: a line a key, and a line an element of an array of
   /// objects.
@@ -64,6 +66,7 @@ private:
       return text_of_real(number);
   }
   static std::string text_of_real(double number);
+  static std::string text_of_real(float number);
   std::size_t index_of(const std::string& key) const;
   bool is_pair() const { return type_ == Type::ARRAY && size() == 2 && elements_[0].type_ == Type::TEXT; }
   void append_to(std::string& line) const;
