@@ -9,7 +9,6 @@
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -33,11 +32,8 @@ public:
 
   std::vector<Carried_part> carried_parts()
   {
-    find_resting_parts();
     add_all_carried(large);
     add_grounded(Blend_part::on_ground);
-    add_all_carried(large);
-    std::fill(rests_.begin(), rests_.end(), 0);
     add_all_carried(large);
     add_all_carried(0);
     add_grounded(std::numeric_limits<double>::infinity());
@@ -62,38 +58,6 @@ private:
         if (!touched[chain]) touched[chain] = other;
         if (*touched[chain] != other) joins_[chain] = 1;
       }
-  }
-
-  /// Parts that lie or stand on large ones are carried by these alone, as a pillow is by the mattress, not by the wall.
-  void find_resting_parts()
-  {
-    rests_.resize(stays_.size(), 0);
-    for (const Contact& contact : contacts())
-      for (std::size_t i : {0u, 1u})
-        if (is_below(contact, contact.parts[i]) && is_covered(contact.parts[i], contact.parts[1 - i]))
-          rests_[contact.parts[i]] = 1;
-  }
-
-  /// Whether a part is touched at its foot only.
-  bool is_below(const Contact& contact, std::size_t part) const
-  {
-    constexpr double low = 0.3; // of the height
-    const contacts::Box& box = boxes_[part];
-    const std::vector<Point> places = stage_.places_of(end_, contact);
-    return std::all_of(places.begin(), places.end(),
-                       [&](const Point& p) { return p.y() < box.min().y() + low * box.sizes().y(); });
-  }
-
-  /// Whether seen from above a part is within another.
-  bool is_covered(std::size_t part, std::size_t by) const
-  {
-    constexpr double beyond = 0.1; // of the extent, at either side
-    const contacts::Box &own = boxes_[part], &other = boxes_[by];
-    for (int axis : {0, 2}) {
-      const double margin = beyond * own.sizes()[axis];
-      if (own.min()[axis] + margin < other.min()[axis] || own.max()[axis] - margin > other.max()[axis]) return false;
-    }
-    return true;
   }
 
   std::vector<Point> joints(std::size_t part) const
@@ -126,7 +90,6 @@ private:
       for (std::size_t i : {0u, 1u}) {
         const std::size_t part = contact.parts[i], carrier = contact.parts[1 - i];
         if (is_found_[part] || !is_found_[carrier] || size(carrier) < least_size * size(part)) continue;
-        if (rests_[part] && !is_below(contact, part)) continue;
         for (const Point& place : stage_.places_of(end_, contact))
           next[part].roots.push_back({place, {carrier}});
       }
@@ -164,7 +127,6 @@ private:
   std::vector<char> is_found_; ///< or stays
   Disjoint_sets joined_;       ///< parts that stay, and chains of parts that go
   std::vector<char> joins_;    ///< by chain, whether it joins parts that nothing else joins
-  std::vector<char> rests_;    ///< on large parts, by which it is to be carried
   std::vector<contacts::Box> boxes_;
   std::vector<Carried_part> found_;
 };

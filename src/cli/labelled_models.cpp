@@ -151,7 +151,8 @@ std::vector<std::string> add_examples(const std::string& folder, const Common_op
         (gain.pairs == 0
              ? "three or more are needed to measure a gain"
              : "what was learned from the others does not make their matches better by more than chance (F1 " +
-                   short_number(gain.with) + " with it, " + short_number(gain.without) + " without)"));
+                   short_number(gain.with) + " with it, " + short_number(gain.without) + " without)") +
+        "; with the model that `roles train` makes of them they are used in any case");
     shapes.erase(std::remove_if(shapes.begin(), shapes.end(),
                                 [&](const Labelled_graph& shape) { return shape.category == gain.category; }),
                  shapes.end());

@@ -21,9 +21,9 @@ using Shape_pair = std::array<std::size_t, 2>;
 
 constexpr std::size_t most_pairs = 20;  // of a category that are matched: twice as many take twice as long
 constexpr std::size_t least_shapes = 3; // of a category: two are in the pair, and one is learned from
-// Deviation of the gain of a pair, which falls with the root of their number. Set by `validate_roles --own-examples`,
-// where it is flat.
-constexpr double chance_gain = 0.1;
+// Of a pair, which falls with the root of their number. Set by `validate_roles --own-examples`: less lets single
+// categories lose, more refuses examples that help.
+constexpr double chance_gain = 0.05;
 
 // Spread evenly over all pairs.
 std::vector<Shape_pair> spread_pairs(const std::vector<std::size_t>& shapes)

@@ -140,29 +140,6 @@ TEST_CASE("What nothing large carries is carried by what is small, not by the gr
   CHECK(seen > 2);
 }
 
-TEST_CASE("What lies on something goes with that, not with what it leans against")
-{
-  Segmented_shape made("made"), bare("bare");
-  for (Segmented_shape* shape : {&made, &bare}) {
-    const double high = shape == &made ? 0.6 : 1.5; // of the headboard, which goes up
-    shape->add_part("mattress", box({0, 0.2, 0}, {1, 0.4, 2}));
-    shape->add_part("headboard", box({0, high / 2, -1.05}, {1, high, 0.1}));
-  }
-  made.add_part("sheet", box({0, 0.425, -0.3}, {1, 0.05, 1.4}));
-  made.add_part("pillow", box({0, 0.5, -0.8}, {0.8, 0.1, 0.4}));
-  const Model source(made), target(bare);
-  const Shape_blend blend = blend_of(source, target, {{"mattress", "mattress"}, {"headboard", "headboard"}});
-  int seen = 0;
-  for (double t = 0.1; t < 1; t += 0.1) {
-    const Segmented_shape shape = blend(t);
-    if (shape.parts().size() < 4) continue;
-    ++seen;
-    INFO("t = " << t);
-    CHECK(distance(shape, "sheet~", "pillow~") < touching);
-  }
-  CHECK(seen > 2);
-}
-
 TEST_CASE("Legs hang on a seat that is far higher than where they come from")
 {
   Segmented_shape high("high"), low("low");

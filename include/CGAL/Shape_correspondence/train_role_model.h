@@ -46,10 +46,11 @@ Role_model extend_role_model(const Role_model& model, const std::vector<Labelled
 /// How well labelled shapes of a category match each other, with and without learning from them.
 struct Gain_of_examples
 {
-  std::string category;
-  std::size_t pairs = 0;        ///< of these shapes, that were matched; none of fewer than three shapes
-  double with = 0, without = 0; ///< mean F1 over the pairs
-  bool is_clear() const;        ///< whether the gain is more than chance
+  std::string category;  ///< of the shapes
+  std::size_t pairs = 0; ///< of these shapes, that were matched; none of fewer than three shapes
+  double with = 0;       ///< mean F1 over the pairs, with what is learned from the others
+  double without = 0;    ///< the same without it
+  bool is_clear() const; ///< whether the gain is more than chance
 };
 
 /// \ingroup PkgShapeCorrespondenceRoles
