@@ -266,7 +266,6 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
     used.insert(used.end(), unlike.begin(), unlike.end());
     const Part_pairs leftover = leftover_pairs(stage, used);
     used.insert(used.end(), leftover.begin(), leftover.end());
-    std::vector<Part_set> exchanged = connected_sets(stage, leftover_links(stage, used), {});
     Part_pairs others = most_alike(stage, pairs_in(broken, unlike));
     others.insert(others.end(), leftover.begin(), leftover.end());
     std::vector<Part_set> single;
@@ -285,6 +284,7 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
     sets.insert(sets.end(), single.begin(), single.end());
     maker.add(sets, result);
     const std::size_t matched = result.size();
+    std::vector<Part_set> exchanged = connected_sets(stage, leftover_links(stage, used), {});
     maker.take_broken(exchanged);
     maker.add(exchanged, result);
     for (std::size_t i = 0; i < result.size(); ++i) {
