@@ -33,7 +33,7 @@ constexpr int bad_input = 1, bad_usage = 2;
 struct Options
 {
   bool help = false, list = false, single_file = false, raw = false, textured = false, benchmark = false;
-  bool gallery = false, degrades = false, random_styles = false;
+  bool training = false, gallery = false, degrades = false, random_styles = false;
   gen::Degradation degradation;
   std::uint64_t seed = 1;
   std::string folder;
@@ -42,8 +42,9 @@ struct Options
 const char* const help_text =
     R"(Usage: generate_models [--single-file | --raw | --textured] OUTPUT_FOLDER
        generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER
+       generate_models --training OUTPUT_FOLDER
        generate_models --gallery OUTPUT_FOLDER
-       generate_models [--benchmark | --gallery] --list
+       generate_models [--benchmark | --training | --gallery] --list
 
 Writes labelled models of man-made shapes; the same bytes every time.
   OUTPUT_FOLDER/NAME/parts/PART.obj  one closed mesh a part; metres, y up, front +z, left +x
@@ -57,6 +58,8 @@ Writes labelled models of man-made shapes; the same bytes every time.
                  flips show
   --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, in
                  OUTPUT_FOLDER/CATEGORY/NAME
+  --training     make the shapes that roles are learned from instead: those of --benchmark, and fifteen each of cars, plants,
+                 shelves and sofas, in OUTPUT_FOLDER/CATEGORY/NAME
   --gallery      make boats and carts, three of each, in OUTPUT_FOLDER/CATEGORY/NAME
   --random-styles  draw their styles, too: shapes that no method was set on
   --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with commas
@@ -102,6 +105,8 @@ Options parsed(int argc, char** argv)
       options.textured = true;
     else if (word == "--benchmark")
       options.benchmark = true;
+    else if (word == "--training")
+      options.training = true;
     else if (word == "--gallery")
       options.gallery = true;
     else if (word == "--degrade") {
@@ -119,8 +124,8 @@ Options parsed(int argc, char** argv)
   }
   if (options.raw + options.single_file + options.textured > 1)
     throw std::invalid_argument("of --raw, --single-file and --textured, only one may be given");
-  if (options.gallery && options.benchmark)
-    throw std::invalid_argument("of --benchmark and --gallery, only one may be given");
+  if (options.benchmark + options.training + options.gallery > 1)
+    throw std::invalid_argument("of --benchmark, --training and --gallery, only one may be given");
   if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
   if (options.random_styles && !options.benchmark) throw std::invalid_argument("--random-styles is of --benchmark");
   if (!options.help && !options.list && options.folder.empty()) throw std::invalid_argument("no output folder");
@@ -141,6 +146,7 @@ std::vector<gen::Assembly> shapes(const Options& options)
   if (options.random_styles) return gen::random_shapes(options.seed);
   if (options.benchmark) return gen::benchmark_shapes();
   if (options.gallery) return gen::gallery_shapes();
+  if (options.training) return gen::training_shapes();
   std::vector<gen::Assembly> result;
   for (const gen::Model& model : gen::models())
     result.push_back(model.make());
@@ -160,7 +166,7 @@ void write_models(const Options& options)
     if (options.degrades) shape = gen::degraded(std::move(shape), options.degradation, seed);
     seed += 100;
     const fs::path folder =
-        options.benchmark || options.gallery ? fs::path(options.folder) / shape.category : fs::path(options.folder);
+        options.benchmark || options.training || options.gallery ? fs::path(options.folder) / shape.category : fs::path(options.folder);
     for (const auto& [path, content] : files_of(shape, options))
       write(folder / path, content);
   }

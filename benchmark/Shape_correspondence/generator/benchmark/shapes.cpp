@@ -8,9 +8,15 @@
 #include "aeroplane_designs.h"
 #include "bed_designs.h"
 #include "boat_designs.h"
+#include "car_designs.h"
 #include "cart_designs.h"
 #include "chair_designs.h"
 #include "lamp_designs.h"
+#include "light_designs.h"
+#include "made_bed_designs.h"
+#include "plant_designs.h"
+#include "shelf_designs.h"
+#include "sofa_designs.h"
 #include "table_designs.h"
 #include "velocipede_designs.h"
 
@@ -41,6 +47,14 @@ std::vector<Assembly> benchmark_shapes()
   add_shapes(table_designs(), 500, table, shapes);
   for (const Assembly& velocipede : velocipedes(600))
     shapes.push_back(velocipede);
+  return shapes;
+}
+
+std::vector<Assembly> training_shapes()
+{
+  std::vector<Assembly> shapes = benchmark_shapes();
+  for (const std::vector<Assembly>& category : {made_beds(700), cars(800), lights(900), plants(1000), shelves(1100), sofas(1200)})
+    shapes.insert(shapes.end(), category.begin(), category.end());
   return shapes;
 }
 

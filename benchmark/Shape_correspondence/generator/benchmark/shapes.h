@@ -16,6 +16,10 @@ namespace generator {
 /// from fixed seeds.
 std::vector<Assembly> benchmark_shapes();
 
+/// The shapes that roles are learned from: those of the benchmark, and fifteen each of cars, plants, shelves and sofas,
+/// which no method is compared on.
+std::vector<Assembly> training_shapes();
+
 /// Boats and carts, three of each: further kinds of the paper's gallery, which no method is set or compared on.
 std::vector<Assembly> gallery_shapes();
 
