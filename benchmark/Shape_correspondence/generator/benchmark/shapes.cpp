@@ -11,6 +11,7 @@
 #include "car_designs.h"
 #include "cart_designs.h"
 #include "chair_designs.h"
+#include "desk_designs.h"
 #include "lamp_designs.h"
 #include "light_designs.h"
 #include "made_bed_designs.h"
@@ -53,7 +54,7 @@ std::vector<Assembly> benchmark_shapes()
 std::vector<Assembly> training_shapes()
 {
   std::vector<Assembly> shapes = benchmark_shapes();
-  for (const std::vector<Assembly>& category : {made_beds(700), cars(800), lights(900), plants(1000), shelves(1100), sofas(1200)})
+  for (const std::vector<Assembly>& category : {made_beds(700), cars(800), desks(900), lights(1000), plants(1100), shelves(1200), sofas(1300)})
     shapes.insert(shapes.end(), category.begin(), category.end());
   return shapes;
 }
