@@ -58,8 +58,8 @@ Writes labelled models of man-made shapes; the same bytes every time.
                  flips show
   --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, in
                  OUTPUT_FOLDER/CATEGORY/NAME
-  --training     make the shapes that roles are learned from instead: those of --benchmark, and fifteen each of cars, plants,
-                 shelves and sofas, in OUTPUT_FOLDER/CATEGORY/NAME
+  --training     make the shapes that roles are learned from instead: those of --benchmark and further ones, of ten
+                 categories in all, in OUTPUT_FOLDER/CATEGORY/NAME
   --gallery      make boats and carts, three of each, in OUTPUT_FOLDER/CATEGORY/NAME
   --random-styles  draw their styles, too: shapes that no method was set on
   --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with commas
@@ -165,8 +165,9 @@ void write_models(const Options& options)
   for (gen::Assembly shape : shapes(options)) {
     if (options.degrades) shape = gen::degraded(std::move(shape), options.degradation, seed);
     seed += 100;
-    const fs::path folder =
-        options.benchmark || options.training || options.gallery ? fs::path(options.folder) / shape.category : fs::path(options.folder);
+    const fs::path folder = options.benchmark || options.training || options.gallery
+                                ? fs::path(options.folder) / shape.category
+                                : fs::path(options.folder);
     for (const auto& [path, content] : files_of(shape, options))
       write(folder / path, content);
   }

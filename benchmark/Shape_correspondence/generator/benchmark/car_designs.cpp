@@ -26,7 +26,7 @@ struct Car_design
   bool bumpers = true, handles = true, underbody = false, interior = false;
 };
 
-/// The outline from the side, and where its corners are.
+/// Where the corners of the outline are that is seen from the side.
 struct Car_frame
 {
   double length, height, half_width, clearance, belt, radius;
@@ -44,7 +44,7 @@ struct Car_frame
     const bool is_van = design.body == Car_body::van || design.body == Car_body::lorry;
     const double front = length / 2;
     hood_front = front - (is_van ? .06 : .1);
-    hood = is_van ? belt : belt - random.between(.05, .12);
+    hood = belt - (is_van ? .03 : random.between(.05, .12));
     windshield_low = is_van ? front - random.between(.15, .5) : front - random.between(.24, .32) * length;
     windshield_high = windshield_low - (is_van ? random.between(.2, .4) : random.between(.45, .65));
     const bool has_boot = design.body == Car_body::saloon;
@@ -61,34 +61,35 @@ struct Car_frame
   double width_at(double y) const { return half_width * (1 - .2 * std::clamp((y - belt) / (height - belt), 0., 1.)); }
 };
 
-/// The outline from the lower edge in front, over the roof, to that at the back.
-Path outline(const Car_frame& f, bool is_lorry)
-{
-  const double back = is_lorry ? f.rear_low : -f.front();
-  Path result{{0, f.clearance, f.front() - .04}, {0, .6 * f.hood, f.front()},
-              {0, f.hood, f.hood_front},         {0, f.belt, f.windshield_low},
-              {0, f.height, f.windshield_high},  {0, f.height, f.rear_high},
-              {0, f.tail, f.rear_low}};
-  if (!is_lorry) result.push_back({0, .95 * f.tail, back + .02});
-  result.push_back({0, f.clearance, is_lorry ? f.rear_low : back + .03});
-  return result;
-}
-
-/// One mesh, the same outline at every place along x, drawn in at the sides and the narrower cabin.
+/// One mesh: from the floor over the widest place, the hood and the boot, and the belt up to the roof.
 Solid car_body(const Car_frame& f, bool is_lorry)
 {
-  const Path side = outline(f, is_lorry);
+  struct Level
+  {
+    double front, back;     ///< heights
+    double front_z, back_z; ///< where they are
+    double half_width;
+  };
+  const double back = is_lorry ? f.rear_low : -f.front(), w = f.half_width;
+  const Level levels[] = {{f.clearance, f.clearance, f.front() - .04, back + .03, .94 * w},
+                          {.6 * f.hood, .6 * f.hood, f.front(), back, w},
+                          {f.hood, .95 * f.tail, f.hood_front, back + (is_lorry ? 0 : .02), w},
+                          {f.belt, f.tail, f.windshield_low, f.rear_low, w},
+                          {f.height, f.height, f.windshield_high, f.rear_high, f.width_at(f.height)}};
+  constexpr int pieces = 4; // of a side
   std::vector<Path> rings;
-  for (double x : {-1., -.94, -.5, 0., .5, .94, 1.}) {
-    const double inset = std::abs(x) > .95 ? .03 : 0;
-    Path ring;
-    for (const Point& p : side) {
-      const double y = p.y() > f.belt ? p.y() - inset : p.y() + (p.y() < .5 * f.belt ? inset : 0);
-      ring.push_back({x * f.width_at(p.y()), y, p.z() * (1 - inset / f.front())});
-    }
-    rings.push_back(ring);
+  for (const Level& level : levels) {
+    const double x = level.half_width;
+    const Point corners[] = {{x, level.front, level.front_z},
+                             {x, level.back, level.back_z},
+                             {-x, level.back, level.back_z},
+                             {-x, level.front, level.front_z}};
+    rings.emplace_back();
+    for (int side = 0; side < 4; ++side)
+      for (int i = 0; i < pieces; ++i)
+        rings.back().push_back(between(corners[side], corners[(side + 1) % 4], double(i) / pieces));
   }
-  return {loft(rings), Kind::curve, line({0, .5 * f.belt, -f.front()}, {0, .5 * f.belt, f.front()})};
+  return {loft(rings), Kind::curve, line({0, .5 * f.belt, back}, {0, .5 * f.belt, f.front()})};
 }
 
 /// A pane that lies on the body between two of its corners across.
@@ -172,10 +173,12 @@ void add_lights(Assembly& car, const Car_frame& f, double back)
 /// What is behind the cabin of a lorry, and the frame that carries it.
 void add_cargo(Assembly& car, const Car_frame& f)
 {
-  const double front = f.rear_low - .08, back = -f.front(), high = f.height * 1.12;
-  car.add("cargo", {"cargo", ""},
-          board({0, (.95 + high) / 2, (front + back) / 2}, 2 * f.half_width, front - back, high - .95, {6, 6, .01, .05}));
-  car.add("chassis", {"underbody", ""}, board({0, .8, (front + back) / 2 + .2}, 1.1 * f.half_width, front - back + .4, .24));
+  const double front = f.rear_low - .08, back = -f.front(), low = .76, high = f.height * 1.12;
+  car.add(
+      "cargo", {"cargo", ""},
+      board({0, (low + high) / 2, (front + back) / 2}, 2 * f.half_width, front - back, high - low, {6, 6, .01, .05}));
+  car.add("chassis", {"underbody", ""},
+          board({0, .62, (front + back) / 2 + .2}, 1.8 * f.half_width, front - back + .4, .3));
 }
 
 Assembly car(const Car_design& design, std::uint64_t seed)
@@ -190,12 +193,13 @@ Assembly car(const Car_design& design, std::uint64_t seed)
   add_lights(result, f, -f.front());
   if (is_lorry) add_cargo(result, f);
   const double mirror_z = f.windshield_low - .15, mirror_y = f.belt + .08;
-  result.add_pair({"mirror_l", "mirror_r"}, {"mirror", "mirror"},
-                  beam({f.half_width - .03, mirror_y, mirror_z}, {f.half_width + .2, mirror_y, mirror_z}, bar(.13, .08)));
+  result.add_pair(
+      {"mirror_l", "mirror_r"}, {"mirror", "mirror"},
+      beam({f.half_width - .03, mirror_y, mirror_z}, {f.half_width + .2, mirror_y, mirror_z}, bar(.13, .08)));
   const auto bumper = [&](double z) {
     const double x = .94 * f.half_width, bend = z > 0 ? -.14 : .14;
-    return tube(bent({{-x, .42, z + bend}, {-.85 * x, .42, z}, {.85 * x, .42, z}, {x, .42, z + bend}}, .1), bar(.16, .1),
-                Point::UnitY());
+    return tube(bent({{-x, .42, z + bend}, {-.85 * x, .42, z}, {.85 * x, .42, z}, {x, .42, z + bend}}, .1),
+                bar(.16, .1), Point::UnitY());
   };
   if (design.bumpers) {
     result.add("bumper_front", {"bumper", "bumper_front"}, bumper(f.front() + .02));
@@ -215,8 +219,8 @@ Assembly car(const Car_design& design, std::uint64_t seed)
     result.add("underbody", {"underbody", ""}, board({0, f.clearance, 0}, 1.5 * f.half_width, .86 * f.length, .08));
   if (design.interior)
     result.add("interior", {"interior", ""},
-               board({0, f.belt - .18, (f.windshield_low + f.rear_low) / 2}, 1.5 * f.half_width,
-                     .9 * (f.windshield_low - f.rear_low), .5, {6, 6, .05, .2}));
+               board({0, (f.clearance + f.belt) / 2, (f.windshield_low + f.rear_low) / 2}, 1.5 * f.half_width,
+                     .9 * (f.windshield_low - f.rear_low), f.belt - f.clearance, {6, 6, .05, .2}));
   return result;
 }
 

@@ -57,23 +57,28 @@ Solid end_frame(const Desk_frame& f)
 void add_columns(Assembly& desk, const Desk_frame& f)
 {
   const double x = .8 * f.x();
-  desk.add_pair({"foot_l", "foot_r"}, {"leg", "foot_column"}, beam({x, .03, -f.z() + .04}, {x, .03, f.z() - .04}, bar(.06, .05), 7));
-  desk.add_pair({"column_l", "column_r"}, {"leg", "upper_column"}, beam({x, .05, 0}, {x, f.under(), 0}, bar(.07, .05), 8));
+  desk.add_pair({"foot_l", "foot_r"}, {"leg", "foot_column"},
+                beam({x, .03, -f.z() + .04}, {x, .03, f.z() - .04}, bar(.06, .05), 7));
+  desk.add_pair({"column_l", "column_r"}, {"leg", "upper_column"},
+                beam({x, .05, 0}, {x, f.under(), 0}, bar(.07, .05), 8));
 }
 
 /// A box for drawers at one side, x > 0, and their fronts with handles.
-void add_desk_cabinet(Assembly& desk, const Desk_frame& f, const std::string& suffix, const std::string& side, double sign, int drawers)
+void add_desk_cabinet(Assembly& desk, const Desk_frame& f, const std::string& suffix, const std::string& side,
+                      double sign, int drawers)
 {
   const double width = .32 * f.width, x = sign * (f.x() - width / 2 - .02), low = .06, high = f.under() - .004;
   desk.add("cabinet" + suffix, {"cabinet", "cabinet_body" + side},
            board({x, (low + high) / 2, -.02}, width, f.depth - .06, high - low, {6, 6, 0, .03}));
-  const double step = (high - low) / drawers, front = f.z() - .03;
-  desk.add_row(numbered("drawer" + suffix + "_", drawers), {"drawer", ""},
-               slab(flat({x - width / 2 + .01, low + .01, front}, {width - .02, 0, 0}, {0, step - .02, 0}), .02, {6, 5, 0, .2}),
-               {0, step, 0});
-  desk.add_row(numbered("handle" + suffix + "_", drawers), {"handle", "drawer_handle"},
-               beam({x - .06, low + step / 2, front + .026}, {x + .06, low + step / 2, front + .026}, round_section(.008)),
-               {0, step, 0});
+  const double step = (high - low) / drawers, front = f.z() - .04;
+  desk.add_row(
+      numbered("drawer" + suffix + "_", drawers), {"drawer", ""},
+      slab(flat({x - width / 2 + .01, low + .01, front}, {width - .02, 0, 0}, {0, step - .02, 0}), .02, {6, 5, 0, .2}),
+      {0, step, 0});
+  desk.add_row(
+      numbered("handle" + suffix + "_", drawers), {"handle", "drawer_handle"},
+      beam({x - .06, low + step / 2, front + .016}, {x + .06, low + step / 2, front + .016}, round_section(.008)),
+      {0, step, 0});
 }
 
 Assembly desk(const Desk_design& design, std::uint64_t seed)
@@ -103,21 +108,25 @@ Assembly desk(const Desk_design& design, std::uint64_t seed)
     break;
   case Desk_support::thick_legs: {
     const double leg = random.between(.05, .11);
-    result.add_four({"leg_fl", "leg_fr", "leg_bl", "leg_br"}, leg_label("front"), leg_label("back"),
-                    beam({f.x() - leg / 2, 0, f.z() - leg / 2}, {f.x() - leg / 2, f.under(), f.z() - leg / 2}, bar(leg, leg)));
+    result.add_four(
+        {"leg_fl", "leg_fr", "leg_bl", "leg_br"}, leg_label("front"), leg_label("back"),
+        beam({f.x() - leg / 2, 0, f.z() - leg / 2}, {f.x() - leg / 2, f.under(), f.z() - leg / 2}, bar(leg, leg)));
   }
   }
   const double between_sides = 2 * (end - .02);
   if (design.back_panel) {
-    const double low = random.between(.3, .5) * f.height, x = design.support == Desk_support::cabinet ? .34 * f.width : f.x() - .04;
+    const double low = random.between(.3, .5) * f.height,
+                 x = design.support == Desk_support::cabinet ? .34 * f.width : f.x() - .04;
     result.add("panel", {"panel", "modesty_panel"},
-               slab(flat({-f.x() + .04, low, -f.z() + .06}, {f.x() - .04 + (design.support == Desk_support::cabinet ? f.x() - x : x), 0, 0},
+               slab(flat({-f.x() + .04, low, -f.z() + .06},
+                         {f.x() - .04 + (design.support == Desk_support::cabinet ? f.x() - x : x), 0, 0},
                          {0, f.under() - low, 0}),
                     .02, {5, 7, 0, .2}));
   }
   for (int i = 0; i < design.shelves; ++i)
-    result.add("shelf_" + std::to_string(i + 1), {"shelf", ""},
-               board({0, f.height * (i + 1) / (design.shelves + 1.5), 0}, between_sides, f.depth - .1, .02, {6, 8, 0, .2}));
+    result.add(
+        "shelf_" + std::to_string(i + 1), {"shelf", ""},
+        board({0, f.height * (i + 1) / (design.shelves + 1.5), 0}, between_sides, f.depth - .1, .02, {6, 8, 0, .2}));
   if (design.apron) {
     const double y = f.under() - .05, x = f.x() - .06, z = f.z() - .06;
     result.add_front_and_back({"apron_f", "apron_b"}, {"apron", "apron_front_center"}, {"apron", "apron_back_center"},
@@ -130,21 +139,22 @@ Assembly desk(const Desk_design& design, std::uint64_t seed)
 const std::vector<Desk_design>& desk_designs()
 {
   using S = Desk_support;
-  static const std::vector<Desk_design> designs{{"table_panels", S::panels, 1.2, .7, .74},
-                                                {"table_panels_back", S::panels, 1.2, .6, .74, true},
-                                                {"table_panels_low", S::panels, 1., .5, .42, false, 1},
-                                                {"table_panels_shelf", S::panels, .8, .4, .6, true, 1},
-                                                {"table_frames", S::frames, 1.4, .7, .74},
-                                                {"table_frames_apron", S::frames, 1.6, .8, .74, false, 0, 0, true},
-                                                {"table_frames_low", S::frames, 1.1, .6, .45, false, 1},
-                                                {"table_columns", S::columns, 1.6, .8, .72},
-                                                {"table_columns_panel", S::columns, 1.5, .75, .72, true},
-                                                {"table_cabinet", S::cabinet, 1.3, .65, .75, true, 0, 3},
-                                                {"table_cabinet_plain", S::cabinet, 1.1, .6, .74, false, 0, 2},
-                                                {"table_two_cabinets", S::two_cabinets, 1.7, .8, .76, true, 0, 3},
-                                                {"table_thick_legs", S::thick_legs, .9, .9, .45},
-                                                {"table_thick_legs_high", S::thick_legs, 1.5, .8, .74, false, 0, 0, true},
-                                                {"table_bench", S::thick_legs, 1.2, .38, .45, false, 0, 0, true}};
+  static const std::vector<Desk_design> designs{
+      {"table_panels", S::panels, 1.2, .7, .74},
+      {"table_panels_back", S::panels, 1.2, .6, .74, true},
+      {"table_panels_low", S::panels, 1., .5, .42, false, 1},
+      {"table_panels_shelf", S::panels, .8, .4, .6, true, 1},
+      {"table_frames", S::frames, 1.4, .7, .74},
+      {"table_frames_apron", S::frames, 1.6, .8, .74, false, 0, 0, true},
+      {"table_frames_low", S::frames, 1.1, .6, .45, false, 1},
+      {"table_columns", S::columns, 1.6, .8, .72},
+      {"table_columns_panel", S::columns, 1.5, .75, .72, true},
+      {"table_cabinet", S::cabinet, 1.3, .65, .75, true, 0, 3},
+      {"table_cabinet_plain", S::cabinet, 1.1, .6, .74, false, 0, 2},
+      {"table_two_cabinets", S::two_cabinets, 1.7, .8, .76, true, 0, 3},
+      {"table_thick_legs", S::thick_legs, .9, .9, .45},
+      {"table_thick_legs_high", S::thick_legs, 1.5, .8, .74, false, 0, 0, true},
+      {"table_bench", S::thick_legs, 1.2, .38, .45, false, 0, 0, true}};
   return designs;
 }
 

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// Tables on side panels, on frames, on columns with feet, and on cabinets, which `table_designs()` has not; `seed` is of
-/// the first one.
+/// Tables on side panels, on frames, on columns with feet, and on cabinets, which `table_designs()` has not; `seed` is
+/// of the first one.
 std::vector<Assembly> desks(std::uint64_t seed);
 
 } // namespace generator

@@ -59,7 +59,7 @@ Solid bed_ring(const Bed_frame& f, double y)
 
 void add_short_legs(Assembly& bed, const Bed_frame& f, double top)
 {
-  const double inset = .08;
+  const double inset = .04;
   bed.add_four({"leg_fl", "leg_fr", "leg_bl", "leg_br"}, leg_label("front"), leg_label("back"),
                beam({f.x() - inset, 0, f.z() - inset}, {f.x() - inset, top, f.z() - inset}, bar(.08, .08)));
 }
@@ -79,21 +79,25 @@ Assembly made_bed(const Made_bed_design& design, std::uint64_t seed)
     break;
   case Bed_support::frame:
     lying = design.legs ? .24 : .16;
-    bed.add("frame", {"side_rail", "bed_frame"}, bed_ring(f, lying - .06));
-    if (design.legs) add_short_legs(bed, f, lying - .12);
+    bed.add("frame", {"side_rail", "bed_frame"}, bed_ring(f, lying));
+    if (design.legs) add_short_legs(bed, f, lying - .06);
     break;
   case Bed_support::box:
     lying = random.between(.2, .34);
-    bed.add("base", {"base", ""}, board({0, .5 * (lying + (design.legs ? .08 : 0)), 0}, f.width, f.length, lying - (design.legs ? .08 : 0), {6, 6, 0, .05}));
+    bed.add("base", {"base", ""},
+            board({0, .5 * (lying + (design.legs ? .08 : 0)), 0}, f.width, f.length, lying - (design.legs ? .08 : 0),
+                  {6, 6, 0, .05}));
     if (design.legs) add_short_legs(bed, f, .085);
   }
   if (design.headboard) add_bed_end(bed, f, "head", "headboard", design.bed.end, lying - .08, head, -1);
   if (design.bed.footboard) add_bed_end(bed, f, "foot", "footboard", design.bed.end, lying - .08, foot, 1);
   const double top = lying + thick;
-  bed.add("mattress", {"mattress", ""}, board({0, lying + thick / 2, 0}, f.width - .05, f.length - .06, thick - .004, {7, 5, .03, .25}));
+  bed.add("mattress", {"mattress", ""},
+          board({0, lying + thick / 2, 0}, f.width - .05, f.length - .06, thick - .004, {7, 5, .03, .25}));
   const double z = -f.z() + .28, height = random.between(.09, .15), tilt = random.between(0, .15);
   const auto pillow = [&](double x, double width) {
-    return slab(flat({x - width / 2, top + .07 + tilt, z - .18}, {width, 0, 0}, {0, -tilt, .38}), height, {6, 6, .1, .4});
+    return slab(flat({x - width / 2, top + height / 2 - .02 + tilt, z - .18}, {width, 0, 0}, {0, -tilt, .38}), height,
+                {6, 6, .1, .4});
   };
   if (design.bed.pillows == 2)
     bed.add_pair({"pillow_l", "pillow_r"}, {"pillow", "pillow"}, pillow(.24 * f.width, .4 * f.width));
@@ -119,10 +123,10 @@ const std::vector<Made_bed_design>& made_bed_designs()
       {"bed_frame_plain", S::frame, {"", Kind::single, End::panel, 1.5, 2.1, 2, false}, B::fold, false},
       {"bed_frame_low", S::frame, {"", Kind::single, End::cushion, 1.4, 2., 2, false}, B::blanket, true, false},
       {"bed_frame_bars", S::frame, {"", Kind::single, End::bars, 1., 2., 1}, B::none},
-      {"bed_frame_single", S::frame, {"", Kind::single, End::slats, .9, 2., 1}, B::fold},
+      {"bed_frame_single", S::frame, {"", Kind::single, End::panel, .9, 2., 1}, B::fold},
       {"bed_box", S::box, {"", Kind::single, End::cushion, 1.6, 2.1, 2, false}},
       {"bed_box_floor", S::box, {"", Kind::single, End::panel, 1.8, 2.1, 2, false}, B::fold, true, false},
-      {"bed_box_band", S::box, {"", Kind::single, End::slats, 1., 2., 1, true}, B::band, true, false},
+      {"bed_box_band", S::box, {"", Kind::single, End::bars, 1., 2., 1, true}, B::band, true, false},
       {"bed_box_legs", S::box, {"", Kind::single, End::panel, 1.2, 2., 1, true}, B::blanket},
       {"bed_box_bare", S::box, {"", Kind::single, End::cushion, 1.4, 2., 2, false}, B::none, true, true}};
   return designs;

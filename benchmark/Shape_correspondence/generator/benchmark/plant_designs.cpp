@@ -19,7 +19,7 @@ struct Plant_design
 {
   const char* name;
   Growth growth;
-  int leaves; ///< or arms of a cactus
+  int leaves;                           ///< or arms of a cactus
   double height, pot_width, pot_height; ///< before they are varied
   bool saucer = false;
 };
@@ -35,10 +35,17 @@ void add_pot(Assembly& plant, const Pot& pot, bool angular, bool saucer)
 {
   const double r = pot.radius, h = pot.height, wall = .12 * r;
   plant.add("pot", {"pot", ""},
-            post({{0, 0}, {.62 * r, 0}, {.68 * r, .02 * h}, {r, .96 * h}, {r, h}, {r - wall, h}, {r - 1.2 * wall, .8 * h},
+            post({{0, 0},
+                  {.62 * r, 0},
+                  {.68 * r, .02 * h},
+                  {r, .96 * h},
+                  {r, h},
+                  {r - wall, h},
+                  {r - 1.2 * wall, .8 * h},
                   {0, .78 * h}},
                  angular ? 8 : 20));
-  plant.add("soil", {"soil", ""}, disc(disc_profile(r - 1.3 * wall, .8 * h, pot.soil(), .004), r - 1.3 * wall, .84 * h, 20));
+  plant.add("soil", {"soil", ""},
+            disc(disc_profile(r - 1.3 * wall, .8 * h, pot.soil(), .004), r - 1.3 * wall, .84 * h, 20));
   if (saucer)
     plant.add("saucer", {"pot", "saucer"}, disc(disc_profile(.9 * r, -.03 * h, .015 * h, .004), .9 * r, 0, 20));
 }
@@ -59,8 +66,8 @@ void add_leaves(Assembly& plant, int n, const Point& root, double length, double
                 Random& random)
 {
   for (int i = 0; i < n; ++i) {
-    const Solid one = leaf(root, random.about(length, .25), random.about(rise, .2), random.about(droop, .3),
-                           random.about(width, .2));
+    const Solid one =
+        leaf(root, random.about(length, .25), random.about(rise, .2), random.about(droop, .3), random.about(width, .2));
     const double angle = 2 * pi * (i + random.between(-.2, .2)) / n;
     plant.add("leaf_" + std::to_string(i + 1), {"leaf", ""},
               transformed(one, rotation_about(Point::Zero(), Point::UnitY(), angle)));
@@ -91,7 +98,8 @@ Assembly plant(const Plant_design& design, std::uint64_t seed)
   const double above = height - soil;
   switch (design.growth) {
   case Growth::rosette:
-    add_leaves(result, design.leaves, root, 1.3 * above, random.between(.75, .9), random.between(.4, .8), .3 * above, random);
+    add_leaves(result, design.leaves, root, 1.3 * above, random.between(.75, .9), random.between(.4, .8), .3 * above,
+               random);
     break;
   case Growth::upright:
     add_leaves(result, design.leaves, root, 1.05 * above, .97, random.between(.02, .1), .16 * above, random);
@@ -99,20 +107,23 @@ Assembly plant(const Plant_design& design, std::uint64_t seed)
   case Growth::stem:
   case Growth::palm: {
     const double stem = design.growth == Growth::palm ? height - .35 * above : soil + .5 * above;
-    result.add("stem", {"stem", ""}, beam({0, soil - .02, 0}, {0, stem, 0}, round_section(.05 * above, .03 * above), 8));
-    add_leaves(result, design.leaves, {0, stem - .02, .02 * above}, design.growth == Growth::palm ? .6 * above : .55 * above,
-               random.between(.5, .85), random.between(.4, .8), .2 * above, random);
+    result.add("stem", {"stem", ""},
+               beam({0, soil - .02, 0}, {0, stem, 0}, round_section(.05 * above, .03 * above), 8));
+    add_leaves(result, design.leaves, {0, stem - .02, .02 * above},
+               design.growth == Growth::palm ? .6 * above : .55 * above, random.between(.5, .85),
+               random.between(.4, .8), .2 * above, random);
     break;
   }
   case Growth::crown: {
     const double stem = soil + .45 * above, radius = .45 * above;
-    result.add("stem", {"stem", "trunk"}, beam({0, soil - .02, 0}, {0, stem, 0}, round_section(.06 * above, .04 * above), 8));
+    result.add("stem", {"stem", "trunk"},
+               beam({0, soil - .02, 0}, {0, stem, 0}, round_section(.06 * above, .04 * above), 8));
     for (int i = 0; i < design.leaves; ++i) {
       const double size = i == 0 ? radius : random.between(.4, .6) * radius, angle = 2 * pi * i / design.leaves;
       const Point at = i == 0 ? Point(0, height - radius, 0)
                               : Point(.6 * radius * std::cos(angle), stem + .2 * above, .6 * radius * std::sin(angle));
-      const Profile ball{{0, -.95 * size}, {.55 * size, -.8 * size}, {.95 * size, -.3 * size},
-                         {.95 * size, .3 * size}, {.55 * size, .8 * size}, {0, .95 * size}};
+      const Profile ball{{0, -.95 * size},        {.55 * size, -.8 * size}, {.95 * size, -.3 * size},
+                         {.95 * size, .3 * size}, {.55 * size, .8 * size},  {0, .95 * size}};
       result.add("leaves_" + std::to_string(i + 1), {"leaf", ""}, translated(post(ball, 14), at));
     }
     break;

@@ -54,7 +54,8 @@ std::vector<Assembly> benchmark_shapes()
 std::vector<Assembly> training_shapes()
 {
   std::vector<Assembly> shapes = benchmark_shapes();
-  for (const std::vector<Assembly>& category : {made_beds(700), cars(800), desks(900), lights(1000), plants(1100), shelves(1200), sofas(1300)})
+  for (const std::vector<Assembly>& category :
+       {made_beds(700), cars(800), desks(900), lights(1000), plants(1100), shelves(1200), sofas(1300)})
     shapes.insert(shapes.end(), category.begin(), category.end());
   return shapes;
 }

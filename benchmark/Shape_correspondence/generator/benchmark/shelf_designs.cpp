@@ -122,7 +122,7 @@ void add_shelves(Assembly& shelf, const Shelf_frame& f, const Shelf_design& desi
 {
   const bool on_posts = design.carcass == Carcass::posts;
   const int columns = on_posts ? 1 : design.dividers + 1, n = design.shelves;
-  const double width = on_posts ? f.width : f.inner_width() / columns - f.wood;
+  const double width = on_posts ? f.width : f.inner_width() / columns - (columns > 1 ? f.wood : .002);
   const double step = on_posts ? (f.height - f.low - .12) / (n - 1) : (high - low) / (n + 1);
   const double first = on_posts ? f.low + .1 : low + step;
   for (int k = 0; k < columns; ++k)
@@ -143,14 +143,15 @@ void add_dividers(Assembly& shelf, const Shelf_frame& f, int dividers, double lo
 Solid handle(const Point& at, bool knob, bool upright)
 {
   const Point half = upright ? Point(0, .06, 0) : Point(.06, 0, 0);
-  if (!knob) return beam(at - half, at + half, round_section(.007));
+  const Point bar(at - Point(0, 0, .012));
+  if (!knob) return beam(bar - half, bar + half, round_section(.007));
   const Solid turned = post({{0, 0}, {.007, 0}, {.007, .012}, {.016, .018}, {.016, .026}, {.01, .032}, {0, .034}}, 10);
   return transformed(turned, stand_on(at - Point(0, 0, .02), at + Point(0, 0, 1)));
 }
 
 void add_doors(Assembly& shelf, const Shelf_frame& f, const Shelf_design& design, double low, double high)
 {
-  const double width = f.inner_width() / design.doors, gap = .004, front = f.z() + f.wood / 2;
+  const double width = f.width / design.doors, gap = .004, front = f.z() + f.wood / 2;
   const auto door = [&](double x) {
     return slab(flat({x - width / 2 + gap, low + gap, front}, {width - 2 * gap, 0, 0}, {0, high - low - 2 * gap, 0}),
                 f.wood, {5, 7, 0, .2});
@@ -163,7 +164,7 @@ void add_doors(Assembly& shelf, const Shelf_frame& f, const Shelf_design& design
     shelf.add_pair({"door_handle_l", "door_handle_r"}, {"handle", "door_handle"}, grip(.06));
     return;
   }
-  const double first = f.column(0, design.doors);
+  const double first = (width - f.width) / 2;
   shelf.add_row(numbered("door_", design.doors), {"door", ""}, door(first), {width, 0, 0});
   shelf.add_row(numbered("door_handle_", design.doors), {"handle", design.doors == 1 ? "door_handle" : ""},
                 grip(first + width / 2 - .06), {width, 0, 0});
@@ -172,11 +173,11 @@ void add_doors(Assembly& shelf, const Shelf_frame& f, const Shelf_design& design
 void add_drawers(Assembly& shelf, const Shelf_frame& f, const Shelf_design& design, double low, double high, bool boxes)
 {
   const int rows = design.drawer_rows, columns = design.drawer_columns;
-  const double height = (high - low) / rows, width = f.inner_width() / columns, gap = .004;
+  const double height = (high - low) / rows, width = (boxes ? f.inner_width() : f.width) / columns, gap = .002;
   const double depth = boxes ? .85 * f.depth : f.wood, front = f.z() + f.wood;
   for (int k = 0; k < columns; ++k) {
     const std::string column = std::to_string(k + 1) + "_";
-    const double x = f.column(k, columns), y = low + height / 2;
+    const double x = width * (k + .5 - columns / 2.), y = low + height / 2;
     shelf.add_row(numbered("drawer_" + column, rows), {"drawer", ""},
                   boxes ? board({x, y, front - depth / 2}, width - 2 * gap, depth, height - 2 * gap, {5, 6, 0, .05})
                         : slab(flat({x - width / 2 + gap, low + gap, front - depth / 2}, {width - 2 * gap, 0, 0},

@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// Bookcases, cabinets, chests of drawers and wardrobes, of boards, of one body, or of posts; `seed` is of the first one.
+/// Bookcases, cabinets, chests of drawers and wardrobes, of boards, of one body, or of posts; `seed` is of the first
+/// one.
 std::vector<Assembly> shelves(std::uint64_t seed);
 
 } // namespace generator

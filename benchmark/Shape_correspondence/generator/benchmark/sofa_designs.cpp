@@ -54,7 +54,8 @@ const Slab_options soft = {6, 6, .04, .35};
 /// From the right; the left one of a chaise longue has a name of its own.
 std::vector<std::string> side_names(int n, bool chaise)
 {
-  if (chaise) return n == 2 ? std::vector<std::string>{"main", "chaise"} : std::vector<std::string>{"right", "center", "chaise"};
+  if (chaise)
+    return n == 2 ? std::vector<std::string>{"main", "chaise"} : std::vector<std::string>{"right", "center", "chaise"};
   if (n == 1) return {""};
   if (n == 2) return {"right", "left"};
   if (n == 3) return {"right", "center", "left"};
@@ -69,7 +70,8 @@ void add_cushions(Assembly& sofa, const Sofa_frame& f, const std::string& stem, 
   const double width = f.inner_width() / n;
   for (int i = 0; i < n; ++i) {
     const std::string& side = sides[std::size_t(i)];
-    const std::string fine = side.empty() ? (n == 1 ? label.fine : "") : (label.fine.empty() ? label.coarse : label.fine) + "_" + side;
+    const std::string fine =
+        side.empty() ? (n == 1 ? label.fine : "") : (label.fine.empty() ? label.coarse : label.fine) + "_" + side;
     sofa.add(stem + "_" + std::to_string(i + 1), {label.coarse, fine}, cushion(width * (i + .5 - n / 2.), width - .01));
   }
 }
@@ -85,11 +87,11 @@ Solid seat_shell(const Sofa_frame& f, double low, double front, double floor)
   const double x = f.x(), z = f.z(), step = .02;
   const auto ring = [&](double inset, double back_inset, const std::function<double(double)>& height) {
     const double a = x - inset, b = z - back_inset, c = z - (inset > 0 ? std::min(inset, .06) : 0);
-    const Corner corners[] = {{a, c, front},          {a, c - step, f.arm},   {a, .5 * (c - b), f.arm},
-                              {a, step - b, f.arm},   {a, -b, f.back},        {.5 * a, -b, f.back},
-                              {-.5 * a, -b, f.back},  {-a, -b, f.back},       {-a, step - b, f.arm},
-                              {-a, .5 * (c - b), f.arm}, {-a, c - step, f.arm}, {-a, c, front},
-                              {-.5 * a, c, front},    {.5 * a, c, front}};
+    const Corner corners[] = {
+        {a, c, front},         {a, c - step, f.arm},      {a, .5 * (c - b), f.arm}, {a, step - b, f.arm},
+        {a, -b, f.back},       {.5 * a, -b, f.back},      {-.5 * a, -b, f.back},    {-a, -b, f.back},
+        {-a, step - b, f.arm}, {-a, .5 * (c - b), f.arm}, {-a, c - step, f.arm},    {-a, c, front},
+        {-.5 * a, c, front},   {.5 * a, c, front}};
     Path result;
     for (const Corner& corner : corners)
       result.push_back({corner.x, height(corner.height), corner.z});
@@ -107,9 +109,9 @@ Solid back_and_arms(const Sofa_frame& f, double low)
 {
   const double x = f.x() - f.thickness / 2, back = f.thickness / 2 - f.z(), front = f.z() - .02;
   const auto surface = [=](double u, double v) {
-    const Path plan = bent({{x, 0, front}, {x, 0, back}, {-x, 0, back}, {-x, 0, front}}, .12);
+    const Path plan = bent({{x, 0, front}, {x, 0, back}, {-x, 0, back}, {-x, 0, front}}, .25);
     const Point p = point_at(plan, v);
-    const double rise = std::clamp((.2 - p.z() - .1) / .3, 0., 1.); // towards the back
+    const double rise = std::clamp((.1 - p.z()) / .4, 0., 1.); // towards the back
     const double high = f.arm + (f.back - f.arm) * rise;
     return Point(p.x(), low + u * (high - low), p.z());
   };
@@ -123,7 +125,8 @@ Assembly sofa(const Sofa_design& design, std::uint64_t seed)
   Assembly result(design.name, "sofa");
   const double under = f.under_cushions(), seat_depth = f.z() - f.seat_back();
   if (design.legs) {
-    const Point foot(f.x() - .08, 0, f.z() - .08), head(f.x() - .1, f.low + .01, f.z() - .1);
+    const double inset = design.body == Sofa_body::shell ? .1 : .08;
+    const Point foot(f.x() - inset, 0, f.z() - inset), head(f.x() - inset - .02, f.low + .01, f.z() - inset - .02);
     result.add_four({"leg_fl", "leg_fr", "leg_bl", "leg_br"}, leg_label("front"), leg_label("back"),
                     random.below(2) == 0 ? turned_leg(foot, head, .028) : beam(foot, head, bar(.05, .05)));
   }
@@ -143,13 +146,15 @@ Assembly sofa(const Sofa_design& design, std::uint64_t seed)
   case Sofa_body::parts:
     add_base();
     result.add("back", {"back", design.back_cushions > 0 ? "back_frame" : ""},
-               slab([&](double u, double v) { return Point((2 * v - 1) * f.x(), under + u * (f.back - under),
-                                                           f.thickness / 2 - f.z() - .06 * u); },
-                    f.thickness, soft));
-    result.add_pair({"arm_l", "arm_r"}, {"armrest", "armrest"},
-                    slab(flat({f.x() - f.arm_width / 2, under + .004, f.seat_back()}, {0, f.arm - under, 0},
-                              {0, 0, seat_depth}),
-                         f.arm_width, soft));
+               slab(
+                   [&](double u, double v) {
+                     return Point((2 * v - 1) * f.x(), under + u * (f.back - under), f.thickness / 2 - f.z() - .06 * u);
+                   },
+                   f.thickness, soft));
+    result.add_pair(
+        {"arm_l", "arm_r"}, {"armrest", "armrest"},
+        slab(flat({f.x() - f.arm_width / 2, under + .004, f.seat_back()}, {0, f.arm - under, 0}, {0, 0, seat_depth}),
+             f.arm_width, soft));
   }
   add_cushions(result, f, "seat", {"seat", ""}, design.seats, design.chaise, [&](double x, double width) {
     const bool is_chaise = design.chaise && x > 0 && x + width > f.inner_width() / 2;
@@ -162,19 +167,20 @@ Assembly sofa(const Sofa_design& design, std::uint64_t seed)
                board({f.inner_width() / 2 * (1 - 1. / design.seats), (f.low + under) / 2, f.z() + .35},
                      f.inner_width() / design.seats, .7, under - f.low, {6, 6, .01, .1}));
   if (design.back_cushions > 0)
-    add_cushions(result, f, "back_cushion", {"back", "back_cushion"}, design.back_cushions, false, [&](double x, double width) {
-      const double lean = random.between(.06, .14), rise = f.back - f.seat - random.between(-.05, .1);
-      return slab(
-          [=](double u, double v) {
-            return Point(x + (v - .5) * width, f.seat + .01 + u * rise, f.seat_back() + .08 - lean * u);
-          },
-          .15, soft);
-    });
+    add_cushions(result, f, "back_cushion", {"back", "back_cushion"}, design.back_cushions, false,
+                 [&](double x, double width) {
+                   const double lean = random.between(.06, .14), rise = f.back - f.seat - random.between(-.05, .1);
+                   return slab(
+                       [=](double u, double v) {
+                         return Point(x + (v - .5) * width, f.seat + .01 + u * rise, f.seat_back() + .08 - lean * u);
+                       },
+                       .15, soft);
+                 });
   for (int i = 0; i < design.pillows; ++i) {
     const double side = i % 2 == 0 ? 1 : -1, x = side * (f.inner_width() / 2 - .22 - .3 * (i / 2));
     const double size = random.between(.32, .45), z = f.seat_back() + (design.back_cushions > 0 ? .26 : .12);
     result.add("pillow_" + std::to_string(i + 1), {"cushion", ""},
-               slab(flat({x - size / 2, f.seat + .02, z + .06}, {size, 0, 0}, {0, .95 * size, -.25 * size}), .12,
+               slab(flat({x - size / 2, f.seat - .005, z + .06}, {size, 0, 0}, {0, .95 * size, -.25 * size}), .12,
                     {6, 6, .06, .4}));
   }
   return result;

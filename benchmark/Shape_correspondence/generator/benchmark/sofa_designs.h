@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// Sofas and armchairs: the back and the arms of one piece, with the base or without it, or all by themselves; `seed` is
-/// of the first one.
+/// Sofas and armchairs: the back and the arms of one piece, with the base or without it, or all by themselves; `seed`
+/// is of the first one.
 std::vector<Assembly> sofas(std::uint64_t seed);
 
 } // namespace generator
