@@ -352,7 +352,7 @@ class Pictures:
 
     def gallery_nearest(self):
         """The medoids of the categories of generated shapes, and the ten shapes of all that are nearest to each."""
-        folder, count = self.generated("--benchmark"), 10
+        folder, count = self.generated("--training"), 10
         shapes = {category: [os.path.join(folder, category, name) for name in sorted(os.listdir(os.path.join(folder, category)))]
                   for category in sorted(os.listdir(folder))}
         everything = sum(shapes.values(), [])

@@ -47,7 +47,8 @@ ROLES = [("shapes", "the training sees neither shape of a pair"), ("sources", "t
          ("category", "the training sees nothing of the category")]
 ROLES_NOTE = ("The category is not given. The weights of the terms and of confidences are fitted to pairs of other categories, and to pairs of the same category\nthat "
               "share no shape with the pair. Geometry is the same method without roles; some of its rules were set on some of these shapes, and others removed "
-              "by a\ntest on all of them. The terms, the charge and the limits of categories and fronts were chosen on these pairs, too. `stated`: mean confidence; "
+              "by a\ntest on all of them. Further generated shapes (`generate_models --training`) were designed with the labelled ones in view, and keep to their labels: what\n"
+              "they gain may be less on shapes of other sources. The terms, the charge and the limits of categories and fronts were chosen on these pairs, too. `stated`: mean confidence; "
               "`right`: share of\nthe pairs of parts that are right; `AUC`: probability that a right pair has a higher confidence than a wrong one; `P sure`, `share`: "
               "precision of the pairs with\na confidence of .7 or more, and their share of all pairs; `front`, `sure front`: with the category given, how often the "
               "true front is among those that roles\nleave possible, and how often it is the only one (none if the category is left out); `labels`, `with roles`: share "
@@ -101,9 +102,9 @@ GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure1
 DRAWN, DRAWN_SEED, OF_DRAWN = "shapes of random styles", 101, ("peers", "reliability")
 
 
-def generate(generator, folder, *options):
+def generate(generator, folder, *options, shapes="--benchmark"):
     if not os.path.isdir(folder):
-        subprocess.run([generator, "--benchmark", *options, folder], check=True)
+        subprocess.run([generator, shapes, *options, folder], check=True)
     return folder
 
 
@@ -187,12 +188,12 @@ def roles_sections(args, generated, out):
         text, _ = roles_evaluation(args, generated, left_out, ["--leave-out", left_out], out)
         note = ROLES_NOTE if left_out == ROLES[0][0] else "Columns, weights and intervals are as above."
         table = "\n".join("    " + line.rstrip() for line in text.splitlines())
-        yield (f"## Matching with roles, {title}\n\n`validate_roles LABELLED... --generated benchmark "
+        yield (f"## Matching with roles, {title}\n\n`validate_roles LABELLED... --generated training "
                f"--leave-out {left_out}`\n\n{note}\n\n{table}\n")
     for title, first, head, note, rows in ROLES_TABLES:
         evaluations = [(name, roles_evaluation(args, generated, "_".join(options).replace("-", ""), options, out)[1])
                        for name, options in rows]
-        commands = "\n".join(f"`validate_roles LABELLED... --generated benchmark {' '.join(options)}`" for _, options in rows)
+        commands = "\n".join(f"`validate_roles LABELLED... --generated training {' '.join(options)}`" for _, options in rows)
         yield f"## {title}\n\n{commands}\n\n{note}\n\n{roles_rows(first, head, evaluations)}\n"
 
 
@@ -216,9 +217,8 @@ def main():
             (DRAWN, generate(generator, os.path.join(args.work, "drawn"), "--random-styles", "--seed", str(DRAWN_SEED)))]
     sets += [tuple(further.split("=", 1)) for further in args.further]
 
-    gallery = os.path.join(args.work, "gallery")
-    if not os.path.isdir(gallery):
-        subprocess.run([generator, "--gallery", gallery], check=True)
+    gallery = generate(generator, os.path.join(args.work, "gallery"), shapes="--gallery")
+    training = generate(generator, os.path.join(args.work, "training"), shapes="--training")
 
     sections = []
     for name, pairs, title in EXPERIMENTS:
@@ -236,9 +236,9 @@ def main():
                 worse = args.labelled[1:]
             out = os.path.join(args.work, "out", set_name.replace(" ", "_"))
             os.makedirs(out, exist_ok=True)
-            text = table(args, programs, data, worse, name, pairs, out, sets[0][1])
+            text = table(args, programs, data, worse, name, pairs, out, training)
             words = ["experiments", name, "DATA", *("FURTHER_DATA" if name in NOTES else os.path.basename(w) for w in worse)] + (["--pairs", str(pairs)] if pairs else [])
-            words += ["--generated", "benchmark"] if name == "constants" else []
+            words += ["--generated", "training"] if name == "constants" else []
             note = NOTES[name] + "\n\n" if name in NOTES else ""
             sections.append(f"## {title}: {set_name}\n\n`{' '.join(words)}`\n\n{note}{text}\n")
             print(name, set_name, flush=True)
@@ -247,7 +247,7 @@ def main():
     if args.labelled and (not only or "roles" in only):
         out = os.path.join(args.work, "out")
         os.makedirs(out, exist_ok=True)
-        sections += roles_sections(args, sets[0][1], out)
+        sections += roles_sections(args, training, out)
     if only and os.path.exists(args.results):
         sections = with_kept(sections, args.results)
     if args.princeton and (not only or "princeton" in only):

@@ -51,7 +51,7 @@ of the training.
   --role-weight W          compare the correspondences of least energy, by exact search, without roles and with roles of this
                            weight in the energy; 0, the default: compare matching by parts
   --pairs N                match at most N pairs of a category and folder (45), unless the folder has a pairs.json
-  --trees N                trees in the forest of a category (100)
+  --trees N                trees in the forest of a category (80)
   --seed N                 of the trees and of the intervals (0)
   --cache FOLDER           keep structural graphs there
   --json FILE              write the evaluation, the weights and all pairs

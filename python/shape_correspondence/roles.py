@@ -71,7 +71,7 @@ def predict(shape: Input, model: Optional[Model] = None, *, category: str = "", 
     return PartRoles.from_dict(json.loads(_core.predict_roles(graph._handle, known, category)))
 
 
-def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: int = 100, seed: int = 0,
+def train(shapes: Union[Path, Sequence[Union[Path, LabelledShape]]], *, trees: int = 80, seed: int = 0,
           cache: Optional[Path] = None, threads: int = 0, progress: Progress = None) -> RoleModel:
     """Learns a role model. A category should have at least five shapes; twenty or more are better.
 

@@ -118,7 +118,7 @@ struct Labelled_graph
 /// Options of `train_role_model()`.
 struct Role_training_options
 {
-  int trees = 100;        ///< number of trees in the forest of a category, from 1 to 1000
+  int trees = 80;         ///< number of trees in the forest of a category, from 1 to 1000
   std::uint64_t seed = 0; ///< seed of the random numbers
 };
 
