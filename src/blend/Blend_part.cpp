@@ -47,6 +47,15 @@ Point Blend_part::place(const Carried_point& p, double progress, double remainin
   return is_reflected ? mirrored(result) : result;
 }
 
+void append(Part_mesh& all, const Part_mesh& mesh)
+{
+  const Eigen::Index points = all.points.cols(), triangles = all.triangles.cols();
+  all.points.conservativeResize(3, points + mesh.points.cols());
+  all.points.rightCols(mesh.points.cols()) = mesh.points;
+  all.triangles.conservativeResize(3, triangles + mesh.triangles.cols());
+  all.triangles.rightCols(mesh.triangles.cols()) = mesh.triangles.array() + int(points);
+}
+
 void Blend_part::set_ends()
 {
   stands = true;
@@ -98,27 +107,6 @@ bool reaches_out(const Blend_stage& stage, int end, std::size_t part, const std:
   return (beyond.array() > much * stage.boxes[std::size_t(end)].sizes().array()).any();
 }
 
-/// The axes of a part's box, for mirror images alike.
-Eigen::Matrix3d axes_of_box(const Blend_stage& stage, int end, std::size_t part)
-{
-  const auto e = std::size_t(end);
-  const auto axes = [&](std::size_t i) {
-    return box_axes(stage.meshes[e][i].points, stage.charted[e].charts[i].axes());
-  };
-  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
-  const std::size_t image = stage.images[e][part];
-  if (image == Mirror_images::none) return axes(part);
-  return image == part || axes(image) == upright ? upright : axes(part);
-}
-
-/// Points with the mirror images of those of the mirror image.
-std::vector<Point> with_mirrored(std::vector<Point> points, const std::vector<Point>& of_image)
-{
-  for (const Point& p : of_image)
-    points.push_back(mirrored(p));
-  return points;
-}
-
 std::vector<Point> places_of(const Carried_part& part)
 {
   std::vector<Point> result;
@@ -128,8 +116,7 @@ std::vector<Point> places_of(const Carried_part& part)
 }
 
 /// The part of a shape that goes.
-/// \param image its mirror image, if that goes, too
-Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried, const Carried_part* image,
+Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried,
                           const std::vector<Blend_part>& parts)
 {
   const auto e = std::size_t(end);
@@ -138,15 +125,15 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   result.name = end == 0 ? name + '~' : '~' + name;
   result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
   (end == 0 ? result.task.source : result.task.target) = carried.part;
-  const Part_mesh& mesh = stage.meshes[e][carried.part];
   for (const Root& root : carried.roots)
     result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
-  const std::vector<Point> none;
+  const Part_mesh& mesh = stage.meshes[e][carried.part];
+  const Part_chart& chart = stage.charted[e].charts[carried.part];
+  const bool has_image = stage.images[e][carried.part] != Mirror_images::none;  // which is to draw back alike
   const bool is_ring = stage.charted[e].parts[carried.part]->is_closed_curve(); // its chart is that of its box
   result.retreat = std::make_shared<Retreating_part>(
-      mesh, is_ring ? nullptr : &stage.charted[e].charts[carried.part], axes_of_box(stage, end, carried.part),
-      with_mirrored(places_of(carried), image ? places_of(*image) : none),
-      with_mirrored(carried.joints, image ? image->joints : none), image == &carried);
+      mesh, is_ring ? nullptr : &chart, has_image ? Eigen::Matrix3d::Identity() : box_axes(mesh.points, chart.axes()),
+      places_of(carried), carried.joints);
   result.set_ends();
   result.is_needed = result.stands || !carried.joints.empty() || reaches_out(stage, end, carried.part, parts);
   return result;
@@ -175,15 +162,10 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
     for (const auto& [s, t] : unlike)
       corresponds[end == 0 ? s : t] = 1;
     const std::vector<Carried_part> going = carried_parts(stage, end, stays);
-    std::vector<const Carried_part*> by_number(stays.size());
-    for (const Carried_part& carried : going)
-      by_number[carried.part] = &carried;
     std::vector<char> is_needed(stays.size(), 0), is_unlike(stays.size(), 0); // by chain, which goes as a whole
     const std::size_t first = parts.size();
     for (const Carried_part& carried : going) {
-      const std::size_t image = stage.images[std::size_t(end)][carried.part];
-      parts.push_back(
-          unmatched_part(stage, end, carried, image == Mirror_images::none ? nullptr : by_number[image], parts));
+      parts.push_back(unmatched_part(stage, end, carried, parts));
       is_needed[carried.chain] = is_needed[carried.chain] || parts.back().is_needed;
       is_unlike[carried.chain] = is_unlike[carried.chain] || corresponds[carried.part];
     }

@@ -180,7 +180,7 @@ TEST_CASE("A bent rod between others thins to its curve, where it is")
   part.geometry = Curve{spine, false};
   const auto chart = internal::Part_chart::around(part, spine, bow.points);
   const std::vector<Point> ends = {{-1, 0, 0}, {1, 0, 0}};
-  const internal::Retreating_part retreating(bow, &chart, Eigen::Matrix3d::Identity(), ends, ends, false);
+  const internal::Retreating_part retreating(bow, &chart, Eigen::Matrix3d::Identity(), ends, ends);
   const double remaining = 0.125, left = std::cbrt(remaining);
   const Points points = retreating.points(remaining);
   double farthest = 0;
