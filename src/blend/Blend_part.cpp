@@ -107,6 +107,27 @@ bool reaches_out(const Blend_stage& stage, int end, std::size_t part, const std:
   return (beyond.array() > much * stage.boxes[std::size_t(end)].sizes().array()).any();
 }
 
+/// The axes of a part's box, for mirror images alike.
+Eigen::Matrix3d axes_of_box(const Blend_stage& stage, int end, std::size_t part)
+{
+  const auto e = std::size_t(end);
+  const auto axes = [&](std::size_t i) {
+    return box_axes(stage.meshes[e][i].points, stage.charted[e].charts[i].axes());
+  };
+  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+  const std::size_t image = stage.images[e][part];
+  if (image == Mirror_images::none) return axes(part);
+  return image == part || axes(image) == upright ? upright : axes(part);
+}
+
+/// Points with the mirror images of those of the mirror image.
+std::vector<Point> with_mirrored(std::vector<Point> points, const std::vector<Point>& of_image)
+{
+  for (const Point& p : of_image)
+    points.push_back(mirrored(p));
+  return points;
+}
+
 std::vector<Point> places_of(const Carried_part& part)
 {
   std::vector<Point> result;
@@ -116,7 +137,8 @@ std::vector<Point> places_of(const Carried_part& part)
 }
 
 /// The part of a shape that goes.
-Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried,
+/// \param image its mirror image, if that goes, too: both draw back alike
+Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried, const Carried_part* image,
                           const std::vector<Blend_part>& parts)
 {
   const auto e = std::size_t(end);
@@ -129,11 +151,11 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
     result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
   const Part_mesh& mesh = stage.meshes[e][carried.part];
   const Part_chart& chart = stage.charted[e].charts[carried.part];
-  const bool has_image = stage.images[e][carried.part] != Mirror_images::none;  // which is to draw back alike
   const bool is_ring = stage.charted[e].parts[carried.part]->is_closed_curve(); // its chart is that of its box
   result.retreat = std::make_shared<Retreating_part>(
-      mesh, is_ring ? nullptr : &chart, has_image ? Eigen::Matrix3d::Identity() : box_axes(mesh.points, chart.axes()),
-      places_of(carried), carried.joints);
+      mesh, is_ring ? nullptr : &chart, axes_of_box(stage, end, carried.part),
+      with_mirrored(places_of(carried), image ? places_of(*image) : std::vector<Point>()),
+      with_mirrored(carried.joints, image ? image->joints : std::vector<Point>()));
   result.set_ends();
   result.is_needed = result.stands || !carried.joints.empty() || reaches_out(stage, end, carried.part, parts);
   return result;
@@ -162,10 +184,15 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
     for (const auto& [s, t] : unlike)
       corresponds[end == 0 ? s : t] = 1;
     const std::vector<Carried_part> going = carried_parts(stage, end, stays);
+    std::vector<const Carried_part*> by_number(stays.size());
+    for (const Carried_part& carried : going)
+      by_number[carried.part] = &carried;
     std::vector<char> is_needed(stays.size(), 0), is_unlike(stays.size(), 0); // by chain, which goes as a whole
     const std::size_t first = parts.size();
     for (const Carried_part& carried : going) {
-      parts.push_back(unmatched_part(stage, end, carried, parts));
+      const std::size_t image = stage.images[std::size_t(end)][carried.part];
+      parts.push_back(
+          unmatched_part(stage, end, carried, image == Mirror_images::none ? nullptr : by_number[image], parts));
       is_needed[carried.chain] = is_needed[carried.chain] || parts.back().is_needed;
       is_unlike[carried.chain] = is_unlike[carried.chain] || corresponds[carried.part];
     }

@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {

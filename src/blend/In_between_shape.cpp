@@ -6,6 +6,7 @@
 #include "blend/ease.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {

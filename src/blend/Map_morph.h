@@ -9,6 +9,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {

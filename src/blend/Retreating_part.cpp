@@ -15,8 +15,6 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double no_extent = 1e-6; // of the height
-
 using Roots = std::vector<Point>;
 
 Point mean(const Roots& roots)
@@ -60,6 +58,7 @@ struct Part_box : Oriented_box
   /// How far points are spread along an axis, over the extent of the part.
   double spread(const Roots& points, int axis) const
   {
+    constexpr double no_extent = 1e-6; // of the height
     const auto at = [&](const Point& a, const Point& b) { return axes.col(axis).dot(a) < axes.col(axis).dot(b); };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), at);
     return low == points.end() ? 0 : axes.col(axis).dot(*high - *low) / std::max(extents[axis], no_extent);

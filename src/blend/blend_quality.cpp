@@ -10,8 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iomanip>
-#include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>

@@ -13,13 +13,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
-
-constexpr std::size_t none = Blend_task::no_part;
 
 /// Whether a map does not do: the surface is torn or turned over on the way.
 bool is_torn(const Map_morph& morph)
@@ -78,7 +79,7 @@ private:
       const std::pair<std::size_t, std::size_t> image = {stage_.images[0][s], stage_.images[1][t]};
       const auto found = std::lower_bound(paired.begin(), paired.end(), image);
       const bool is_paired = found != paired.end() && *found == image;
-      images_.push_back(is_paired ? std::size_t(found - paired.begin()) : none);
+      images_.push_back(is_paired ? std::size_t(found - paired.begin()) : Blend_task::no_part);
     }
   }
 
@@ -89,7 +90,7 @@ private:
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       for (Use* use : {&uses_[0][pairs_[i].source], &uses_[1][pairs_[i].target]}) {
         ++use->count;
-        use->all_have_images = use->all_have_images && images_[i] != none;
+        use->all_have_images = use->all_have_images && images_[i] != Blend_task::no_part;
       }
   }
 

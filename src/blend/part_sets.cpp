@@ -16,8 +16,6 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr std::size_t none = Blend_task::no_part;
-
 void insert(std::vector<std::size_t>& numbers, std::size_t number)
 {
   const auto at = std::lower_bound(numbers.begin(), numbers.end(), number);
@@ -46,11 +44,11 @@ std::size_t image_of(const Blend_stage& stage, const std::vector<Part_set>& sets
   for (std::size_t end : {0u, 1u})
     for (std::size_t part : sets[number].parts[end]) {
       const std::size_t image = stage.images[end][part];
-      if (image == Mirror_images::none) return none;
+      if (image == Mirror_images::none) return Blend_task::no_part;
       insert(images[end], image);
     }
   const auto found = std::find_if(sets.begin(), sets.end(), [&](const Part_set& set) { return set.parts == images; });
-  return found == sets.end() ? none : std::size_t(found - sets.begin());
+  return found == sets.end() ? Blend_task::no_part : std::size_t(found - sets.begin());
 }
 
 Part_mesh mesh_of(const Blend_stage& stage, const Part_set& set, std::size_t end, bool in_mirror)
@@ -108,21 +106,21 @@ std::vector<Part_set> connected_sets(const Blend_stage& stage, const Part_pairs&
 
 void add_sets(const Blend_stage& stage, const std::vector<Part_set>& sets, std::vector<Blend_part>& parts)
 {
-  std::vector<std::size_t> images, numbers(sets.size(), none);
+  std::vector<std::size_t> images, numbers(sets.size(), Blend_task::no_part);
   std::vector<std::shared_ptr<const Field_morph>> morphs;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     images.push_back(image_of(stage, sets, i));
     morphs.push_back(morph_of(stage, sets[i], images[i] < i));
   }
   for (std::size_t i = 0, next = parts.size(); i < sets.size(); ++i)
-    if (morphs[i] && (images[i] == none || morphs[images[i]])) numbers[i] = next++;
+    if (morphs[i] && (images[i] == Blend_task::no_part || morphs[images[i]])) numbers[i] = next++;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (numbers[i] == none) continue;
+    if (numbers[i] == Blend_task::no_part) continue;
     Blend_part part;
     part.task = task_of(sets[i]);
     part.name = stage.charted[0].parts[part.task.source]->name + '~' + stage.charted[1].parts[part.task.target]->name;
     part.is_reflected = images[i] < i;
-    part.image = images[i] == none ? none : numbers[images[i]];
+    part.image = images[i] == Blend_task::no_part ? Blend_task::no_part : numbers[images[i]];
     part.morph = morphs[i];
     part.set_ends();
     parts.push_back(std::move(part));
