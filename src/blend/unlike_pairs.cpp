@@ -18,8 +18,6 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-using Part_pair = Part_pairs::value_type;
-
 // Of the extents: of parts, of sets of parts, and of pieces
 constexpr double most_change = 2, most_change_of_sets = 1.5, most_change_divided = 1.2;
 
@@ -109,7 +107,7 @@ Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given)
                                               std::vector<char>(stage.meshes[1].size(), 0)};
   for (const auto& [s, t] : given)
     is_used[0][s] = is_used[1][t] = 1;
-  std::vector<std::pair<Steps, Part_pair>> alike; // by how little they overlap
+  std::vector<std::pair<Steps, Part_pairs::value_type>> alike; // by how little they overlap
   for (std::size_t s = 0; s < is_used[0].size(); ++s)
     for (std::size_t t = 0; t < is_used[1].size(); ++t) {
       if (is_used[0][s] || is_used[1][t]) continue;
@@ -159,7 +157,7 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, P
     known = is_divided ? difference.is_too_much_for_pieces() : difference.is_too_much_for_parts();
   }
   const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
-                                                  [&](const Part_pair& pair) { return !is_unlike[sets[pair.first]]; });
+                                                  [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });
   Part_pairs result(first_unlike, paired.end());
   paired.erase(first_unlike, paired.end());
   return result;
