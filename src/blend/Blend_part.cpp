@@ -47,6 +47,15 @@ Point Blend_part::place(const Carried_point& p, double progress, double remainin
   return is_reflected ? mirrored(result) : result;
 }
 
+void append(Part_mesh& all, const Part_mesh& mesh)
+{
+  const Eigen::Index points = all.points.cols(), triangles = all.triangles.cols();
+  all.points.conservativeResize(3, points + mesh.points.cols());
+  all.points.rightCols(mesh.points.cols()) = mesh.points;
+  all.triangles.conservativeResize(3, triangles + mesh.triangles.cols());
+  all.triangles.rightCols(mesh.triangles.cols()) = mesh.triangles.array() + int(points);
+}
+
 void Blend_part::set_ends()
 {
   stands = true;
@@ -128,7 +137,7 @@ std::vector<Point> places_of(const Carried_part& part)
 }
 
 /// The part of a shape that goes.
-/// \param image its mirror image, if that goes, too
+/// \param image its mirror image, if that goes, too: both draw back alike
 Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part& carried, const Carried_part* image,
                           const std::vector<Blend_part>& parts)
 {
@@ -138,15 +147,15 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   result.name = end == 0 ? name + '~' : '~' + name;
   result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
   (end == 0 ? result.task.source : result.task.target) = carried.part;
-  const Part_mesh& mesh = stage.meshes[e][carried.part];
   for (const Root& root : carried.roots)
     result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
-  const std::vector<Point> none;
+  const Part_mesh& mesh = stage.meshes[e][carried.part];
+  const Part_chart& chart = stage.charted[e].charts[carried.part];
   const bool is_ring = stage.charted[e].parts[carried.part]->is_closed_curve(); // its chart is that of its box
   result.retreat = std::make_shared<Retreating_part>(
-      mesh, is_ring ? nullptr : &stage.charted[e].charts[carried.part], axes_of_box(stage, end, carried.part),
-      with_mirrored(places_of(carried), image ? places_of(*image) : none),
-      with_mirrored(carried.joints, image ? image->joints : none), image == &carried);
+      mesh, is_ring ? nullptr : &chart, axes_of_box(stage, end, carried.part),
+      with_mirrored(places_of(carried), image ? places_of(*image) : std::vector<Point>()),
+      with_mirrored(carried.joints, image ? image->joints : std::vector<Point>()));
   result.set_ends();
   result.is_needed = result.stands || !carried.joints.empty() || reaches_out(stage, end, carried.part, parts);
   return result;

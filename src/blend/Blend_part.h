@@ -7,16 +7,15 @@
 #include "blend/Rest_surface.h"
 #include "blend/Retreating_part.h"
 #include "blend/carriers.h"
-#include "blend/change_times.h"
 #include "map/Charted_mesh.h"
 #include "map/matched_members.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +29,24 @@ struct Carried_point
   std::array<Point, 2> coordinates; ///< in the part's own coordinates, by end
   std::array<Point, 2> offsets;     ///< from where the part has the coordinates to the point, by end
 };
+
+/// When, on the way of parts that come in the place of others, the new ones come and the old ones go.
+struct Change_times
+{
+  std::array<double, 2> come, go;
+
+  /// How much there is of what an end has.
+  double remaining(int end, double progress) const
+  {
+    const auto done = [&](const std::array<double, 2>& times) {
+      return std::clamp((progress - times[0]) / (times[1] - times[0]), 0., 1.);
+    };
+    return end == 0 ? 1 - done(go) : done(come);
+  }
+};
+
+/// First those come that the shape needs to stand, or to hang together; the others wait until there is room for them.
+constexpr Change_times of_needed = {{0.15, 0.45}, {0.45, 0.75}}, of_others = {{0.4, 0.75}, {0.15, 0.5}};
 
 /// A part of the shapes in between: what becomes of one part, of a piece of one, or of several together. If it is
 /// matched, it has surfaces that follow each other; if not, one. Ends are numbered: 0 is the source, 1 the target.
@@ -54,6 +71,8 @@ struct Blend_part
   std::vector<Rest_surface> rests;     ///< by surface
   double size = 0;                     ///< the longer diagonal of the boxes of its surfaces
 
+  /// How high the lowest point of one that stands is due.
+  double due_foot(double progress) const { return (1 - progress) * foot[0] + progress * foot[1]; }
   bool has_image() const { return image != Blend_task::no_part; }
   /// Of an unmatched part that changes when its like do.
   const Change_times& change_times() const { return is_needed ? of_needed : of_others; }
@@ -92,6 +111,9 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
 /// Adds the parts of both ends that become no part.
 /// \param unlike pairs that correspond but do not morph
 void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
+
+/// Adds the surface of another part to one.
+void append(Part_mesh& all, const Part_mesh& mesh);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

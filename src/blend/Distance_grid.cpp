@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -15,8 +14,6 @@ namespace {
 
 constexpr int most_cells = 36, least_cells = 10; // along an axis of the box
 constexpr int margin = 3;                        // points around the box
-constexpr double unknown = std::numeric_limits<double>::infinity();
-constexpr std::size_t none = std::size_t(-1);
 
 } // namespace
 
@@ -80,57 +77,30 @@ std::size_t Distance_grid::flood(std::size_t seed, bool diagonal, std::vector<ch
   return result;
 }
 
-/// The points of the surface nearest to all points of the grid: triangles are handed on from point to point, beginning
-/// with those in whose boxes a point is (Tsai 2002, "Rapid and accurate computation of the distance function").
-std::vector<Point> Distance_grid::nearest_points(const std::vector<contacts::Triangle>& triangles) const
+/// The points of the surface nearest to all points of the grid: what is nearest to one is likely to be near the next.
+std::vector<Point> Distance_grid::nearest_points(const Part_mesh& surface) const
 {
-  std::vector<Point> result(number_of_points());
-  std::vector<double> squared(result.size(), unknown);
-  std::vector<std::size_t> nearest(result.size(), none);
-  const auto improve = [&](std::size_t p, std::size_t triangle) {
-    if (triangle == none || triangle == nearest[p]) return;
-    const Point candidate = contacts::nearest_on_triangle(at(p), triangles[triangle]);
-    const double distance = (candidate - at(p)).squaredNorm();
-    if (distance >= squared[p]) return;
-    squared[p] = distance;
-    nearest[p] = triangle;
-    result[p] = candidate;
-  };
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const contacts::Box box = contacts::box_of(triangles[t]);
-    const Eigen::Array3d from = ((box.min() - low_).array() - thickness()) / spacing_.array();
-    const Eigen::Array3d to = ((box.max() - low_).array() + thickness()) / spacing_.array();
-    const auto first = [&](int axis) { return std::max(0, int(std::ceil(from[axis]))); };
-    const auto last = [&](int axis) { return std::min(counts_[std::size_t(axis)] - 1, int(std::floor(to[axis]))); };
-    for (int k = first(2); k <= last(2); ++k)
-      for (int j = first(1); j <= last(1); ++j)
-        for (int i = first(0); i <= last(0); ++i)
-          improve(index(i, j, k), t);
-  }
-  const auto improve_by_neighbours = [&](std::size_t p) {
-    visit_neighbours(p, true, [&](std::size_t next) { improve(p, nearest[next]); });
-  };
-  for (std::size_t p = 0; p < result.size(); ++p)
-    improve_by_neighbours(p);
-  for (std::size_t p = result.size(); p-- > 0;)
-    improve_by_neighbours(p);
+  const contacts::Triangle_tree tree = tree_of(surface.points, surface.triangles);
+  std::vector<Point> result;
+  std::size_t triangle = 0;
+  for (std::size_t p = 0; p < number_of_points(); ++p)
+    result.push_back(tree.nearest(at(p), triangle));
   return result;
 }
 
 /// The point of the grid nearest to `p`.
 std::size_t Distance_grid::nearest_grid_point(const Point& p) const
 {
+  const Point steps = (p - low_).cwiseQuotient(spacing_);
   Cell c{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto i = Eigen::Index(axis);
-    c[axis] = std::clamp(int(std::lround((p[i] - low_[i]) / spacing_[i])), 0, counts_[axis] - 1);
-  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    c[axis] = std::clamp(int(std::lround(steps[Eigen::Index(axis)])), 0, counts_[axis] - 1);
   return index(c[0], c[1], c[2]);
 }
 
 Distance_grid::Values Distance_grid::signed_distances(const Part_mesh& surface) const
 {
-  const std::vector<Point> nearest = nearest_points(triangles_of(surface));
+  const std::vector<Point> nearest = nearest_points(surface);
   Values distances(nearest.size());
   for (std::size_t p = 0; p < distances.size(); ++p)
     distances[p] = (nearest[p] - at(p)).norm();

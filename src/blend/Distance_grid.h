@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "shape/triangle_distance.h"
-
 #include <CGAL/Shape_correspondence/Points.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -60,7 +58,7 @@ private:
   void visit_neighbours(std::size_t point, bool diagonal, const Visit& visit) const;
   template <typename Is_in>
   std::size_t flood(std::size_t seed, bool diagonal, std::vector<char>& is_reached, const Is_in& is_in) const;
-  std::vector<Point> nearest_points(const std::vector<contacts::Triangle>& triangles) const;
+  std::vector<Point> nearest_points(const Part_mesh& surface) const;
   std::size_t nearest_grid_point(const Point& p) const;
 
   Point half_extents_, spacing_, low_;

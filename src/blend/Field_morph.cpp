@@ -76,8 +76,7 @@ struct Field_morph::Fields
   }
 };
 
-Field_morph::Field_morph(const Pair_charts& boxes, const Part_mesh& source, const Part_mesh& target)
-    : source_(boxes.source), target_(boxes.target)
+Field_morph::Field_morph(const Pair_charts& boxes, const Part_mesh& source, const Part_mesh& target) : Part_morph(boxes)
 {
   constexpr int level_sets = 8;
   constexpr double least_common = 0.5;  // of the smaller inside
@@ -131,18 +130,11 @@ bool Field_morph::add_level_set(const Fields& fields, double share)
 /// A surface goes with the box.
 Points Field_morph::points(int surface, double t) const
 {
-  const Part_chart chart = Part_chart::between(source_, target_, t);
+  const Part_chart chart = chart_at(t);
   Points result = surfaces_[std::size_t(surface)].points;
   for (Eigen::Index i = 0; i < result.cols(); ++i)
     result.col(i) = chart(result.col(i));
   return result;
-}
-
-Point Field_morph::coordinates(int end, const Point& p) const { return (end == 0 ? source_ : target_).coordinates(p); }
-
-Point Field_morph::place(const Point& coordinates, double t) const
-{
-  return Part_chart::between(source_, target_, t)(coordinates);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

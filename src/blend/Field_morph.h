@@ -5,7 +5,6 @@
 
 #include "blend/Distance_grid.h"
 #include "blend/Part_morph.h"
-#include "map/Piece_pair.h"
 
 #include <array>
 #include <cstddef>
@@ -29,15 +28,12 @@ public:
   const std::vector<double>& changes() const override { return changes_; }
   const Eigen::Matrix3Xi& triangles(int surface) const override { return surfaces_[std::size_t(surface)].triangles; }
   Points points(int surface, double t) const override;
-  Point coordinates(int end, const Point& p) const override;
-  Point place(const Point& coordinates, double t) const override;
 
 private:
   struct Fields;
 
   bool add_level_set(const Fields& fields, double share);
 
-  Part_chart source_, target_;
   std::vector<double> changes_;
   std::vector<Part_mesh> surfaces_; ///< in coordinates of the box
 };

@@ -3,10 +3,10 @@
 
 #include "blend/In_between_shape.h"
 
-#include "blend/change_times.h"
 #include "blend/ease.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -173,7 +173,7 @@ void In_between_shape::put_on_ground(std::size_t part)
   const bool hangs = own.retreat && !own.roots[0].carriers.empty();
   const double most_stretch = hangs ? most_stretch_hanging : most_stretch_standing, least_stretch = 1 / most_stretch;
   const double low = points_[part].row(1).minCoeff(), high = points_[part].row(1).maxCoeff();
-  const double level = own.stands ? (1 - progress_[part]) * own.foot[0] + progress_[part] * own.foot[1] : 0;
+  const double level = own.stands ? own.due_foot(progress_[part]) : 0;
   if (!own.stands && low >= 0) return;
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
   const double stretch = high - low > no_extent ? (high - level) / (high - low) : 0;

@@ -3,44 +3,38 @@
 
 #include "blend/Map_morph.h"
 
-#include "blend/smooth_places.h"
 #include "map/Charted_mesh.h"
-#include "map/Piece_pair.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 
-Map_morph::Map_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target,
-                     const std::optional<bool>& forward)
-    : source_(charts.source), target_(charts.target)
+Map_morph::Map_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target) : Part_morph(charts)
 {
   constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
-  Charted_mesh a = finely_charted(source, source_, longest_edge);
-  Charted_mesh b = finely_charted(target, target_, longest_edge);
-  for (Charted_mesh* mesh : {&a, &b}) {
-    outlines_.emplace_back(source_.is_sheet(), mesh->coordinates);
-    for (Eigen::Index i = 0; i < mesh->coordinates.cols(); ++i)
-      mesh->coordinates.col(i) = outlines_.back().relative(mesh->coordinates.col(i));
+  constexpr double shortest = 0.1;     // share of the time, so that what has a short way does not take it in an instant
+  for (int end : {0, 1}) {
+    Part_chart& chart = end == 0 ? charts_.source : charts_.target;
+    Charted_mesh mesh = finely_charted(end == 0 ? source : target, chart, longest_edge);
+    outlines_.emplace_back(chart.is_sheet(), mesh.coordinates);
+    for (Eigen::Index i = 0; i < mesh.coordinates.cols(); ++i)
+      mesh.coordinates.col(i) = outlines_.back().relative(mesh.coordinates.col(i));
+    surfaces_.emplace_back(mesh);
   }
-  if (forward) {
-    forward_ = *forward;
-    surfaces_ = forward_ ? surface_pair(a, b) : surface_pair(b, a);
-  } else {
-    Surface_pair ahead = surface_pair(a, b), back = surface_pair(b, a);
-    forward_ = ahead.second.reach() <= back.second.reach();
-    surfaces_ = std::move(forward_ ? ahead : back);
-  }
-  changes_ = {forward_ ? surfaces_.change : 1 - surfaces_.change};
+  Moving_surface &first = surfaces_[0], &second = surfaces_[1];
+  first.lay(1, second.coordinates[1], second.offsets[1], second.triangles);
+  second.lay(0, first.coordinates[1], first.offsets[0], first.triangles);
+  const double both = first.reach() + second.reach();
+  first.end = second.begin = both > 0 ? std::clamp(first.reach() / both, shortest, 1 - shortest) : 1;
+  changes_ = {first.end};
 }
 
 double Map_morph::turned_share(int surface) const
 {
   constexpr double turned = 0.5; // cosine
-  const Moving_surface& mesh = moving(surface);
-  const Point extents = (source_.half_extents() + target_.half_extents()) / 2;
+  const Moving_surface& mesh = surfaces_[std::size_t(surface)];
+  const Point extents = (chart(0).half_extents() + chart(1).half_extents()) / 2;
   double sum = 0, all = 0;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const auto normal = [&](const Points& at) -> Point {
@@ -58,15 +52,14 @@ double Map_morph::turned_share(int surface) const
 Points Map_morph::points(int surface, double t) const
 {
   constexpr double instant = 1e-12; // the least time for a motion
-  const Part_chart chart = Part_chart::between(source_, target_, t);
+  const Part_chart chart = chart_at(t);
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
-  const Moving_surface& mesh = moving(surface);
-  const double own_time = forward_ ? t : 1 - t;
-  const double moved = std::clamp((own_time - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
+  const Moving_surface& mesh = surfaces_[std::size_t(surface)];
+  const double moved = std::clamp((t - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
   Points result(3, mesh.coordinates[0].cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
     const Point k = outline.absolute((1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i));
-    const Point off = (1 - own_time) * mesh.offsets[0].col(i) + own_time * mesh.offsets[1].col(i);
+    const Point off = (1 - t) * mesh.offsets[0].col(i) + t * mesh.offsets[1].col(i);
     result.col(i) = chart(k) + chart.frame(k) * off;
   }
   return result;
@@ -74,13 +67,13 @@ Points Map_morph::points(int surface, double t) const
 
 Point Map_morph::coordinates(int end, const Point& p) const
 {
-  return outlines_[std::size_t(end)].relative((end == 0 ? source_ : target_).coordinates(p));
+  return outlines_[std::size_t(end)].relative(Part_morph::coordinates(end, p));
 }
 
 Point Map_morph::place(const Point& coordinates, double t) const
 {
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
-  return Part_chart::between(source_, target_, t)(outline.absolute(coordinates));
+  return Part_morph::place(outline.absolute(coordinates), t);
 }
 
 double Map_morph::Moving_surface::reach() const
@@ -88,37 +81,19 @@ double Map_morph::Moving_surface::reach() const
   return std::sqrt((coordinates[1] - coordinates[0]).colwise().squaredNorm().maxCoeff());
 }
 
-Map_morph::Moving_surface Map_morph::at_rest(const Charted_mesh& mesh)
-{
-  Moving_surface result;
-  result.triangles = mesh.triangles;
-  result.coordinates = {mesh.coordinates, mesh.coordinates};
-  result.offsets = {mesh.offsets, mesh.offsets};
-  return result;
-}
+Map_morph::Moving_surface::Moving_surface(const Charted_mesh& mesh)
+    : triangles(mesh.triangles), coordinates{mesh.coordinates, mesh.coordinates}, offsets{mesh.offsets, mesh.offsets}
+{}
 
-Map_morph::Surface_pair Map_morph::surface_pair(const Charted_mesh& a, const Charted_mesh& b)
+void Map_morph::Moving_surface::lay(std::size_t when, const Points& onto, const Points& onto_offsets,
+                                    const Eigen::Matrix3Xi& onto_triangles)
 {
-  constexpr double shortest = 0.1; // share of the time, so that what has a short way does not take it in an instant
-  Surface_pair result;
-  Moving_surface& first = result.first = at_rest(a);
-  const std::vector<Mesh_place> there = smooth_places(a.coordinates, a.triangles, b.coordinates, b.triangles);
-  for (Eigen::Index i = 0; i < a.points.cols(); ++i) {
-    const Mesh_place& place = there[std::size_t(i)];
-    first.coordinates[1].col(i) = place.of(b.coordinates, b.triangles);
-    first.offsets[1].col(i) = place.of(b.offsets, b.triangles);
+  const contacts::Triangle_tree tree = tree_of(onto, onto_triangles);
+  for (Eigen::Index i = 0; i < coordinates[when].cols(); ++i) {
+    const Mesh_place place = nearest_place(tree, coordinates[when].col(i));
+    coordinates[when].col(i) = place.of(onto, onto_triangles);
+    offsets[when].col(i) = place.of(onto_offsets, onto_triangles);
   }
-  Moving_surface& second = result.second = at_rest(b);
-  const std::vector<Mesh_place> back = smooth_places(b.coordinates, b.triangles, first.coordinates[1], a.triangles);
-  for (Eigen::Index i = 0; i < b.points.cols(); ++i) {
-    const Mesh_place& place = back[std::size_t(i)];
-    second.coordinates[0].col(i) = place.of(first.coordinates[1], a.triangles);
-    second.offsets[0].col(i) = place.of(a.offsets, a.triangles);
-  }
-  const double first_reach = first.reach(), both = first_reach + second.reach();
-  result.change = both > 0 ? std::clamp(first_reach / both, shortest, 1 - shortest) : 1;
-  first.end = second.begin = result.change;
-  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,9 +3,12 @@
 
 #pragma once
 
+#include "map/Piece_pair.h"
+
 #include <CGAL/Shape_correspondence/Points.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -15,6 +18,8 @@ namespace CGAL::Shape_correspondence::internal {
 class Part_morph
 {
 public:
+  /// \param charts of both ends, between which it is laid on the way
+  explicit Part_morph(Pair_charts charts) : charts_(std::move(charts)) {}
   virtual ~Part_morph() = default;
 
   /// When one surface takes over from the one before it, in order.
@@ -31,8 +36,14 @@ public:
   virtual Points points(int surface, double t) const = 0;
 
   /// Coordinates of a point at an end, and where such coordinates are at `t`, before the surfaces fit in exactly.
-  virtual Point coordinates(int end, const Point& p) const = 0;
-  virtual Point place(const Point& coordinates, double t) const = 0;
+  virtual Point coordinates(int end, const Point& p) const { return chart(end).coordinates(p); }
+  virtual Point place(const Point& coordinates, double t) const { return chart_at(t)(coordinates); }
+
+protected:
+  const Part_chart& chart(int end) const { return end == 0 ? charts_.source : charts_.target; }
+  Part_chart chart_at(double t) const { return Part_chart::between(charts_.source, charts_.target, t); }
+
+  Pair_charts charts_;
 };
 
 } // namespace CGAL::Shape_correspondence::internal

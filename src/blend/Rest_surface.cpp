@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <map>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -37,18 +36,10 @@ double squared_longest_edge(const Points& points, const Eigen::Vector3i& corners
 /// By point, the first one in the same place.
 std::vector<int> places_of(const Points& points)
 {
-  const auto less = [&](int a, int b) {
-    for (int axis = 0; axis < 3; ++axis)
-      if (points(axis, a) != points(axis, b)) return points(axis, a) < points(axis, b);
-    return a < b;
-  };
-  std::vector<int> order(std::size_t(points.cols())), result(order.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), less);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_first = i == 0 || points.col(order[i]) != points.col(order[i - 1]);
-    result[std::size_t(order[i])] = is_first ? order[i] : result[std::size_t(order[i - 1])];
-  }
+  std::map<std::array<double, 3>, int> first;
+  std::vector<int> result;
+  for (int i = 0; i < int(points.cols()); ++i)
+    result.push_back(first.emplace(std::array<double, 3>{points(0, i), points(1, i), points(2, i)}, i).first->second);
   return result;
 }
 
@@ -77,29 +68,15 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
 void Rest_surface::find_edges(const Points& points)
 {
   const std::vector<int> places = places_of(points);
-  struct Side
-  {
-    std::array<int, 2> ends;
-    int triangle;
-    bool operator<(const Side& other) const
-    {
-      return ends != other.ends ? ends < other.ends : triangle < other.triangle;
-    }
-  };
-  std::vector<Side> sides;
-  sides.reserve(std::size_t(3 * triangles_.cols()));
+  std::map<std::pair<int, int>, std::vector<int>> sides; // by ends, the triangles
   for (int t = 0; t < int(triangles_.cols()); ++t)
     for (int i = 0; i < 3; ++i) {
-      const auto [a, b] =
-          std::minmax(places[std::size_t(triangles_(i, t))], places[std::size_t(triangles_((i + 1) % 3, t))]);
-      sides.push_back({{a, b}, t});
+      const int a = places[std::size_t(triangles_(i, t))], b = places[std::size_t(triangles_((i + 1) % 3, t))];
+      sides[std::minmax(a, b)].push_back(t);
     }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    while (last < sides.size() && sides[last].ends == sides[first].ends)
-      ++last;
-    if (last - first == 2) smooth_.push_back({sides[first].triangle, sides[first + 1].triangle});
-    is_closed_ = is_closed_ && (last - first) % 2 == 0;
+  for (const auto& [ends, triangles] : sides) {
+    if (triangles.size() == 2) smooth_.push_back({triangles[0], triangles[1]});
+    is_closed_ = is_closed_ && triangles.size() % 2 == 0;
   }
 }
 

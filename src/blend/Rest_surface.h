@@ -5,8 +5,6 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {

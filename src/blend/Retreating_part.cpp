@@ -3,8 +3,9 @@
 
 #include "blend/Retreating_part.h"
 
+#include "shape/oriented_box.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -14,8 +15,6 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double no_extent = 1e-6; // of the height
-
 using Roots = std::vector<Point>;
 
 Point mean(const Roots& roots)
@@ -24,29 +23,16 @@ Point mean(const Roots& roots)
 }
 
 /// The box around a part along its axes, the longest one first.
-struct Part_box
+struct Part_box : Oriented_box
 {
-  Part_box(const Points& surface, const Eigen::Matrix3d& axes)
-  {
-    const Points turned = axes.transpose() * surface;
-    const Point low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
-    std::array<int, 3> order = {0, 1, 2};
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return high[a] - low[a] > high[b] - low[b]; });
-    for (int i = 0; i < 3; ++i) {
-      directions.col(i) = axes.col(order[std::size_t(i)]);
-      half[i] = (high[order[std::size_t(i)]] - low[order[std::size_t(i)]]) / 2;
-    }
-    middle = axes * (low + high) / 2;
-  }
-
   /// On which side of the middle along an axis all roots are; 0 if on none, or on both.
   int side(const Roots& roots, int axis) const
   {
     constexpr double aside = 0.3; // of the half extent
     int result = 0;
     for (const Point& root : roots) {
-      const double at = directions.col(axis).dot(root - middle);
-      const int side = std::abs(at) < aside * half[axis] ? 0 : at < 0 ? -1 : 1;
+      const double at = axes.col(axis).dot(root - centre);
+      const int side = std::abs(at) < aside * extents[axis] / 2 ? 0 : at < 0 ? -1 : 1;
       if (side == 0 || side == -result) return 0;
       result = side;
     }
@@ -61,7 +47,7 @@ struct Part_box
     return {};
   }
 
-  bool is_rod() const { return half[1] <= rod * half[0]; }
+  bool is_rod() const { return extents[1] <= rod * extents[0]; }
 
   /// Whether there are roots at an end of the longest axis, -1 or 1.
   bool has_roots_at(const Roots& roots, int end) const
@@ -72,11 +58,10 @@ struct Part_box
   /// How far points are spread along an axis, over the extent of the part.
   double spread(const Roots& points, int axis) const
   {
-    const auto at = [&](const Point& a, const Point& b) {
-      return directions.col(axis).dot(a) < directions.col(axis).dot(b);
-    };
+    constexpr double no_extent = 1e-6; // of the height
+    const auto at = [&](const Point& a, const Point& b) { return axes.col(axis).dot(a) < axes.col(axis).dot(b); };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), at);
-    return low == points.end() ? 0 : directions.col(axis).dot(*high - *low) / std::max(2 * half[axis], no_extent);
+    return low == points.end() ? 0 : axes.col(axis).dot(*high - *low) / std::max(extents[axis], no_extent);
   }
 
   /// The axes along which points are spread most, two at most; of a rod at most its length.
@@ -95,33 +80,31 @@ struct Part_box
   }
 
   static constexpr double rod = 0.3; ///< the most of its middle extent over the longest
-  Eigen::Matrix3d directions;
-  Point half, middle;
 };
 
-/// Those that are lowest along an axis.
-Roots lowest(const Roots& roots, int axis)
+/// The lowest ones.
+Roots lowest(const Roots& roots)
 {
   constexpr double same = 0.05; // of the height
-  double low = roots[0][axis];
+  double low = roots[0].y();
   for (const Point& root : roots)
-    low = std::min(low, root[axis]);
+    low = std::min(low, root.y());
   Roots result;
   for (const Point& root : roots)
-    if (root[axis] <= low + same) result.push_back(root);
+    if (root.y() <= low + same) result.push_back(root);
   return result;
 }
 
 } // namespace
 
 Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart, const Eigen::Matrix3d& axes,
-                                 const Roots& roots, const Roots& joints, bool is_own_image)
-    : mesh_(mesh), is_own_image_(is_own_image), staying_(Eigen::Matrix3d::Zero())
+                                 const Roots& roots, const Roots& joints)
+    : mesh_(mesh), staying_(Eigen::Matrix3d::Zero())
 {
-  const Part_box box(mesh.points, axes);
+  const Part_box box{box_along(mesh.points, axes)};
   const auto thin = [&](const std::vector<int>& along) {
     for (int axis : along)
-      staying_ += box.directions.col(axis) * box.directions.col(axis).transpose();
+      staying_ += box.axes.col(axis) * box.axes.col(axis).transpose();
     if (chart && along == (chart->is_sheet() ? std::vector<int>{0, 1} : std::vector<int>{0})) chart_ = *chart;
     ends_.resize(3, mesh.points.cols());
     for (Eigen::Index i = 0; i < ends_.cols(); ++i)
@@ -132,14 +115,13 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart,
     thin(axes_between);
     return;
   }
-  const Roots low =
-      lowest(roots, 1); // what is carried at several ends grows upwards, or from the back, unless it is a rod
+  // What is carried at several ends grows upwards, unless it is a rod
   const bool spans = box.is_rod() && box.has_roots_at(roots, -1) && box.has_roots_at(roots, 1);
   if (!spans)
-    for (const Roots& some : {roots, low, lowest(low, 2)})
+    for (const Roots& some : {roots, lowest(roots)})
       if (const std::optional<int> axis = box.retreat(some)) {
         root_ = mean(some);
-        vanishing_ = box.directions.col(*axis) * box.directions.col(*axis).transpose();
+        vanishing_ = box.axes.col(*axis) * box.axes.col(*axis).transpose();
         return;
       }
   root_ = mean(roots);
@@ -162,13 +144,9 @@ Eigen::Matrix3d Retreating_part::scale(double remaining) const
 Point Retreating_part::end_of(const Point& p) const
 {
   if (!chart_) return root_ + staying_ * (p - root_);
-  const auto on_chart = [&](const Point& at) {
-    Point k = chart_->coordinates(at);
-    k.tail(chart_->is_sheet() ? 1 : 2).setZero();
-    return (*chart_)(k);
-  };
-  const Point flip(-1, 1, 1);
-  return is_own_image_ ? Point((on_chart(p) + flip.cwiseProduct(on_chart(flip.cwiseProduct(p)))) / 2) : on_chart(p);
+  Point k = chart_->coordinates(p);
+  k.tail(chart_->is_sheet() ? 1 : 2).setZero();
+  return (*chart_)(k);
 }
 
 // By the cube root: quickly out of what would be as thin as a hair

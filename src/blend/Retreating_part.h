@@ -27,9 +27,8 @@ public:
   /// \param axes of its box, a rotation
   /// \param roots where it is carried
   /// \param joints where it touches others, if it is of a chain that joins parts that nothing else joins
-  /// \param is_own_image whether it is its own mirror image
   Retreating_part(const Part_mesh& mesh, const Part_chart* chart, const Eigen::Matrix3d& axes,
-                  const std::vector<Point>& roots, const std::vector<Point>& joints, bool is_own_image);
+                  const std::vector<Point>& roots, const std::vector<Point>& joints);
 
   const Eigen::Matrix3Xi& triangles() const { return mesh_.triangles; }
   /// The middle of those of its roots that it draws back to.
@@ -45,9 +44,8 @@ private:
 
   Part_mesh mesh_;
   Point root_;
-  Points ends_;                     ///< where the points go if it thins; else none
-  std::optional<Part_chart> chart_; ///< to whose curve or sheet it thins; else to the axes that stay
-  bool is_own_image_ = false;
+  Points ends_;                         ///< where the points go if it thins; else none
+  std::optional<Part_chart> chart_;     ///< to whose curve or sheet it thins; else to the axes that stay
   Eigen::Matrix3d vanishing_, staying_; ///< the ways from the root that vanish first, and not: projections onto axes
 };
 

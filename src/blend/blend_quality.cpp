@@ -10,8 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iomanip>
-#include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -53,24 +54,41 @@ const std::vector<Blend_measure>& blend_measures()
 namespace internal {
 namespace {
 
+/// What is said of each measure that exceeds its tolerance, in the order of `blend_measures()`: capitals stand for the
+/// measure and for the parts where it is worst.
+constexpr const char* sentences[] = {
+    "The shape is higher or lower than is due by SHARE.",
+    "The convex hull is larger or smaller than is due by SHARE.",
+    "The volume is larger or smaller than is due by SHARE.",
+    "Of the parts that are due to stand on the ground, SHARE do not.",
+    "FIRST, which both ends have, is larger or smaller than is due by SHARE.",
+    "FIRST turns by NUMBER radians more than it has to.",
+    "FIRST is NUMBER of the height off its way.",
+    "The contact of FIRST and SECOND is open by NUMBER of the height.",
+    "Parts are farther from all others than at the ends by NUMBER of the height.",
+    "It is farther from its mirror image than the ends by NUMBER of the height, most of all FARTHEST.",
+    "The foot of FIRST is NUMBER of the height SIDE its place on the ground.",
+    "FIRST is thinner than at the ends by SHARE.",
+    "The surface is larger than at the ends by SHARE, most of all that of FIRST.",
+    "SHARE of the surface are torn or folded, most of all at FIRST.",
+    "SHARE of the surface have gone into other parts, most of all FIRST into SECOND."};
+
 /// A measure of a shape, and the parts where it is worst.
 struct Worst_parts
 {
   double value = 0;
   std::array<std::size_t, 2> parts{}; ///< the same twice where it is a measure of one
+  double sum = 0;                     ///< over all parts
 
   void improve(double other, std::size_t a, std::size_t b)
   {
-    if (other > value) value = other, parts = {a, b};
+    sum += other;
+    if (std::abs(other) > std::abs(value)) value = other, parts = {a, b};
   }
-  void improve(double other, std::size_t part) { improve(other, part, part); }
 };
 
 /// By which share something is larger, or smaller, than is due.
 double off_due(double value, double due) { return due > 0 ? std::abs(value / due - 1) : 0; }
-
-/// Between volumes, as if lengths were between.
-double due_volume(double a, double b, double t) { return std::pow((1 - t) * std::cbrt(a) + t * std::cbrt(b), 3); }
 
 /// Measures a shape part by part.
 class Shape_measure
@@ -84,31 +102,32 @@ public:
       extents_[part] = rest(part).extent(shape.points(part));
       area_ += extents_[part].area;
     }
+    worst_ = {{off_due(box().sizes().y(), shape.due_box().sizes().y())},
+              {off_due(hull_volume(surfaces()), due_volume(look(0).hull, look(1).hull))},
+              {off_due(volume(), due_volume(look(0).volume, look(1).volume))},
+              {support()},
+              gone(),
+              rotation(),
+              travel(),
+              gap(),
+              {apart()},
+              {blend().is_symmetric ? mirror_residual(surfaces(), trees_) : 0},
+              lifted_foot(),
+              thinning(),
+              area(),
+              torn(),
+              overlap()};
   }
 
   Blend_quality quality() const
   {
     Blend_quality result;
-    const double t = shape_.progress();
-    result.height = off_due(box().sizes().y(), shape_.due_box().sizes().y());
-    result.hull = off_due(hull_volume(surfaces()), due_volume(look(0).hull, look(1).hull, t));
-    result.volume = off_due(volume(), due_volume(look(0).volume, look(1).volume, t));
-    result.support = support();
-    result.gone = gone().value;
-    result.rotation = rotation().value;
-    result.travel = travel().value;
-    result.gap = gap().value;
-    result.apart = apart();
-    if (blend().is_symmetric) result.asymmetry = mirror_residual(surfaces(), trees_);
-    result.ground = std::abs(lifted_foot().value);
-    result.thinning = thinning().value;
-    result.area = area().value;
-    result.torn = torn().value;
-    result.overlap = overlap().value;
+    for (std::size_t i = 0; i < worst_.size(); ++i)
+      result.*blend_measures()[i].value = std::abs(worst_[i].value);
     return result;
   }
 
-  std::vector<std::string> faults(const Blend_quality& quality) const;
+  std::vector<std::string> faults() const;
 
 private:
   const Blend_structure& blend() const { return shape_.blend(); }
@@ -121,6 +140,18 @@ private:
   const contacts::Box& end_box(std::size_t i, int end) const
   {
     return part(i).trees[std::size_t(part(i).end_surface(end))].box();
+  }
+
+  /// What is due between the ends.
+  template <typename Value>
+  Value due(const Value& source, const Value& target) const
+  {
+    return (1 - shape_.progress()) * source + shape_.progress() * target;
+  }
+  /// Between volumes, as if lengths were between.
+  double due_volume(double source, double target) const
+  {
+    return std::pow(due(std::cbrt(source), std::cbrt(target)), 3);
   }
 
   std::vector<const Points*> surfaces() const
@@ -152,41 +183,39 @@ private:
     double standing = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i)
       if (shape_.is_there(i)) standing += trees_[i]->box().min().y() <= Blend_part::on_ground;
-    const double due = (1 - shape_.progress()) * look(0).supports + shape_.progress() * look(1).supports;
-    return due > 0 ? std::max(0., 1 - standing / due) : 0;
+    const double supports = due(look(0).supports, look(1).supports);
+    return supports > 0 ? std::max(0., 1 - standing / supports) : 0;
+  }
+
+  template <typename Measure>
+  Worst_parts worst_matched(const Measure& measure) const
+  {
+    Worst_parts worst;
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      if (part(i).morph) worst.improve(measure(i), i, i);
+    return worst;
   }
 
   Worst_parts gone() const
   {
-    Worst_parts worst;
-    for (std::size_t i = 0; i < extents_.size(); ++i) {
-      if (!part(i).morph) continue;
-      const auto across = [](const contacts::Box& box) { return box.diagonal().norm(); };
-      const double t = shape_.progress(), due = (1 - t) * across(end_box(i, 0)) + t * across(end_box(i, 1));
-      worst.improve(off_due(across(trees_[i]->box()), due), i);
-    }
-    return worst;
+    const auto across = [](const contacts::Box& box) { return box.diagonal().norm(); };
+    return worst_matched([&](std::size_t i) {
+      return off_due(across(trees_[i]->box()), due(across(end_box(i, 0)), across(end_box(i, 1))));
+    });
   }
 
   Worst_parts rotation() const
   {
-    Worst_parts worst;
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      worst.improve(part(i).needless_turn, i);
-    return worst;
+    return worst_matched([&](std::size_t i) { return part(i).needless_turn; });
   }
 
-  /// Of matched parts, from the way between their places in the boxes of the shapes.
+  /// From the straight way.
   Worst_parts travel() const
   {
-    Worst_parts worst;
-    for (std::size_t i = 0; i < extents_.size(); ++i) {
-      if (!part(i).morph) continue;
-      const double t = shape_.progress();
-      const Point due = (1 - t) * end_box(i, 0).center() + t * end_box(i, 1).center();
-      worst.improve((trees_[i]->box().center() - due).norm(), i);
-    }
-    return worst;
+    return worst_matched([&](std::size_t i) {
+      const Point at_source = end_box(i, 0).center(), at_target = end_box(i, 1).center();
+      return (trees_[i]->box().center() - due(at_source, at_target)).norm();
+    });
   }
 
   /// Of two parts that are left over, the one that becomes the other need not keep contacts.
@@ -198,7 +227,7 @@ private:
       const auto [a, b] = contact.parts;
       if (!stays(a) || !stays(b)) continue;
       const double allowed = contact.allowed_gap(shape_.progress());
-      worst.improve(std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed, a, b);
+      worst.improve(std::max(0., std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed), a, b);
     }
     return worst;
   }
@@ -214,52 +243,40 @@ private:
   /// How far a part that stands at both ends is above the height of its foot there, or below (negative).
   Worst_parts lifted_foot() const
   {
-    Worst_parts worst;
-    for (std::size_t i = 0; i < extents_.size(); ++i) {
-      if (!part(i).morph || !part(i).stands) continue;
-      const double t = shape_.progress(i), due = (1 - t) * part(i).foot[0] + t * part(i).foot[1];
-      const double lifted = trees_[i]->box().min().y() - due;
-      if (std::abs(lifted) > std::abs(worst.value)) worst = {lifted, {i, i}};
-    }
-    return worst;
+    return worst_matched([&](std::size_t i) {
+      return part(i).stands ? trees_[i]->box().min().y() - part(i).due_foot(shape_.progress(i)) : 0;
+    });
   }
 
   Worst_parts thinning() const
   {
-    Worst_parts worst;
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (part(i).morph) worst.improve(thinning_of(part(i).rests.front(), part(i).rests.back(), extents_[i]), i);
-    return worst;
+    return worst_matched(
+        [&](std::size_t i) { return thinning_of(part(i).rests.front(), part(i).rests.back(), extents_[i]); });
   }
 
   /// By what share the surface is larger than at the ends, with the part that is over its own most.
   Worst_parts area() const
   {
     Worst_parts worst;
-    double sum = 0;
     for (std::size_t i = 0; i < extents_.size(); ++i) {
-      if (!shape_.is_there(i)) continue;
       const double at_ends = std::max(part(i).rests.front().extent().area, part(i).rests.back().extent().area);
-      worst.improve(extents_[i].area - at_ends, i);
-      sum += extents_[i].area;
+      worst.improve(std::max(0., extents_[i].area - at_ends), i, i);
     }
     const double most = std::max(look(0).area, look(1).area);
-    worst.value = most > 0 ? std::max(0., sum / most - 1) : 0;
+    worst.value = most > 0 ? std::max(0., area_ / most - 1) : 0;
     return worst;
+  }
+
+  /// Areas as a share of the whole surface.
+  Worst_parts share(Worst_parts areas) const
+  {
+    areas.value = area_ > 0 ? areas.sum / area_ : 0;
+    return areas;
   }
 
   Worst_parts torn() const
   {
-    Worst_parts worst;
-    double sum = 0;
-    for (std::size_t i = 0; i < extents_.size(); ++i) {
-      if (!shape_.is_there(i) || !part(i).morph) continue;
-      const double area = rest(i).torn_area(shape_.points(i), extents_[i]);
-      worst.improve(area, i);
-      sum += area;
-    }
-    worst.value = area_ > 0 ? sum / area_ : 0;
-    return worst;
+    return share(worst_matched([&](std::size_t i) { return rest(i).torn_area(shape_.points(i), extents_[i]); }));
   }
 
   /// How much of the surface is inside other parts, more than at the ends; what thins or thickens may be.
@@ -272,22 +289,17 @@ private:
         seen.push_back(
             {i, rest(i).samples(shape_.points(i)), &*trees_[i], rest(i).is_closed(), extents_[i].volume > 0});
     Worst_parts worst;
-    double sum = 0;
-    for (const auto& [pair, share] : overlaps_of(seen)) {
-      double known = 0;
-      for (std::size_t end : {0u, 1u}) {
-        const auto found = look(end).overlaps.find(pair);
-        if (found != look(end).overlaps.end()) known = std::max(known, found->second);
-      }
-      if (share - known < least_share) continue;
-      const double area = (share - known) * extents_[pair[0]].area;
-      worst.improve(area, pair[0], pair[1]);
-      sum += area;
+    for (const auto& [pair, inside] : overlaps_of(seen)) {
+      double more = inside;
+      for (std::size_t end : {0u, 1u})
+        if (const auto found = look(end).overlaps.find(pair); found != look(end).overlaps.end())
+          more = std::min(more, inside - found->second);
+      if (more >= least_share) worst.improve(more * extents_[pair[0]].area, pair[0], pair[1]);
     }
-    worst.value = area_ > 0 ? sum / area_ : 0;
-    return worst;
+    return share(worst);
   }
 
+  std::string fault(std::size_t measure) const;
   std::string most_asymmetric() const;
   std::string quoted(std::size_t i) const { return '\'' + part(i).name + '\''; }
 
@@ -295,9 +307,8 @@ private:
   const In_between_shape::Trees trees_;
   std::vector<Surface_extent> extents_; ///< by part
   double area_ = 0;
+  std::vector<Worst_parts> worst_; ///< by measure
 };
-
-std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 std::string two_digits(double value)
 {
@@ -306,81 +317,61 @@ std::string two_digits(double value)
   return text.str();
 }
 
-double end_asymmetry(const Blend_structure& blend) { return std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]); }
+/// What the ends have of a measure themselves, which is no fault.
+double at_ends(const Blend_measure& measure, const Blend_structure& blend)
+{
+  const bool is_asymmetry = measure.value == &Blend_quality::asymmetry;
+  return is_asymmetry ? std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]) : 0;
+}
+
+/// A measure over its tolerance: 1 and less is no fault.
+double over_tolerance(const Blend_measure& measure, const Blend_quality& quality, const Blend_structure& blend)
+{
+  return std::max(0., quality.*measure.value - at_ends(measure, blend)) / measure.tolerance;
+}
 
 /// The parts that are farthest from the mirror image of the shape, and how far.
 std::string Shape_measure::most_asymmetric() const
 {
   constexpr std::size_t most_named = 3;
-  std::vector<double> asymmetry(extents_.size(), 0);
-  for (std::size_t i = 0; i < asymmetry.size(); ++i)
-    if (shape_.is_there(i)) asymmetry[i] = mirror_residual({&shape_.points(i)}, trees_);
-  std::vector<std::size_t> order(asymmetry.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return quantized(asymmetry[a]) > quantized(asymmetry[b]); });
+  std::vector<std::pair<Steps, std::size_t>> order;
+  for (std::size_t i = 0; i < extents_.size(); ++i)
+    if (shape_.is_there(i)) order.emplace_back(-quantized(mirror_residual({&shape_.points(i)}, trees_)), i);
+  std::sort(order.begin(), order.end());
   std::string result;
-  for (std::size_t i = 0; i < std::min(most_named, order.size()); ++i) {
-    if (asymmetry[order[i]] <= end_asymmetry(blend()) + Shape_blend::symmetry_tolerance) break;
-    result += (i > 0 ? ", " : "") + quoted(order[i]) + " by " + two_digits(asymmetry[order[i]]);
-    if (!part(order[i]).has_image()) result += " (it has no mirror image)";
+  const double most = std::max(blend().end_asymmetry[0], blend().end_asymmetry[1]) + Shape_blend::symmetry_tolerance;
+  for (std::size_t n = 0; n < std::min(most_named, order.size()); ++n) {
+    const auto [steps, i] = order[n];
+    const double asymmetry = -double(steps) * comparison_grid;
+    if (asymmetry <= most) break;
+    result += (n > 0 ? ", " : "") + quoted(i) + " by " + two_digits(asymmetry);
+    if (!part(i).has_image()) result += " (it has no mirror image)";
   }
   return result;
 }
 
-std::vector<std::string> Shape_measure::faults(const Blend_quality& quality) const
+std::string Shape_measure::fault(std::size_t measure) const
+{
+  const Worst_parts& worst = worst_[measure];
+  const double value = std::abs(worst.value) - at_ends(blend_measures()[measure], blend());
+  std::string result = sentences[measure];
+  const auto put = [&](const std::string& word, const std::string& text) {
+    if (const std::size_t at = result.find(word); at != std::string::npos) result.replace(at, word.size(), text);
+  };
+  put("SHARE", std::to_string(std::lround(100 * value)) + " %");
+  put("NUMBER", two_digits(value));
+  put("SIDE", worst.value > 0 ? "above" : "below");
+  if (blend_measures()[measure].value == &Blend_quality::asymmetry) put("FARTHEST", most_asymmetric());
+  put("SECOND", quoted(worst.parts[1]));
+  put("FIRST", quoted(worst.parts[0]));
+  return result;
+}
+
+std::vector<std::string> Shape_measure::faults() const
 {
   std::vector<std::string> result;
-  const auto is_over = [&](double Blend_quality::*value) {
-    const auto& all = blend_measures();
-    const auto measure = std::find_if(all.begin(), all.end(), [&](const auto& other) { return other.value == value; });
-    const double most = measure->tolerance + (value == &Blend_quality::asymmetry ? end_asymmetry(blend()) : 0);
-    return quality.*value > most;
-  };
-  const auto add = [&](const std::string& fault) { result.push_back(fault); };
-  if (is_over(&Blend_quality::height))
-    add("The shape is higher or lower than is due by " + percent(quality.height) + '.');
-  if (is_over(&Blend_quality::hull))
-    add("The convex hull is larger or smaller than is due by " + percent(quality.hull) + '.');
-  if (is_over(&Blend_quality::volume))
-    add("The volume is larger or smaller than is due by " + percent(quality.volume) + '.');
-  if (is_over(&Blend_quality::support))
-    add("Of the parts that are due to stand on the ground, " + percent(quality.support) + " do not.");
-  if (is_over(&Blend_quality::gone))
-    add(quoted(gone().parts[0]) + ", which both ends have, is larger or smaller than is due by " +
-        percent(quality.gone) + '.');
-  if (is_over(&Blend_quality::rotation))
-    add(quoted(rotation().parts[0]) + " turns by " + two_digits(quality.rotation) + " radians more than it has to.");
-  if (is_over(&Blend_quality::travel))
-    add(quoted(travel().parts[0]) + " is " + two_digits(quality.travel) + " of the height off its way.");
-  if (is_over(&Blend_quality::gap)) {
-    const auto [a, b] = gap().parts;
-    add("The contact of " + quoted(a) + " and " + quoted(b) + " is open by " + two_digits(quality.gap) +
-        " of the height.");
-  }
-  if (is_over(&Blend_quality::apart))
-    add("Parts are farther from all others than at the ends by " + two_digits(quality.apart) + " of the height.");
-  if (is_over(&Blend_quality::asymmetry))
-    add("It is farther from its mirror image than the ends by " +
-        two_digits(quality.asymmetry - end_asymmetry(blend())) + " of the height, most of all " + most_asymmetric() +
-        '.');
-  if (is_over(&Blend_quality::ground)) {
-    const Worst_parts foot = lifted_foot();
-    add("The foot of " + quoted(foot.parts[0]) + " is " + two_digits(std::abs(foot.value)) + " of the height " +
-        (foot.value > 0 ? "above" : "below") + " its place on the ground.");
-  }
-  if (is_over(&Blend_quality::thinning))
-    add(quoted(thinning().parts[0]) + " is thinner than at the ends by " + percent(quality.thinning) + '.');
-  if (is_over(&Blend_quality::area))
-    add("The surface is larger than at the ends by " + percent(quality.area) + ", most of all that of " +
-        quoted(area().parts[0]) + '.');
-  if (is_over(&Blend_quality::torn))
-    add(percent(quality.torn) + " of the surface are torn or folded, most of all at " + quoted(torn().parts[0]) + '.');
-  if (is_over(&Blend_quality::overlap)) {
-    const auto [a, b] = overlap().parts;
-    add(percent(quality.overlap) + " of the surface have gone into other parts, most of all " + quoted(a) + " into " +
-        quoted(b) + '.');
-  }
+  for (std::size_t i = 0; i < worst_.size(); ++i)
+    if (over_tolerance(blend_measures()[i], quality(), blend()) > 1) result.push_back(fault(i));
   return result;
 }
 
@@ -391,17 +382,14 @@ Blend_quality quality(const In_between_shape& shape) { return Shape_measure(shap
 Blend_check check(const In_between_shape& shape)
 {
   const Shape_measure measure(shape);
-  const Blend_quality quality = measure.quality();
-  return {quality, measure.faults(quality)};
+  return {measure.quality(), measure.faults()};
 }
 
 double cost_of(const Blend_quality& quality, const Blend_structure& blend)
 {
   double result = 0;
-  for (const Blend_measure& measure : blend_measures()) {
-    const double own = measure.value == &Blend_quality::asymmetry ? end_asymmetry(blend) : 0;
-    result += std::max(0., quality.*measure.value - own) / measure.tolerance;
-  }
+  for (const Blend_measure& measure : blend_measures())
+    result += over_tolerance(measure, quality, blend);
   return result;
 }
 

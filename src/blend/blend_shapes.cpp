@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/In_between_cache.h"
 #include "blend/blend_quality.h"
 #include "blend/ease.h"
 #include "blend/schedules.h"
@@ -16,7 +15,6 @@
 #include <array>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -65,16 +63,9 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   Correspondence likely = correspondence;
   remove_unlikely_pairs(likely, options.min_confidence);
   blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);
-  std::vector<Blend_schedule> schedules = plausible_schedules(blend_->parts);
-  choose(schedules, options.schedule);
-  rank(schedules, *blend_, options);
-  set_schedules(std::move(schedules));
-}
-
-void Shape_blend::set_schedules(std::vector<Blend_schedule> schedules)
-{
-  schedules_ = std::move(schedules);
-  shapes_ = std::make_shared<In_between_cache>(blend_, times_of(schedules_[0]));
+  schedules_ = plausible_schedules(blend_->parts);
+  choose(schedules_, options.schedule);
+  rank(schedules_, *blend_, options);
 }
 
 std::vector<std::string> Shape_blend::schedule_names()
@@ -96,7 +87,7 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
     };
     if (std::any_of(result.begin(), result.end(), is_alike)) continue;
     result.push_back(*this);
-    result.back().set_schedules({schedule});
+    result.back().schedules_ = {schedule};
   }
   return result;
 }
@@ -105,8 +96,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 {
   if (t <= 0) return blend_->shapes[0];
   if (t >= 1) return blend_->shapes[1];
-  const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
-  const In_between_shape& shape = *in_between;
+  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
   Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->shapes[0].up());
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
     if (!shape.is_there(part)) continue;
@@ -118,7 +108,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 
 Blend_check Shape_blend::check(double t) const
 {
-  if (t > 0 && t < 1) return internal::check(*shapes_->at(t));
+  if (t > 0 && t < 1) return internal::check(In_between_shape(*blend_, times_of(schedules_[0]), t));
   Blend_check result;
   result.quality.asymmetry = blend_->end_asymmetry[t <= 0 ? 0 : 1];
   return result;
@@ -154,8 +144,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
 std::vector<Points> Shape_blend::points(double t) const
 {
   std::vector<Points> result;
-  const std::shared_ptr<const In_between_shape> in_between = shapes_->at(t);
-  const In_between_shape& shape = *in_between;
+  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
     for (int surface = 0; surface < shape.part(part).number_of_surfaces(); ++surface)
       result.push_back(blend_->to_world(shape.points(part, surface), eased(t)));

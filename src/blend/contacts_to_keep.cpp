@@ -11,8 +11,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {

@@ -4,7 +4,6 @@
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
 #include "blend/Map_morph.h"
-#include "blend/leftover_pairs.h"
 #include "blend/pair_boxes.h"
 #include "blend/part_sets.h"
 #include "blend/unlike_pairs.h"
@@ -14,42 +13,32 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <cstddef>
+#include <iterator>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr std::size_t none = Blend_task::no_part;
-
-/// Whether, and why, a map does not do: the surface is torn, turned over or far thinner on the way, or another one
-/// where the one takes over from the other.
-Blend_obstacle fault_of(const Map_morph& morph)
+/// Whether a map does not do: the surface is torn or turned over on the way.
+bool is_torn(const Map_morph& morph)
 {
   constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
-  constexpr double most_area = 1.3;    // of either surface over the other, where both are to be the same
-  constexpr double most_turned = 0.12; // of either surface
-  std::vector<Rest_surface> rests;
-  for (int end : {0, 1})
-    rests.emplace_back(morph.points(end, end), morph.triangles(end));
+  constexpr double most_turned = 0.12;                          // of either surface
+  if (std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned) return true;
   const double change = morph.changes()[0];
-  std::vector<std::pair<int, double>> samples = {{0, change}, {1, change}};
-  for (double t : {0.25, 0.5, 0.75})
-    if (t != change) samples.emplace_back(morph.surface(t), t);
-  double torn = 0, thinning = 0;
-  for (const auto& [surface, t] : samples) {
-    const Rest_surface& rest = rests[std::size_t(surface)];
-    const Points points = morph.points(surface, t);
-    const Surface_extent extent = rest.extent(points);
-    if (extent.area > 0) torn = std::max(torn, rest.torn_area(points, extent) / extent.area);
-    thinning = std::max(thinning, thinning_of(rests[0], rests[1], extent));
+  for (int surface : {0, 1}) {
+    const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
+    for (double t : {0.25, 0.5, 0.75, change}) {
+      if (t != change && morph.surface(t) != surface) continue;
+      const Points points = morph.points(surface, t);
+      const Surface_extent extent = rest.extent(points);
+      if (rest.torn_area(points, extent) > most_torn * extent.area) return true;
+    }
   }
-  const double before = rests[0].extent(morph.points(0, change)).area;
-  const double after = rests[1].extent(morph.points(1, change)).area;
-  if (torn > most_torn || std::max(before, after) > most_area * std::min(before, after) ||
-      std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned)
-    return Blend_obstacle::TORN;
-  return thinning > Shape_blend::thinning_tolerance ? Blend_obstacle::THIN : Blend_obstacle::NONE;
+  return false;
 }
 
 /// Makes the parts of a blend from pairs of pieces.
@@ -62,20 +51,16 @@ public:
   {
     find_images(paired);
     find_uses();
-    turn_own_images();
   }
 
   /// \param torn gets the pairs that have no map; their parts have no morph
   std::vector<Blend_part> parts(Torn_pairs& torn) const
   {
-    std::vector<Making> makings;
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      makings.push_back(making(i, images_[i] < i ? &makings[images_[i]] : nullptr));
     std::vector<Blend_part> result;
-    for (Making& making : makings) {
-      const Blend_task& task = making.part.task;
-      if (task.obstacle != Blend_obstacle::NONE) torn.emplace(std::pair(task.source, task.target), task.obstacle);
-      result.push_back(std::move(making.part));
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      Blend_part made = part(i, images_[i] < i ? &result[images_[i]] : nullptr);
+      if (!made.morph) torn.emplace(made.task.source, made.task.target);
+      result.push_back(std::move(made));
     }
     return result;
   }
@@ -94,7 +79,7 @@ private:
       const std::pair<std::size_t, std::size_t> image = {stage_.images[0][s], stage_.images[1][t]};
       const auto found = std::lower_bound(paired.begin(), paired.end(), image);
       const bool is_paired = found != paired.end() && *found == image;
-      images_.push_back(is_paired ? std::size_t(found - paired.begin()) : none);
+      images_.push_back(is_paired ? std::size_t(found - paired.begin()) : Blend_task::no_part);
     }
   }
 
@@ -105,20 +90,8 @@ private:
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       for (Use* use : {&uses_[0][pairs_[i].source], &uses_[1][pairs_[i].target]}) {
         ++use->count;
-        use->all_have_images = use->all_have_images && images_[i] != none;
+        use->all_have_images = use->all_have_images && images_[i] != Blend_task::no_part;
       }
-  }
-
-  /// Turns pairs that are their own mirror images so that they stay that, or makes them upright.
-  void turn_own_images()
-  {
-    is_upright_.resize(pairs_.size(), 0);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (images_[i] != i) continue;
-      const std::optional<Eigen::Matrix3d> turn = mirrored_turn(pairs_[i], stage_.charted[0], stage_.charted[1]);
-      is_upright_[i] = !turn;
-      if (turn) pairs_[i].turn = *turn;
-    }
   }
 
   /// Images need pieces that are images, too: all pairs of a part in the mirror or none.
@@ -138,77 +111,45 @@ private:
     return task;
   }
 
-  /// A part while it is not decided how it becomes its counterpart.
-  struct Making
-  {
-    Blend_part part;
-    std::array<Part_mesh, 2> pieces;
-    Pair_charts boxes;
-    std::vector<Pair_charts> charts; ///< by which it may morph, the better ones first
-    std::optional<bool> forward;
-    std::shared_ptr<Map_morph> morph;
-  };
-
-  /// \param image its mirror image, if it is there, which becomes its counterpart in the same way
-  Making making(std::size_t number, const Making* image) const
+  /// \param image its mirror image, if that is there: what has no map has none for its image either
+  Blend_part part(std::size_t number, const Blend_part* image) const
   {
     const Piece_pair& pair = pairs_[number];
-    Making result;
-    Blend_part& part = result.part;
-    part.name = stage_.charted[0].parts[pair.source]->name + '~' + stage_.charted[1].parts[pair.target]->name;
-    part.task = task_of(pair);
-    part.image = images_[number];
-    part.is_reflected = part.image < number && has_images(pair) && has_images(pairs_[part.image]);
-    const std::size_t charted_as = part.is_reflected ? part.image : number;
+    Blend_part result;
+    result.name = stage_.charted[0].parts[pair.source]->name + '~' + stage_.charted[1].parts[pair.target]->name;
+    result.task = task_of(pair);
+    result.image = images_[number];
+    result.is_reflected = result.image < number && has_images(pair) && has_images(pairs_[result.image]);
+    if (image && !image->morph) return result;
+    const std::size_t charted_as = result.is_reflected ? result.image : number;
     const Piece_pair& charted = pairs_[charted_as];
-    result.pieces = {piece(0, pair.source, charted.source, charted.source_piece, part.is_reflected),
-                     piece(1, pair.target, charted.target, charted.target_piece, part.is_reflected)};
-    if (image && image->morph) result.forward = image->morph->is_forward();
-    result.boxes = boxes(result, charted_as);
-    set_charts(result, charted_as);
-    choose_charts(result, image ? image->part.task.obstacle : Blend_obstacle::NONE);
+    const Part_mesh source = piece(0, pair.source, charted.source, charted.source_piece, result.is_reflected);
+    const Part_mesh target = piece(1, pair.target, charted.target, charted.target_piece, result.is_reflected);
+    const std::vector<Pair_charts> all = charts(charted_as, source.points, target.points);
+    for (const Pair_charts& charts : all) {
+      const auto morph = std::make_shared<const Map_morph>(charts, source, target);
+      if (is_torn(*morph)) continue;
+      result.morph = morph;
+      result.needless_turn = turn(charts) - std::min(turn(all.front()), turn(all.back()));
+      result.set_ends();
+      break;
+    }
     return result;
   }
 
-  /// Those of the boxes and, unless they turn the part more than boxes do to make up for what boxes stretch more, those
-  /// of the parts, along which they may bend.
-  void set_charts(Making& making, std::size_t number) const
+  /// Charts by which a pair may morph, the better ones first: those of the boxes and, but for what is its own mirror
+  /// image, those of the parts, along which they may bend: first, unless they turn the part more than boxes do to make
+  /// up for what boxes stretch more.
+  std::vector<Pair_charts> charts(std::size_t number, const Points& source, const Points& target) const
   {
     constexpr double bending = 0.35; // that own charts may turn more
-    making.charts = {making.boxes};
-    if (is_upright_[number]) return;
-    if (pair_kind(pairs_[number], stage_.charted[0], stage_.charted[1]) == Pair_kind::BOXES) return;
-    const Pair_charts own = pair_charts(pairs_[number], stage_.charted[0], stage_.charted[1], making.pieces[0].points,
-                                        making.pieces[1].points);
-    making.charts.insert(change(own) <= change(making.boxes) + bending ? making.charts.begin() : making.charts.end(),
-                         own);
-    making.part.needless_turn = std::max(0., turn(making.charts[0]) - turn(making.boxes));
-  }
-
-  Pair_charts boxes(const Making& making, std::size_t number) const
-  {
-    const std::array<const Points*, 2> surfaces = {&making.pieces[0].points, &making.pieces[1].points};
-    if (images_[number] == number) return upright_boxes(surfaces);
-    const auto [from, to] = piece_charts(pairs_[number], stage_.charted[0], stage_.charted[1]);
-    return pair_boxes(surfaces, {from.axes(), to.axes()});
-  }
-
-  /// The first charts by which the surface becomes that of the counterpart, if there are any.
-  /// \param known why there are none for the mirror image
-  static void choose_charts(Making& making, Blend_obstacle known)
-  {
-    Blend_obstacle& reason = making.part.task.obstacle = known;
-    for (std::size_t i = 0; i < making.charts.size() && known == Blend_obstacle::NONE; ++i) {
-      making.morph = std::make_shared<Map_morph>(making.charts[i], making.pieces[0], making.pieces[1], making.forward);
-      const Blend_obstacle fault = fault_of(*making.morph);
-      if (fault == Blend_obstacle::NONE) {
-        reason = fault;
-        making.part.morph = making.morph;
-        making.part.set_ends();
-        return;
-      }
-      if (i == 0) reason = fault;
-    }
+    if (images_[number] == number) return {upright_boxes({&source, &target})};
+    const Piece_pair& pair = pairs_[number];
+    const auto [from, to] = piece_charts(pair, stage_.charted[0], stage_.charted[1]);
+    const Pair_charts boxes = pair_boxes({&source, &target}, {from.axes(), to.axes()});
+    const Pair_charts own = pair_charts(pair, stage_.charted[0], stage_.charted[1], source, target);
+    if (change(own) <= change(boxes) + bending) return {own, boxes};
+    return {boxes, own};
   }
 
   /// The piece of a part that a box of a chart cuts out.
@@ -223,7 +164,6 @@ private:
   const Blend_stage& stage_;
   std::vector<Piece_pair> pairs_;
   std::vector<std::size_t> images_;      ///< by pair, its mirror image
-  std::vector<char> is_upright_;         ///< by pair
   std::array<std::vector<Use>, 2> uses_; ///< by end and part
 };
 
@@ -237,65 +177,33 @@ Part_pairs paired_parts(const Blend_stage& stage, const Correspondence& correspo
   return result;
 }
 
-/// Those of the pairs whose parts are in sets.
-Part_pairs pairs_in(const std::vector<Part_set>& sets, const Part_pairs& pairs)
-{
-  Part_pairs result;
-  for (const auto& pair : pairs)
-    if (std::any_of(sets.begin(), sets.end(), [&](const Part_set& set) {
-          return std::binary_search(set.parts[0].begin(), set.parts[0].end(), pair.first) &&
-                 std::binary_search(set.parts[1].begin(), set.parts[1].end(), pair.second);
-        }))
-      result.push_back(pair);
-  return result;
-}
-
 } // namespace
 
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
 {
-  const Part_pairs all = paired_parts(stage, correspondence);
-  Part_set_maker maker(stage);
+  const Part_pairs given = paired_parts(stage, correspondence), leftover = leftover_pairs(stage, given);
   Torn_pairs torn;
-  for (;;) {
-    Part_pairs mapped = all;
-    const Part_pairs unlike = take_unlike_pairs(stage, torn, mapped);
-    std::vector<Part_set> sets = connected_sets(stage, unlike, torn);
-    const std::vector<Part_set> broken = maker.take_broken(sets);
-    Part_pairs used = mapped;
-    used.insert(used.end(), unlike.begin(), unlike.end());
-    const Part_pairs leftover = leftover_pairs(stage, used);
-    used.insert(used.end(), leftover.begin(), leftover.end());
-    Part_pairs others = most_alike(stage, pairs_in(broken, unlike));
-    others.insert(others.end(), leftover.begin(), leftover.end());
-    std::vector<Part_set> single;
-    for (const auto& pair : others) {
-      const auto found = torn.find(pair);
-      if (found == torn.end())
-        mapped.push_back(pair);
-      else
-        single.push_back({{{{pair.first}, {pair.second}}}, found->second});
-    }
+  std::size_t known;
+  Part_pairs unlike;
+  std::vector<Blend_part> result;
+  do { // with a pair that is torn go all others of its parts
+    known = torn.size();
+    Part_pairs mapped = given;
+    unlike = take_unlike_pairs(stage, torn, mapped);
+    std::copy_if(leftover.begin(), leftover.end(), std::back_inserter(mapped),
+                 [&](const auto& pair) { return torn.count(pair) == 0; });
     std::sort(mapped.begin(), mapped.end());
-    const std::size_t known = torn.size();
-    std::vector<Blend_part> result = Matched_part_maker(stage, mapped).parts(torn);
-    if (torn.size() > known) continue;
-    maker.take_broken(single);
-    sets.insert(sets.end(), single.begin(), single.end());
-    maker.add(sets, result);
-    const std::size_t matched = result.size();
-    std::vector<Part_set> exchanged = connected_sets(stage, leftover_links(stage, used), {});
-    maker.take_broken(exchanged);
-    maker.add(exchanged, result);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      Blend_task& task = result[i].task;
-      if (i >= matched || std::binary_search(leftover.begin(), leftover.end(), std::pair(task.source, task.target)))
-        task.type = Blend_task_type::EXCHANGE;
-      if (i >= matched) task.obstacle = Blend_obstacle::NONE; // there was nothing that they should become
-    }
-    add_unmatched_parts(stage, unlike, result);
-    return result;
-  }
+    result = Matched_part_maker(stage, mapped).parts(torn);
+  } while (torn.size() > known);
+  std::vector<Part_set> sets = connected_sets(stage, unlike, torn);
+  for (const auto& [s, t] : leftover)
+    if (torn.count({s, t}) > 0) sets.push_back({{{{s}, {t}}}, Blend_obstacle::TORN});
+  add_sets(stage, sets, result);
+  for (Blend_part& part : result)
+    if (std::binary_search(leftover.begin(), leftover.end(), std::pair(part.task.source, part.task.target)))
+      part.task.type = Blend_task_type::EXCHANGE;
+  add_unmatched_parts(stage, unlike, result);
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -5,6 +5,8 @@
 
 #include "map/Piece_pair.h"
 
+#include <array>
+
 namespace CGAL::Shape_correspondence::internal {
 
 /// The axes of the box of a surface: those of the world, or its own ones, a rotation, if the box along them is much

@@ -5,15 +5,16 @@
 
 #include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
+#include "blend/Field_morph.h"
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
-
-constexpr std::size_t none = Blend_task::no_part;
 
 void insert(std::vector<std::size_t>& numbers, std::size_t number)
 {
@@ -36,6 +37,51 @@ Blend_task task_of(const Part_set& set)
   return result;
 }
 
+/// The set of the mirror images of all parts, if there is one.
+std::size_t image_of(const Blend_stage& stage, const std::vector<Part_set>& sets, std::size_t number)
+{
+  std::array<std::vector<std::size_t>, 2> images;
+  for (std::size_t end : {0u, 1u})
+    for (std::size_t part : sets[number].parts[end]) {
+      const std::size_t image = stage.images[end][part];
+      if (image == Mirror_images::none) return Blend_task::no_part;
+      insert(images[end], image);
+    }
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const Part_set& set) { return set.parts == images; });
+  return found == sets.end() ? Blend_task::no_part : std::size_t(found - sets.begin());
+}
+
+Part_mesh mesh_of(const Blend_stage& stage, const Part_set& set, std::size_t end, bool in_mirror)
+{
+  Part_mesh result;
+  for (std::size_t part : set.parts[end])
+    append(result, stage.meshes[end][part]);
+  if (in_mirror) result.points = mirrored(std::move(result.points));
+  return result;
+}
+
+/// None if it does not hold together. In upright boxes; of two parts whose surfaces would be torn, in boxes that turn
+/// with them.
+std::shared_ptr<const Field_morph> morph_of(const Blend_stage& stage, const Part_set& set, bool in_mirror)
+{
+  const Part_mesh source = mesh_of(stage, set, 0, in_mirror), target = mesh_of(stage, set, 1, in_mirror);
+  const std::array<const Points*, 2> surfaces = {&source.points, &target.points};
+  const bool swaps = set.reason == Blend_obstacle::TORN && set.parts[0].size() == 1 && set.parts[1].size() == 1;
+  const bool turns = swaps && stage.images[0][set.parts[0][0]] != set.parts[0][0];
+  const auto axes = [&](std::size_t end) -> Eigen::Matrix3d {
+    const Eigen::Matrix3d own = stage.charted[end].charts[set.parts[end][0]].axes();
+    if (!in_mirror) return own;
+    const Point flip(-1, 1, 1);
+    Eigen::Matrix3d result = flip.asDiagonal() * own;
+    result.col(2) *= -1;
+    return result;
+  };
+  const Pair_charts boxes = turns ? pair_boxes(surfaces, {axes(0), axes(1)}) : upright_boxes(surfaces);
+  if (are_unlike(stage, boxes)) return nullptr;
+  auto result = std::make_shared<const Field_morph>(boxes, source, target);
+  return result->holds_together() || swaps ? result : nullptr;
+}
+
 } // namespace
 
 std::vector<Part_set> connected_sets(const Blend_stage& stage, const Part_pairs& pairs, const Torn_pairs& torn)
@@ -49,8 +95,8 @@ std::vector<Part_set> connected_sets(const Blend_stage& stage, const Part_pairs&
     Part_set& set = by_number[sets[pair.first]];
     insert(set.parts[0], pair.first);
     insert(set.parts[1], pair.second);
-    const auto found = torn.find(pair);
-    if (set.reason == Blend_obstacle::NONE) set.reason = found == torn.end() ? Blend_obstacle::UNLIKE : found->second;
+    if (set.reason == Blend_obstacle::NONE)
+      set.reason = torn.count(pair) == 0 ? Blend_obstacle::UNLIKE : Blend_obstacle::TORN;
   }
   std::vector<Part_set> result;
   for (auto& [number, set] : by_number)
@@ -58,88 +104,24 @@ std::vector<Part_set> connected_sets(const Blend_stage& stage, const Part_pairs&
   return result;
 }
 
-/// The set of the mirror images of all parts, if there is one.
-std::size_t Part_set_maker::image_of(const std::vector<Part_set>& sets, std::size_t number) const
+void add_sets(const Blend_stage& stage, const std::vector<Part_set>& sets, std::vector<Blend_part>& parts)
 {
-  std::array<std::vector<std::size_t>, 2> images;
-  for (std::size_t end : {0u, 1u})
-    for (std::size_t part : sets[number].parts[end]) {
-      const std::size_t image = stage_.images[end][part];
-      if (image == Mirror_images::none) return none;
-      insert(images[end], image);
-    }
-  const auto found = std::find_if(sets.begin(), sets.end(), [&](const Part_set& set) { return set.parts == images; });
-  return found == sets.end() ? none : std::size_t(found - sets.begin());
-}
-
-Part_mesh Part_set_maker::mesh_of(const Part_set& set, std::size_t end, bool in_mirror) const
-{
-  Part_mesh result;
-  for (std::size_t part : set.parts[end]) {
-    const Part_mesh& mesh = stage_.meshes[end][part];
-    const Eigen::Index points = result.points.cols(), triangles = result.triangles.cols();
-    result.points.conservativeResize(3, points + mesh.points.cols());
-    result.points.rightCols(mesh.points.cols()) = mesh.points;
-    result.triangles.conservativeResize(3, triangles + mesh.triangles.cols());
-    result.triangles.rightCols(mesh.triangles.cols()) = mesh.triangles.array() + int(points);
-  }
-  if (in_mirror) result.points = mirrored(std::move(result.points));
-  return result;
-}
-
-/// In upright boxes; of two parts whose surfaces would be torn, in boxes that turn with them.
-std::shared_ptr<const Field_morph> Part_set_maker::make_morph(const Part_set& set, bool in_mirror) const
-{
-  const Part_mesh source = mesh_of(set, 0, in_mirror), target = mesh_of(set, 1, in_mirror);
-  const std::array<const Points*, 2> surfaces = {&source.points, &target.points};
-  const bool turns = set.reason != Blend_obstacle::UNLIKE && set.parts[0].size() == 1 && set.parts[1].size() == 1 &&
-                     stage_.images[0][set.parts[0][0]] != set.parts[0][0];
-  const auto axes = [&](std::size_t end) -> Eigen::Matrix3d {
-    const Eigen::Matrix3d own = stage_.charted[end].charts[set.parts[end][0]].axes();
-    if (!in_mirror) return own;
-    const Point flip(-1, 1, 1);
-    Eigen::Matrix3d result = flip.asDiagonal() * own;
-    result.col(2) *= -1;
-    return result;
-  };
-  const Pair_charts boxes = turns ? pair_boxes(surfaces, {axes(0), axes(1)}) : upright_boxes(surfaces);
-  if (are_unlike(stage_, boxes)) return nullptr;
-  auto result = std::make_shared<const Field_morph>(boxes, source, target);
-  const bool swaps = set.reason != Blend_obstacle::UNLIKE && set.parts[0].size() == 1 && set.parts[1].size() == 1;
-  return result->holds_together() || swaps ? result : nullptr;
-}
-
-std::shared_ptr<const Field_morph> Part_set_maker::morph_of(const Part_set& set, bool in_mirror)
-{
-  const Key key(set.parts, in_mirror);
-  const auto found = known_.find(key);
-  if (found != known_.end()) return found->second;
-  return known_[key] = make_morph(set, in_mirror);
-}
-
-std::vector<Part_set> Part_set_maker::take_broken(std::vector<Part_set>& sets)
-{
-  const auto holds = [&](std::size_t i) { return bool(morph_of(sets[i], image_of(sets, i) < i)); };
-  std::vector<Part_set> holding, broken;
+  std::vector<std::size_t> images, numbers(sets.size(), Blend_task::no_part);
+  std::vector<std::shared_ptr<const Field_morph>> morphs;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    const std::size_t image = image_of(sets, i);
-    (holds(i) && (image == none || holds(image)) ? holding : broken).push_back(sets[i]);
+    images.push_back(image_of(stage, sets, i));
+    morphs.push_back(morph_of(stage, sets[i], images[i] < i));
   }
-  sets = std::move(holding);
-  return broken;
-}
-
-void Part_set_maker::add(const std::vector<Part_set>& sets, std::vector<Blend_part>& parts)
-{
-  const std::size_t first = parts.size();
+  for (std::size_t i = 0, next = parts.size(); i < sets.size(); ++i)
+    if (morphs[i] && (images[i] == Blend_task::no_part || morphs[images[i]])) numbers[i] = next++;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    const std::size_t image = image_of(sets, i);
+    if (numbers[i] == Blend_task::no_part) continue;
     Blend_part part;
     part.task = task_of(sets[i]);
-    part.name = stage_.charted[0].parts[part.task.source]->name + '~' + stage_.charted[1].parts[part.task.target]->name;
-    part.is_reflected = image < i;
-    part.image = image == none ? none : first + image;
-    part.morph = morph_of(sets[i], part.is_reflected);
+    part.name = stage.charted[0].parts[part.task.source]->name + '~' + stage.charted[1].parts[part.task.target]->name;
+    part.is_reflected = images[i] < i;
+    part.image = images[i] == Blend_task::no_part ? Blend_task::no_part : numbers[images[i]];
+    part.morph = morphs[i];
     part.set_ends();
     parts.push_back(std::move(part));
   }

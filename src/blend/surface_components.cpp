@@ -5,12 +5,10 @@
 
 #include "base/quantized.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <queue>
 #include <tuple>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 

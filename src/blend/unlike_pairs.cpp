@@ -7,41 +7,19 @@
 #include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
-#include "blend/Rest_surface.h"
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-using Part_pair = Part_pairs::value_type;
-
 // Of the extents: of parts, of sets of parts, and of pieces
 constexpr double most_change = 2, most_change_of_sets = 1.5, most_change_divided = 1.2;
-
-/// The pair of the mirror images, if both parts have one.
-std::optional<Part_pair> image_of(const Blend_stage& stage, const Part_pair& pair)
-{
-  const std::size_t s = stage.images[0][pair.first], t = stage.images[1][pair.second];
-  if (s == Mirror_images::none || t == Mirror_images::none) return {};
-  return Part_pair(s, t);
-}
-
-/// The lowest and the highest corner.
-Points corners(const contacts::Box& box)
-{
-  Points result(3, 2);
-  result << box.min(), box.max();
-  return result;
-}
 
 /// Points all over the spine and the sides of a chart.
 Points samples(const Part_chart& chart)
@@ -97,98 +75,56 @@ struct Difference
   bool is_too_much_for_parts() const { return is_too_much(far(), most_change); }
   bool is_too_much_for_sets() const { return is_too_much(far(), most_change_of_sets); }
   bool is_too_much_for_pieces() const { return is_too_much(near(), most_change_divided); }
-  /// Of one of several parts, so that one leg of four does not become a column.
-  bool is_too_much_for_one_of_several() const { return is_too_much(near(), most_change); }
   double far() const { return 0.4 + size / 2; }
   double near() const { return 0.25 + size / 8; }
-
-  double sum() const { return turns + changes + travels; }
 
   double size, turns, changes, travels;
 };
 
-/// Whether each of two parts is much longer than the other along some axis: neither is a piece of the other.
-bool are_across(const Blend_stage& stage, const Part_pair& pair)
+/// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
+contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_t part)
 {
-  constexpr double much = 2, thin = 0.05; // of the height: among thin parts, how many times as thick says little
-  const Point from = box_of(stage.meshes[0][pair.first].points).sizes().array() + thin;
-  const Point to = box_of(stage.meshes[1][pair.second].points).sizes().array() + thin;
-  return from.cwiseQuotient(to).maxCoeff() > much && to.cwiseQuotient(from).maxCoeff() > much;
+  constexpr double around = 0.03;
+  const contacts::Box &whole = stage.boxes[end], box = box_of(stage.meshes[end][part].points);
+  const Point sizes = whole.sizes().cwiseMax(2 * Part_chart::least_half_extent);
+  const Point low = (box.min() - whole.min()).cwiseQuotient(sizes),
+              high = (box.max() - whole.min()).cwiseQuotient(sizes);
+  return {low.array() - around, high.array() + around};
 }
 
-/// The boxes around the parts that a divided pair is of, and all counterparts, have to be alike, too: a shelf is not
-/// cut up for shelves above each other.
-bool are_boxes_unlike(const std::array<contacts::Box, 2>& around)
+/// The overlap of boxes over the smaller one.
+double overlap(const contacts::Box& a, const contacts::Box& b)
 {
-  const Points a = corners(around[0]), b = corners(around[1]);
-  return change(upright_boxes({&a, &b})) > most_change_divided;
+  return a.intersects(b) ? a.intersection(b).volume() / std::min(a.volume(), b.volume()) : 0;
 }
-
-/// Pairs, and which parts they connect, mirror images together.
-class Pair_sets
-{
-public:
-  Pair_sets(const Blend_stage& stage, const Part_pairs& pairs)
-      : stage_(stage), pairs_(pairs), sets_(stage.meshes[0].size() + stage.meshes[1].size()), uses_(sets_.size(), 0)
-  {
-    for (const Part_pair& pair : pairs) {
-      sets_.unite(pair.first, target(pair));
-      ++uses_[pair.first];
-      ++uses_[target(pair)];
-      if (const std::optional<Part_pair> image = image_of(stage, pair)) {
-        sets_.unite(pair.first, image->first);
-        sets_.unite(target(pair), target(*image));
-      }
-    }
-  }
-
-  std::size_t of(const Part_pair& pair) const { return sets_[pair.first]; }
-  bool is_divided(const Part_pair& pair) const { return uses_[pair.first] > 1 || uses_[target(pair)] > 1; }
-
-  /// By set, whether some pair in it is of pieces, or parts, that are too unlike: a part is divided as a whole.
-  std::vector<char> are_unlike(const Torn_pairs& torn) const
-  {
-    std::vector<char> result(sets_.size(), 0);
-    for (const auto& [pair, reason] : torn)
-      result[of(pair)] = 1;
-    const std::vector<Piece_pair> pieces = piece_pairs(stage_.charted[0], stage_.charted[1], pairs_);
-    for (const Piece_pair& piece : pieces) {
-      const Part_pair pair(piece.source, piece.target);
-      if (result[of(pair)]) continue;
-      const Difference difference(piece_charts(piece, stage_.charted[0], stage_.charted[1]), stage_);
-      result[of(pair)] = is_divided(pair) ? are_boxes_unlike(boxes_around(pair)) || difference.is_too_much_for_pieces()
-                                          : difference.is_too_much_for_parts();
-    }
-    return result;
-  }
-
-private:
-  std::size_t target(const Part_pair& pair) const { return stage_.meshes[0].size() + pair.second; }
-
-  std::array<contacts::Box, 2> boxes_around(const Part_pair& pair) const
-  {
-    std::array<contacts::Box, 2> result;
-    for (const auto& [s, t] : pairs_)
-      if (s == pair.first || t == pair.second) {
-        result[0].extend(box_of(stage_.meshes[0][s].points));
-        result[1].extend(box_of(stage_.meshes[1][t].points));
-      }
-    return result;
-  }
-
-  const Blend_stage& stage_;
-  const Part_pairs& pairs_;
-  Disjoint_sets sets_;
-  std::vector<std::size_t> uses_;
-};
-
-double area_of(const Part_mesh& mesh) { return Rest_surface(mesh.points, mesh.triangles).extent().area; }
 
 } // namespace
 
-bool are_unlike(const Blend_stage& stage, std::size_t source, std::size_t target)
+Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given)
 {
-  return Difference({stage.charted[0].charts[source], stage.charted[1].charts[target]}, stage).is_too_much_for_parts();
+  constexpr double much = 0.4;
+  std::array<std::vector<char>, 2> is_used = {std::vector<char>(stage.meshes[0].size(), 0),
+                                              std::vector<char>(stage.meshes[1].size(), 0)};
+  for (const auto& [s, t] : given)
+    is_used[0][s] = is_used[1][t] = 1;
+  std::vector<std::pair<Steps, Part_pairs::value_type>> alike; // by how little they overlap
+  for (std::size_t s = 0; s < is_used[0].size(); ++s)
+    for (std::size_t t = 0; t < is_used[1].size(); ++t) {
+      if (is_used[0][s] || is_used[1][t]) continue;
+      const double shared = overlap(relative_box(stage, 0, s), relative_box(stage, 1, t));
+      if (shared <= much) continue;
+      if (!Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, stage).is_too_much_for_parts())
+        alike.emplace_back(-quantized(shared), std::pair(s, t));
+    }
+  std::sort(alike.begin(), alike.end());
+  Part_pairs result;
+  for (const auto& [cost, pair] : alike) {
+    if (is_used[0][pair.first] || is_used[1][pair.second]) continue;
+    is_used[0][pair.first] = is_used[1][pair.second] = 1;
+    result.push_back(pair);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes)
@@ -196,51 +132,34 @@ bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes)
   return Difference({boxes.source, boxes.target}, stage).is_too_much_for_sets();
 }
 
-Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs)
-{
-  std::vector<std::pair<Steps, Part_pair>> order;
-  for (const Part_pair& pair : pairs) {
-    if (stage.charted[0].parts[pair.first]->is_closed_curve() != stage.charted[1].parts[pair.second]->is_closed_curve())
-      continue; // the hole would be torn open
-    const double as_much =
-        std::abs(std::log(area_of(stage.meshes[0][pair.first]) / area_of(stage.meshes[1][pair.second])));
-    const Difference difference({stage.charted[0].charts[pair.first], stage.charted[1].charts[pair.second]}, stage);
-    if (as_much <= most_change && !difference.is_too_much_for_one_of_several())
-      order.emplace_back(quantized(difference.sum() + as_much), pair);
-  }
-  std::sort(order.begin(), order.end());
-  std::array<std::vector<char>, 2> is_taken;
-  for (std::size_t end : {0u, 1u})
-    is_taken[end].resize(stage.meshes[end].size(), 0);
-  const auto is_free = [&](const Part_pair& pair) { return !is_taken[0][pair.first] && !is_taken[1][pair.second]; };
-  Part_pairs result;
-  for (const auto& [cost, pair] : order) {
-    const Part_pair image = image_of(stage, pair).value_or(pair);
-    if (!is_free(pair) || !is_free(image) || (image.first == pair.first) != (image.second == pair.second)) continue;
-    for (const Part_pair& taken : {pair, image}) {
-      if (!is_free(taken)) continue; // its own image
-      result.push_back(taken);
-      is_taken[0][taken.first] = is_taken[1][taken.second] = 1;
-    }
-  }
-  return result;
-}
-
 Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired)
 {
-  const Pair_sets all(stage, paired);
-  Part_pairs fitting;
-  for (const Part_pair& pair : paired)
-    if (!all.is_divided(pair) || !(are_across(stage, pair) || are_across(stage, image_of(stage, pair).value_or(pair))))
-      fitting.push_back(pair);
-  const Pair_sets sets(stage, fitting);
-  const std::vector<char> is_unlike = sets.are_unlike(torn);
-  Part_pairs kept;
-  for (const Part_pair& pair : fitting)
-    if (!is_unlike[sets.of(pair)]) kept.push_back(pair);
-  Part_pairs result;
-  std::set_difference(paired.begin(), paired.end(), kept.begin(), kept.end(), std::back_inserter(result));
-  paired = std::move(kept);
+  const std::size_t sources = stage.meshes[0].size();
+  Disjoint_sets sets(sources + stage.meshes[1].size()); // of parts that pairs connect, mirror images together
+  std::vector<int> uses(sets.size(), 0);                // by part
+  for (const auto& [s, t] : paired) {
+    sets.unite(s, sources + t);
+    ++uses[s];
+    ++uses[sources + t];
+    const std::size_t source_image = stage.images[0][s], target_image = stage.images[1][t];
+    if (source_image == Mirror_images::none || target_image == Mirror_images::none) continue;
+    sets.unite(s, source_image);
+    sets.unite(sources + t, sources + target_image);
+  }
+  std::vector<char> is_unlike(sets.size(), 0); // by set, whether a pair in it is: a part is divided as a whole
+  for (const auto& [s, t] : torn)
+    is_unlike[sets[s]] = 1;
+  for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
+    char& known = is_unlike[sets[piece.source]];
+    if (known) continue;
+    const Difference difference(piece_charts(piece, stage.charted[0], stage.charted[1]), stage);
+    const bool is_divided = uses[piece.source] > 1 || uses[sources + piece.target] > 1;
+    known = is_divided ? difference.is_too_much_for_pieces() : difference.is_too_much_for_parts();
+  }
+  const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
+                                                  [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });
+  Part_pairs result(first_unlike, paired.end());
+  paired.erase(first_unlike, paired.end());
   return result;
 }
 

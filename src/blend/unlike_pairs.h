@@ -5,17 +5,15 @@
 
 #include "map/matched_members.h"
 
-#include <CGAL/Shape_correspondence/Blend_schedule.h>
-
-#include <map>
+#include <set>
 
 namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 struct Pair_charts;
 
-/// Pairs of parts whose surfaces have no map onto each other, or pieces of theirs, and why.
-using Torn_pairs = std::map<Part_pairs::value_type, Blend_obstacle>;
+/// Pairs of parts whose surfaces have no map onto each other, or pieces of theirs.
+using Torn_pairs = std::set<Part_pairs::value_type>;
 
 /// Takes out the pairs whose parts, or pieces of them, would have to turn, to change their proportions or to travel
 /// much to become each other: legs cut up for a star base, slats across spindles. With a pair of pieces go all
@@ -24,11 +22,10 @@ using Torn_pairs = std::map<Part_pairs::value_type, Blend_obstacle>;
 /// \return the pairs that were taken out
 Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired);
 
-/// The most alike of some pairs, every part in one at most, images with images.
-Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs);
+/// Pairs of parts that are in none of the given ones, alike in place and size, those that overlap most first.
+Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given);
 
-/// Whether two whole parts, or what is in two boxes, are too unlike to become each other.
-bool are_unlike(const Blend_stage& stage, std::size_t source, std::size_t target);
+/// Whether what is in two boxes is too unlike to become each other.
 bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes);
 
 } // namespace CGAL::Shape_correspondence::internal

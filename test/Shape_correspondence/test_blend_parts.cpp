@@ -3,7 +3,6 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/directions.h"
-#include "blend/smooth_places.h"
 #include "blend_checks.h"
 #include "box_shapes.h"
 #include "map/piece_of.h"
@@ -195,45 +194,4 @@ TEST_CASE("The least rotation turns one direction to the other, opposite ones to
         const double cosine = from.normalized().dot(to.normalized());
         CHECK(2 * rotation.w() * rotation.w() - 1 == Approx(cosine).margin(1e-6));
       }
-}
-
-TEST_CASE("What goes to the nearest places of another surface goes where its neighbours go")
-{
-  // A sheet between two others, of which the one above has a spike that is nearest for five vertices only
-  constexpr int n = 21;
-  const auto sheet = [](double height, double spike) {
-    Part_mesh result{Points(3, n * n), Eigen::Matrix3Xi(3, 2 * (n - 1) * (n - 1))};
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        const double x = 2. * i / (n - 1) - 1, y = 2. * j / (n - 1) - 1;
-        result.points.col(i * n + j) << x, y, height + spike * std::exp(-100 * (x * x + y * y));
-      }
-    int t = 0;
-    for (int i = 0; i + 1 < n; ++i)
-      for (int j = 0; j + 1 < n; ++j) {
-        const int a = i * n + j;
-        result.triangles.col(t++) << a, a + n, a + n + 1;
-        result.triangles.col(t++) << a, a + n + 1, a + 1;
-      }
-    return result;
-  };
-  const Part_mesh moving = sheet(1, 0), far = sheet(0.3, 0), near = sheet(1.9, -0.21);
-  Part_mesh both = far;
-  both.points.conservativeResize(3, 2 * n * n);
-  both.points.rightCols(n * n) = near.points;
-  both.triangles.conservativeResize(3, 2 * far.triangles.cols());
-  both.triangles.rightCols(far.triangles.cols()) = near.triangles.array() + n * n;
-  const auto heights = [&](const Part_mesh& onto) {
-    Eigen::VectorXd result(n * n);
-    const auto places = internal::smooth_places(moving.points, moving.triangles, onto.points, onto.triangles);
-    for (int i = 0; i < n * n; ++i)
-      result[i] = places[std::size_t(i)].of(onto.points, onto.triangles).z();
-    return result;
-  };
-  CHECK(heights(far).isApproxToConstant(0.3));
-  CHECK(heights(moving).isApproxToConstant(1));
-  const auto tree = internal::tree_of(both.points, both.triangles);
-  const auto nearest = internal::nearest_place(tree, moving.points.col(n * n / 2));
-  CHECK(nearest.of(both.points, both.triangles).z() > 1.6);
-  CHECK((heights(both).array() < 0.31).all());
 }

@@ -2,6 +2,7 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend/Blend_structure.h"
 #include "blend/Retreating_part.h"
 #include "blend_checks.h"
 #include "box_shapes.h"
@@ -76,21 +77,34 @@ constexpr double touching = 0.02; // of the height
 
 } // namespace
 
-TEST_CASE("What touches at one end parts evenly: a crest stays on its posts while these shorten")
+TEST_CASE("What touches at one end parts evenly: a crest that stays on its posts while these shorten")
 {
-  const Model chair(IO::read_segmented_shape(SHAPE_CORRESPONDENCE_DATA_DIR "/chair_slatted/parts"));
-  const Model other(IO::read_segmented_shape(SHAPE_CORRESPONDENCE_DATA_DIR "/chair_spindle/parts"));
-  const Shape_blend blend = blend_of(chair, other,
-                                     {{"crest", "bow"},
-                                      {"leg_bl", "turned_leg_c"},
-                                      {"leg_br", "turned_leg_d"},
-                                      {"leg_fl", "turned_leg_a"},
-                                      {"leg_fr", "turned_leg_b"},
-                                      {"rush_seat", "saddle_seat"}});
-  for (double t : {0.2, 0.4, 0.5, 0.6, 0.8}) {
-    const double due = t * distance(blend(1), "bow", "turned_leg_c"); // at the source they touch
-    CHECK(distance(blend(t), "crest", "leg_bl") < due + touching);
-  }
+  const auto chair = [](double posts) {
+    Segmented_shape result("chair");
+    result.add_part("seat", box({0, 0.5, 0}, {1, 0.1, 1}));
+    result.add_part("left", box({-0.45, 0.55 + posts / 2, -0.45}, {0.1, posts, 0.1}));
+    result.add_part("right", box({0.45, 0.55 + posts / 2, -0.45}, {0.1, posts, 0.1}));
+    result.add_part("crest", box({0, 1.1, -0.45}, {1, 0.1, 0.1}));
+    if (posts < 0.5) result.add_part("column", box({0, 0.8, -0.45}, {0.1, 0.5, 0.1}));
+    return Model(result);
+  };
+  constexpr double gap = 0.3, height = 0.7;
+  const Model source = chair(0.5), target = chair(0.5 - gap);
+  Correspondence same;
+  for (std::size_t i = 0; i < 4; ++i)
+    same.pairs.push_back({i, i});
+  const internal::Blend_structure blend(
+      {internal::Blend_input{source.graph, source.shape, 0}, internal::Blend_input{target.graph, target.shape, 0}},
+      same, {});
+  int partings = 0;
+  for (const internal::Kept_contact& contact : blend.contacts)
+    if (blend.parts[contact.parts[1]].name == "crest~crest") {
+      ++partings;
+      CHECK(contact.gap[0] < touching);
+      CHECK(contact.gap[1] == Approx(gap / height).epsilon(0.05));
+      CHECK(contact.points[0].due_offset(0.5).norm() == Approx(gap / height / 2).epsilon(0.1));
+    }
+  CHECK(partings == 2);
 }
 
 TEST_CASE("A chain that joins parts that nothing else joins goes together, and holds together until it is gone")
@@ -180,7 +194,7 @@ TEST_CASE("A bent rod between others thins to its curve, where it is")
   part.geometry = Curve{spine, false};
   const auto chart = internal::Part_chart::around(part, spine, bow.points);
   const std::vector<Point> ends = {{-1, 0, 0}, {1, 0, 0}};
-  const internal::Retreating_part retreating(bow, &chart, Eigen::Matrix3d::Identity(), ends, ends, false);
+  const internal::Retreating_part retreating(bow, &chart, Eigen::Matrix3d::Identity(), ends, ends);
   const double remaining = 0.125, left = std::cbrt(remaining);
   const Points points = retreating.points(remaining);
   double farthest = 0;

@@ -26,7 +26,7 @@ enum class Blend_task_type {
   MERGE,   ///< a part, or a piece of it, becomes a piece of another, or parts become fewer
   SHRINK,  ///< a part without counterpart draws back into what carries it
   GROW,    ///< the inverse of `SHRINK`
-  EXCHANGE ///< parts without counterpart become others in the same place
+  EXCHANGE ///< a part without counterpart becomes another in the same place
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -34,7 +34,6 @@ enum class Blend_task_type {
 enum class Blend_obstacle {
   NONE,  ///< it has one
   TORN,  ///< it would be torn or folded
-  THIN,  ///< it would be far thinner than at both ends
   UNLIKE ///< it would have to turn, to change its proportions, to travel or to be cut up too much; or, of a part that
          ///< shrinks or grows, what carries it would
 };

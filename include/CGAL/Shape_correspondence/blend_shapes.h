@@ -26,7 +26,6 @@ namespace Shape_correspondence {
 
 namespace internal {
 class Blend_structure;
-class In_between_cache;
 }
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -63,8 +62,7 @@ struct Blend_surface
 /// - *Unmatched parts*, and those that become their counterparts in neither way, go with what carries them, and draw
 ///   back into it, or grow out of it; what joins parts that nothing else joins thins where it is. What the shape needs
 ///   to stand or to hang together, and what reaches beyond all that stays, goes last and comes first. Two parts without
-///   counterpart that are alike in place and size, or several that fill one place, become each other
-///   (`Blend_task_type::EXCHANGE`).
+///   counterpart that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///
@@ -74,7 +72,6 @@ struct Blend_surface
 /// The schedule with the best `Blend_quality` is used, that is the least sum of its measures,
 /// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
 ///
-/// In-between shapes that were asked for are kept, up to 100 MB, so that asking again for the same time costs little.
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
 {
@@ -141,11 +138,8 @@ public:
   std::vector<Points> points(double t) const;
 
 private:
-  void set_schedules(std::vector<Blend_schedule> schedules);
-
   std::shared_ptr<const internal::Blend_structure> blend_;
   std::vector<Blend_schedule> schedules_;
-  std::shared_ptr<internal::In_between_cache> shapes_; // by the first schedule
 };
 
 } // namespace Shape_correspondence
