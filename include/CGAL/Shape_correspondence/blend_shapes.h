@@ -54,7 +54,7 @@ struct Blend_surface
 ///   due between the ends.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
 ///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where there is no such map,
-///   as a surface would be torn or crushed on the way, or would have to turn, to change its proportions, to travel or
+///   as a surface would be torn on the way, or would have to turn, to change its proportions, to travel or
 ///   to be cut up too much (`Blend_obstacle`), parts become their counterparts by *distance fields*, several together
 ///   as one: surfaces in between are level sets of the mean of both fields, with the volume that is due. If these would
 ///   fall apart, or the ends have little in common, a surface that would be torn is replaced by the other one in its
