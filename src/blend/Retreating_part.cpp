@@ -82,16 +82,16 @@ struct Part_box : Oriented_box
   static constexpr double rod = 0.3; ///< the most of its middle extent over the longest
 };
 
-/// The lowest ones.
-Roots lowest(const Roots& roots)
+/// Those that are lowest along an axis.
+Roots lowest(const Roots& roots, int axis)
 {
   constexpr double same = 0.05; // of the height
-  double low = roots[0].y();
+  double low = roots[0][axis];
   for (const Point& root : roots)
-    low = std::min(low, root.y());
+    low = std::min(low, root[axis]);
   Roots result;
   for (const Point& root : roots)
-    if (root.y() <= low + same) result.push_back(root);
+    if (root[axis] <= low + same) result.push_back(root);
   return result;
 }
 
@@ -115,10 +115,11 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart,
     thin(axes_between);
     return;
   }
-  // What is carried at several ends grows upwards, unless it is a rod
+  // What is carried at several ends grows upwards, or from the back, unless it is a rod
+  const Roots low = lowest(roots, 1);
   const bool spans = box.is_rod() && box.has_roots_at(roots, -1) && box.has_roots_at(roots, 1);
   if (!spans)
-    for (const Roots& some : {roots, lowest(roots)})
+    for (const Roots& some : {roots, low, lowest(low, 2)})
       if (const std::optional<int> axis = box.retreat(some)) {
         root_ = mean(some);
         vanishing_ = box.axes.col(*axis) * box.axes.col(*axis).transpose();

@@ -177,6 +177,32 @@ Part_pairs paired_parts(const Blend_stage& stage, const Correspondence& correspo
   return result;
 }
 
+/// Those of the pairs whose parts are in sets.
+Part_pairs pairs_in(const std::vector<Part_set>& sets, const Part_pairs& pairs)
+{
+  Part_pairs result;
+  for (const auto& pair : pairs)
+    if (std::any_of(sets.begin(), sets.end(), [&](const Part_set& set) {
+          return std::binary_search(set.parts[0].begin(), set.parts[0].end(), pair.first) &&
+                 std::binary_search(set.parts[1].begin(), set.parts[1].end(), pair.second);
+        }))
+      result.push_back(pair);
+  return result;
+}
+
+/// The parts that pairs become by maps. \param torn gets those that have no map; they become none
+std::vector<Blend_part> mapped_parts(const Blend_stage& stage, const Part_pairs& pairs, Torn_pairs& torn)
+{
+  for (;;) {
+    Part_pairs mapped;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(mapped),
+                 [&](const auto& pair) { return torn.count(pair) == 0; });
+    const std::size_t known = torn.size();
+    std::vector<Blend_part> result = Matched_part_maker(stage, mapped).parts(torn);
+    if (torn.size() == known) return result;
+  }
+}
+
 } // namespace
 
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
@@ -184,20 +210,26 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
   const Part_pairs given = paired_parts(stage, correspondence), leftover = leftover_pairs(stage, given);
   Torn_pairs torn;
   std::size_t known;
-  Part_pairs unlike;
+  Part_pairs mapped, unlike;
   std::vector<Blend_part> result;
   do { // with a pair that is torn go all others of its parts
     known = torn.size();
-    Part_pairs mapped = given;
+    mapped = given;
     unlike = take_unlike_pairs(stage, torn, mapped);
-    std::copy_if(leftover.begin(), leftover.end(), std::back_inserter(mapped),
-                 [&](const auto& pair) { return torn.count(pair) == 0; });
-    std::sort(mapped.begin(), mapped.end());
     result = Matched_part_maker(stage, mapped).parts(torn);
   } while (torn.size() > known);
   std::vector<Part_set> sets = connected_sets(stage, unlike, torn);
-  for (const auto& [s, t] : leftover)
-    if (torn.count({s, t}) > 0) sets.push_back({{{{s}, {t}}}, Blend_obstacle::TORN});
+  // What does not hold together as a set may do so in part
+  Part_pairs others = most_alike(stage, pairs_in(take_broken(stage, sets), unlike));
+  others.insert(others.end(), leftover.begin(), leftover.end());
+  mapped.insert(mapped.end(), others.begin(), others.end());
+  std::sort(mapped.begin(), mapped.end());
+  if (!others.empty()) result = mapped_parts(stage, mapped, torn);
+  std::vector<Part_set> single;
+  for (const auto& [s, t] : others)
+    if (torn.count({s, t}) > 0) single.push_back({{{{s}, {t}}}, Blend_obstacle::TORN, nullptr});
+  take_broken(stage, single);
+  sets.insert(sets.end(), single.begin(), single.end());
   add_sets(stage, sets, result);
   for (Blend_part& part : result)
     if (std::binary_search(leftover.begin(), leftover.end(), std::pair(part.task.source, part.task.target)))

@@ -5,12 +5,10 @@
 
 #include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
-#include "blend/Field_morph.h"
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -104,24 +102,33 @@ std::vector<Part_set> connected_sets(const Blend_stage& stage, const Part_pairs&
   return result;
 }
 
-void add_sets(const Blend_stage& stage, const std::vector<Part_set>& sets, std::vector<Blend_part>& parts)
+std::vector<Part_set> take_broken(const Blend_stage& stage, std::vector<Part_set>& sets)
 {
-  std::vector<std::size_t> images, numbers(sets.size(), Blend_task::no_part);
-  std::vector<std::shared_ptr<const Field_morph>> morphs;
+  std::vector<std::size_t> images;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     images.push_back(image_of(stage, sets, i));
-    morphs.push_back(morph_of(stage, sets[i], images[i] < i));
+    sets[i].morph = morph_of(stage, sets[i], images[i] < i);
   }
-  for (std::size_t i = 0, next = parts.size(); i < sets.size(); ++i)
-    if (morphs[i] && (images[i] == Blend_task::no_part || morphs[images[i]])) numbers[i] = next++;
+  std::vector<Part_set> holding, broken;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (numbers[i] == Blend_task::no_part) continue;
+    const bool holds = sets[i].morph && (images[i] == Blend_task::no_part || sets[images[i]].morph);
+    (holds ? holding : broken).push_back(sets[i]);
+  }
+  sets = std::move(holding);
+  return broken;
+}
+
+void add_sets(const Blend_stage& stage, const std::vector<Part_set>& sets, std::vector<Blend_part>& parts)
+{
+  const std::size_t first = parts.size();
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const std::size_t image = image_of(stage, sets, i);
     Blend_part part;
     part.task = task_of(sets[i]);
     part.name = stage.charted[0].parts[part.task.source]->name + '~' + stage.charted[1].parts[part.task.target]->name;
-    part.is_reflected = images[i] < i;
-    part.image = images[i] == Blend_task::no_part ? Blend_task::no_part : numbers[images[i]];
-    part.morph = morphs[i];
+    part.is_reflected = image < i;
+    part.image = image == Blend_task::no_part ? image : first + image;
+    part.morph = sets[i].morph;
     part.set_ends();
     parts.push_back(std::move(part));
   }

@@ -7,10 +7,12 @@
 #include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
+#include "blend/Rest_surface.h"
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -75,11 +77,33 @@ struct Difference
   bool is_too_much_for_parts() const { return is_too_much(far(), most_change); }
   bool is_too_much_for_sets() const { return is_too_much(far(), most_change_of_sets); }
   bool is_too_much_for_pieces() const { return is_too_much(near(), most_change_divided); }
+  /// Of one of several parts, so that one leg of four does not become a column.
+  bool is_too_much_for_one_of_several() const { return is_too_much(near(), most_change); }
   double far() const { return 0.4 + size / 2; }
   double near() const { return 0.25 + size / 8; }
 
+  double sum() const { return turns + changes + travels; }
+
   double size, turns, changes, travels;
 };
+
+/// The boxes around the parts that a divided pair is of, and all counterparts, have to be alike, too: a shelf is not
+/// cut up for shelves above each other.
+bool are_boxes_unlike(const Blend_stage& stage, const Part_pairs& pairs, const Piece_pair& pair)
+{
+  std::array<contacts::Box, 2> around;
+  for (const auto& [s, t] : pairs)
+    if (s == pair.source || t == pair.target) {
+      around[0].extend(box_of(stage.meshes[0][s].points));
+      around[1].extend(box_of(stage.meshes[1][t].points));
+    }
+  std::array<Points, 2> corners;
+  for (std::size_t end : {0u, 1u}) {
+    corners[end].resize(3, 2);
+    corners[end] << around[end].min(), around[end].max();
+  }
+  return change(upright_boxes({&corners[0], &corners[1]})) > most_change_divided;
+}
 
 /// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
 contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_t part)
@@ -132,6 +156,39 @@ bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes)
   return Difference({boxes.source, boxes.target}, stage).is_too_much_for_sets();
 }
 
+Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs)
+{
+  const auto area = [&](std::size_t end, std::size_t part) {
+    const Part_mesh& mesh = stage.meshes[end][part];
+    return Rest_surface(mesh.points, mesh.triangles).extent().area;
+  };
+  std::vector<std::pair<Steps, Part_pairs::value_type>> order;
+  for (const auto& [s, t] : pairs) {
+    if (stage.charted[0].parts[s]->is_closed_curve() != stage.charted[1].parts[t]->is_closed_curve())
+      continue; // the hole would be torn open
+    const double as_much = std::abs(std::log(area(0, s) / area(1, t)));
+    const Difference difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, stage);
+    if (as_much <= most_change && !difference.is_too_much_for_one_of_several())
+      order.emplace_back(quantized(difference.sum() + as_much), std::pair(s, t));
+  }
+  std::sort(order.begin(), order.end());
+  std::array<std::vector<char>, 2> is_taken = {std::vector<char>(stage.meshes[0].size(), 0),
+                                               std::vector<char>(stage.meshes[1].size(), 0)};
+  const auto is_free = [&](const auto& pair) { return !is_taken[0][pair.first] && !is_taken[1][pair.second]; };
+  Part_pairs result;
+  for (const auto& [cost, pair] : order) {
+    std::pair image(stage.images[0][pair.first], stage.images[1][pair.second]);
+    if (image.first == Mirror_images::none || image.second == Mirror_images::none) image = pair;
+    if (!is_free(pair) || !is_free(image) || (image.first == pair.first) != (image.second == pair.second)) continue;
+    for (const auto& taken : {pair, image}) {
+      if (!is_free(taken)) continue; // its own image
+      result.push_back(taken);
+      is_taken[0][taken.first] = is_taken[1][taken.second] = 1;
+    }
+  }
+  return result;
+}
+
 Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired)
 {
   const std::size_t sources = stage.meshes[0].size();
@@ -154,7 +211,8 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, P
     if (known) continue;
     const Difference difference(piece_charts(piece, stage.charted[0], stage.charted[1]), stage);
     const bool is_divided = uses[piece.source] > 1 || uses[sources + piece.target] > 1;
-    known = is_divided ? difference.is_too_much_for_pieces() : difference.is_too_much_for_parts();
+    known = is_divided ? are_boxes_unlike(stage, paired, piece) || difference.is_too_much_for_pieces()
+                       : difference.is_too_much_for_parts();
   }
   const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
                                                   [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });

@@ -28,4 +28,7 @@ Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given);
 /// Whether what is in two boxes is too unlike to become each other.
 bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes);
 
+/// The most alike of some pairs, every part in one at most, images with images.
+Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs);
+
 } // namespace CGAL::Shape_correspondence::internal
