@@ -24,6 +24,9 @@ inline Points mirrored(Points points)
   return points;
 }
 
+/// The root mean square distance of some of the points, mirrored in x = 0, from a surface.
+double mirror_distance(const Points& points, const contacts::Triangle_tree& surface);
+
 /// Root mean square distance of some points of surfaces, mirrored in x = 0, from surfaces.
 /// \param trees those that there are
 double mirror_residual(const std::vector<const Points*>& surfaces,
@@ -50,5 +53,10 @@ void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_i
 /// Gives parts that are mirror images of each other charts that are, too, so that what they are divided among, and what
 /// is divided among them, is divided alike.
 void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& images, std::vector<Part_chart>& charts);
+
+/// The turn by which a pair that is its own mirror image keeps the mirror plane where it is, on the way, too; none if
+/// its charts do not allow one.
+std::optional<Eigen::Matrix3d> mirrored_turn(const Piece_pair& pair, const Charted_shape& source,
+                                             const Charted_shape& target);
 
 } // namespace CGAL::Shape_correspondence::internal
