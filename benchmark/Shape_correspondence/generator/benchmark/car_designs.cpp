@@ -9,6 +9,8 @@
 #include "random.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace CGAL {
 namespace Shape_correspondence {

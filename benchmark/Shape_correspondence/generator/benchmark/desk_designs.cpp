@@ -7,6 +7,8 @@
 
 #include "table_designs.h"
 
+#include <string>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
@@ -115,13 +117,11 @@ Assembly desk(const Desk_design& design, std::uint64_t seed)
   }
   const double between_sides = 2 * (end - .02);
   if (design.back_panel) {
-    const double low = random.between(.3, .5) * f.height,
-                 x = design.support == Desk_support::cabinet ? .34 * f.width : f.x() - .04;
-    result.add("panel", {"panel", "modesty_panel"},
-               slab(flat({-f.x() + .04, low, -f.z() + .06},
-                         {f.x() - .04 + (design.support == Desk_support::cabinet ? f.x() - x : x), 0, 0},
-                         {0, f.under() - low, 0}),
-                    .02, {5, 7, 0, .2}));
+    const double low = random.between(.3, .5) * f.height, right = .04 - f.x(),
+                 left = f.x() - (design.support == Desk_support::cabinet ? .34 * f.width : .04);
+    result.add(
+        "panel", {"panel", "modesty_panel"},
+        slab(flat({right, low, -f.z() + .06}, {left - right, 0, 0}, {0, f.under() - low, 0}), .02, {5, 7, 0, .2}));
   }
   for (int i = 0; i < design.shelves; ++i)
     result.add(

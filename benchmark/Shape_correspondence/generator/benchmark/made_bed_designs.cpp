@@ -7,6 +7,10 @@
 
 #include "bed_designs.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {

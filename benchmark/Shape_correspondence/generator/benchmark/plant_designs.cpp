@@ -8,6 +8,10 @@
 #include "../chairs.h"
 #include "random.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {

@@ -8,6 +8,8 @@
 #include "../chairs.h"
 #include "random.h"
 
+#include <string>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {

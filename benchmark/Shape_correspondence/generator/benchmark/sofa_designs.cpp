@@ -8,6 +8,10 @@
 #include "../chairs.h"
 #include "random.h"
 
+#include <algorithm>
+#include <functional>
+#include <string>
+
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
@@ -51,27 +55,24 @@ struct Sofa_frame
 
 const Slab_options soft = {6, 6, .04, .35};
 
-/// From the right; the left one of a chaise longue has a name of its own.
-std::vector<std::string> side_names(int n, bool chaise)
+/// Of one to three cushions, from the right; the left one of a chaise longue has a name of its own.
+Names side_names(int n, bool chaise)
 {
-  if (chaise)
-    return n == 2 ? std::vector<std::string>{"main", "chaise"} : std::vector<std::string>{"right", "center", "chaise"};
+  const std::string left = chaise ? "chaise" : "left";
   if (n == 1) return {""};
-  if (n == 2) return {"right", "left"};
-  if (n == 3) return {"right", "center", "left"};
-  return std::vector<std::string>(std::size_t(n), "");
+  if (n == 2) return {chaise ? "main" : "right", left};
+  return {"right", "center", left};
 }
 
 /// Cushions side by side from the right, across the width between the arms.
 void add_cushions(Assembly& sofa, const Sofa_frame& f, const std::string& stem, const Label& label, int n, bool chaise,
                   const std::function<Solid(double x, double width)>& cushion)
 {
-  const std::vector<std::string> sides = side_names(n, chaise);
+  const Names sides = side_names(n, chaise);
+  const std::string name = label.fine.empty() ? label.coarse : label.fine;
   const double width = f.inner_width() / n;
   for (int i = 0; i < n; ++i) {
-    const std::string& side = sides[std::size_t(i)];
-    const std::string fine =
-        side.empty() ? (n == 1 ? label.fine : "") : (label.fine.empty() ? label.coarse : label.fine) + "_" + side;
+    const std::string fine = n == 1 ? label.fine : name + "_" + sides[std::size_t(i)];
     sofa.add(stem + "_" + std::to_string(i + 1), {label.coarse, fine}, cushion(width * (i + .5 - n / 2.), width - .01));
   }
 }
