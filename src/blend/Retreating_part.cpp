@@ -3,6 +3,7 @@
 
 #include "blend/Retreating_part.h"
 
+#include "blend/Rest_surface.h"
 #include "shape/oriented_box.h"
 
 #include <algorithm>
@@ -95,10 +96,28 @@ Roots lowest(const Roots& roots, int axis)
   return result;
 }
 
+/// Whether a part that thins would be seen to vanish: it is wide, and has about the surface of the box around it,
+/// unlike a frame, a ring or a bent rod.
+bool is_large(const Part_mesh& mesh, const Part_box& box)
+{
+  constexpr double wide = 0.04; // of the squared height
+  constexpr double much = 0.6;  // of the surface of the box
+  const Point e = box.extents;
+  const double of_box = 2 * (e[0] * e[1] + e[1] * e[2] + e[0] * e[2]);
+  return e[0] * e[1] > wide && Rest_surface(mesh.points, mesh.triangles).extent().area > much * of_box;
+}
+
+/// Whether a part is long and thin, if bent.
+bool is_bar(const Part_chart& chart)
+{
+  const Point half = chart.half_extents();
+  return !chart.is_sheet() && half.tail<2>().maxCoeff() <= Part_box::rod * half[0];
+}
+
 } // namespace
 
 Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart, const Eigen::Matrix3d& axes,
-                                 const Roots& roots, const Roots& joints)
+                                 const Roots& carried_at, const Roots& joints)
     : mesh_(mesh), staying_(Eigen::Matrix3d::Zero())
 {
   const Part_box box{box_along(mesh.points, axes)};
@@ -110,14 +129,17 @@ Retreating_part::Retreating_part(const Part_mesh& mesh, const Part_chart* chart,
     for (Eigen::Index i = 0; i < ends_.cols(); ++i)
       ends_.col(i) = end_of(mesh.points.col(i));
   };
-  if (const std::vector<int> axes_between = box.spanned(joints); !axes_between.empty()) {
+  const std::vector<int> between = box.spanned(joints);
+  if (!between.empty() && !(between.size() == 2 && is_large(mesh, box))) {
     root_ = mean(joints);
-    thin(axes_between);
+    thin(between);
     return;
   }
-  // What is carried at several ends grows upwards, or from the back, unless it is a rod
+  const Roots& roots = between.empty() ? carried_at : joints;
+  // What is carried at several ends, or joined all around, grows upwards, or from the back, unless it is a rod
   const Roots low = lowest(roots, 1);
-  const bool spans = box.is_rod() && box.has_roots_at(roots, -1) && box.has_roots_at(roots, 1);
+  const bool spans =
+      (box.is_rod() || (chart && is_bar(*chart))) && box.has_roots_at(roots, -1) && box.has_roots_at(roots, 1);
   if (!spans)
     for (const Roots& some : {roots, low, lowest(low, 2)})
       if (const std::optional<int> axis = box.retreat(some)) {

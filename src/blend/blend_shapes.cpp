@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "blend/Blend_pace.h"
 #include "blend/blend_quality.h"
-#include "blend/ease.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
 #include "matching/unlikely_pairs.h"
@@ -66,6 +66,16 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   schedules_ = plausible_schedules(blend_->parts);
   choose(schedules_, options.schedule);
   rank(schedules_, *blend_, options);
+  set_pace();
+}
+
+void Shape_blend::set_pace()
+{
+  pace_ = std::make_shared<const Blend_pace>(*blend_, times_of(schedules_[0]));
+  for (Blend_task& task : schedules_[0].tasks) {
+    task.begin = pace_->time(task.begin);
+    task.end = pace_->time(task.end);
+  }
 }
 
 std::vector<std::string> Shape_blend::schedule_names()
@@ -80,14 +90,23 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
 {
   constexpr double alike = 0.02; // of the height
   constexpr int samples = 3;
+  const std::vector<Blend_schedule> plans = plausible_schedules(blend_->parts);
+  const auto plan_of = [&](const Blend_schedule& schedule) {
+    return times_of(*std::find_if(plans.begin(), plans.end(),
+                                  [&](const Blend_schedule& plan) { return plan.name == schedule.name; }));
+  };
   std::vector<Shape_blend> result;
+  std::vector<Task_times> kept;
   for (const Blend_schedule& schedule : schedules_) {
-    const auto is_alike = [&](const Shape_blend& other) {
-      return schedule_distance(*blend_, schedule, other.schedules_[0], samples) < alike;
+    const Task_times plan = plan_of(schedule);
+    const auto is_alike = [&](const Task_times& other) {
+      return schedule_distance(*blend_, plan, other, samples) < alike;
     };
-    if (std::any_of(result.begin(), result.end(), is_alike)) continue;
+    if (std::any_of(kept.begin(), kept.end(), is_alike)) continue;
     result.push_back(*this);
     result.back().schedules_ = {schedule};
+    if (!kept.empty()) result.back().set_pace();
+    kept.push_back(plan);
   }
   return result;
 }
@@ -96,11 +115,11 @@ Segmented_shape Shape_blend::operator()(double t) const
 {
   if (t <= 0) return blend_->shapes[0];
   if (t >= 1) return blend_->shapes[1];
-  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
+  const In_between_shape shape = pace_->shape(*blend_, t);
   Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->shapes[0].up());
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
     if (!shape.is_there(part)) continue;
-    const Part_mesh mesh = mesh_of(shape, part, eased(t));
+    const Part_mesh mesh = mesh_of(shape, part, t);
     if (has_area(mesh)) result.add_part(shape.part(part).name, mesh);
   }
   return result;
@@ -108,7 +127,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 
 Blend_check Shape_blend::check(double t) const
 {
-  if (t > 0 && t < 1) return internal::check(In_between_shape(*blend_, times_of(schedules_[0]), t));
+  if (t > 0 && t < 1) return internal::check(pace_->shape(*blend_, t));
   Blend_check result;
   result.quality.asymmetry = blend_->end_asymmetry[t <= 0 ? 0 : 1];
   return result;
@@ -120,7 +139,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
   for (std::size_t i = 0; i < blend_->parts.size(); ++i) {
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
-    const auto time = [&](double progress) { return task.begin + time_of(progress) * (task.end - task.begin); };
+    const auto time = [&](double progress) { return pace_->time_of(i, progress); };
     if (!part.morph) {
       const Change_times& times = part.change_times();
       const bool shrinks = part.end() == 0, is_unlike = task.obstacle != Blend_obstacle::NONE;
@@ -144,10 +163,10 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
 std::vector<Points> Shape_blend::points(double t) const
 {
   std::vector<Points> result;
-  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
+  const In_between_shape shape = pace_->shape(*blend_, t);
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
     for (int surface = 0; surface < shape.part(part).number_of_surfaces(); ++surface)
-      result.push_back(blend_->to_world(shape.points(part, surface), eased(t)));
+      result.push_back(blend_->to_world(shape.points(part, surface), t));
   return result;
 }
 

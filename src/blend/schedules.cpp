@@ -163,13 +163,12 @@ void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, 
   schedules = std::move(ranked);
 }
 
-double schedule_distance(const Blend_structure& blend, const Blend_schedule& a, const Blend_schedule& b, int samples)
+double schedule_distance(const Blend_structure& blend, const Task_times& a, const Task_times& b, int samples)
 {
   double farthest = 0;
   for (int i = 1; i <= samples; ++i) {
     const double t = double(i) / (samples + 1);
-    const Points difference =
-        box_corners(In_between_shape(blend, times_of(a), t)) - box_corners(In_between_shape(blend, times_of(b), t));
+    const Points difference = box_corners(In_between_shape(blend, a, t)) - box_corners(In_between_shape(blend, b, t));
     farthest = std::max(farthest, std::sqrt(difference.squaredNorm() / double(difference.cols())));
   }
   return farthest;
