@@ -3,11 +3,14 @@
 
 #include "blend/Blend_part.h"
 
+#include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
 #include "blend/mirror_images.h"
 #include "blend/pair_boxes.h"
+#include "blend/unlike_pairs.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -95,18 +98,6 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
 
 namespace {
 
-/// Whether a part that goes makes the shape much larger than what stays.
-bool reaches_out(const Blend_stage& stage, int end, std::size_t part, const std::vector<Blend_part>& parts)
-{
-  constexpr double much = 0.1; // of the extent of the shape
-  contacts::Box staying;
-  for (const Blend_part& other : parts)
-    if (other.morph) staying.extend(box_of(other.end_points(end)));
-  const contacts::Box own = box_of(stage.meshes[std::size_t(end)][part].points);
-  const Point beyond = (own.max() - staying.max()).cwiseMax(staying.min() - own.min());
-  return (beyond.array() > much * stage.boxes[std::size_t(end)].sizes().array()).any();
-}
-
 /// The axes of a part's box, for mirror images alike.
 Eigen::Matrix3d axes_of_box(const Blend_stage& stage, int end, std::size_t part)
 {
@@ -150,14 +141,10 @@ Blend_part unmatched_part(const Blend_stage& stage, int end, const Carried_part&
   for (const Root& root : carried.roots)
     result.roots.push_back({root.at, root.carriers.empty() ? root.carriers : parts_of(parts, end, root.carriers[0])});
   const Part_mesh& mesh = stage.meshes[e][carried.part];
-  const Part_chart& chart = stage.charted[e].charts[carried.part];
-  const bool is_ring = stage.charted[e].parts[carried.part]->is_closed_curve(); // its chart is that of its box
   result.retreat = std::make_shared<Retreating_part>(
-      mesh, is_ring ? nullptr : &chart, axes_of_box(stage, end, carried.part),
-      with_mirrored(places_of(carried), image ? places_of(*image) : std::vector<Point>()),
-      with_mirrored(carried.joints, image ? image->joints : std::vector<Point>()));
+      mesh, axes_of_box(stage, end, carried.part),
+      with_mirrored(places_of(carried), image ? places_of(*image) : std::vector<Point>()));
   result.set_ends();
-  result.is_needed = result.stands || !carried.joints.empty() || reaches_out(stage, end, carried.part, parts);
   return result;
 }
 
@@ -166,17 +153,59 @@ void set_image(const Blend_stage& stage, std::size_t number, std::vector<Blend_p
 {
   Blend_part& part = parts[number];
   const int end = part.end();
-  const std::size_t image = stage.images[std::size_t(end)][end == 0 ? part.task.source : part.task.target];
+  const std::size_t image = stage.images[std::size_t(end)][part.given()];
   if (image == Mirror_images::none) return;
   const std::vector<std::size_t> made = parts_of(parts, end, image);
   if (!made.empty() && parts[made[0]].retreat) part.image = made[0];
 }
+
+/// Groups of parts that come and go at one time, so that each takes the place of the other: chains and those that they
+/// correspond to, mirror images, what takes up one place, and all that a shape needs to stand or to hang together.
+class Change_groups
+{
+public:
+  Change_groups(const Blend_stage& stage, const Part_pairs& unlike)
+      : stage_(stage), sources_(stage.meshes[0].size()), sets_(sources_ + stage.meshes[1].size())
+  {
+    for (const auto& [s, t] : unlike)
+      sets_.unite(s, sources_ + t);
+  }
+
+  void add(int end, const Carried_part& part, bool stands)
+  {
+    const std::size_t number = number_of(end, part.part), image = stage_.images[std::size_t(end)][part.part];
+    sets_.unite(number, number_of(end, part.chain));
+    if (image != Mirror_images::none) sets_.unite(number, number_of(end, image));
+    if (stands || part.joins) sets_.unite(number, support_.value_or(number)), support_ = number;
+    going_[std::size_t(end)].push_back(part.part);
+  }
+
+  /// To be called when all are added.
+  void unite_places()
+  {
+    for (std::size_t source : going_[0])
+      for (std::size_t target : going_[1])
+        if (are_in_one_place(stage_, source, target)) sets_.unite(source, sources_ + target);
+  }
+
+  std::size_t operator()(const Blend_part& part) { return sets_[number_of(part.end(), part.given())]; }
+
+private:
+  std::size_t number_of(int end, std::size_t part) const { return end == 0 ? part : sources_ + part; }
+
+  const Blend_stage& stage_;
+  std::size_t sources_;
+  Disjoint_sets sets_; ///< of the parts of the source, then those of the target
+  std::optional<std::size_t> support_;
+  std::array<std::vector<std::size_t>, 2> going_; ///< by end
+};
 
 } // namespace
 
 void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts)
 {
   const std::size_t matched = parts.size();
+  Change_groups groups(stage, unlike);
   for (int end : {0, 1}) {
     std::vector<char> stays(stage.meshes[std::size_t(end)].size()), corresponds(stays.size(), 0);
     for (std::size_t part = 0; part < stays.size(); ++part)
@@ -187,22 +216,23 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
     std::vector<const Carried_part*> by_number(stays.size());
     for (const Carried_part& carried : going)
       by_number[carried.part] = &carried;
-    std::vector<char> is_needed(stays.size(), 0), is_unlike(stays.size(), 0); // by chain, which goes as a whole
+    std::vector<char> is_unlike(stays.size(), 0); // by chain, which goes as a whole
     const std::size_t first = parts.size();
     for (const Carried_part& carried : going) {
       const std::size_t image = stage.images[std::size_t(end)][carried.part];
       parts.push_back(
           unmatched_part(stage, end, carried, image == Mirror_images::none ? nullptr : by_number[image], parts));
-      is_needed[carried.chain] = is_needed[carried.chain] || parts.back().is_needed;
+      groups.add(end, carried, parts.back().stands);
       is_unlike[carried.chain] = is_unlike[carried.chain] || corresponds[carried.part];
     }
-    for (std::size_t i = 0; i < going.size(); ++i) {
-      parts[first + i].is_needed = is_needed[going[i].chain];
+    for (std::size_t i = 0; i < going.size(); ++i)
       if (is_unlike[going[i].chain]) parts[first + i].task.obstacle = Blend_obstacle::UNLIKE;
-    }
   }
-  for (std::size_t i = matched; i < parts.size(); ++i)
+  groups.unite_places();
+  for (std::size_t i = matched; i < parts.size(); ++i) {
     set_image(stage, i, parts);
+    parts[i].group = groups(parts[i]);
+  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal

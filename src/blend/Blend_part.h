@@ -30,24 +30,6 @@ struct Carried_point
   std::array<Point, 2> offsets;     ///< from where the part has the coordinates to the point, by end
 };
 
-/// When, on the way of parts that come in the place of others, the new ones come and the old ones go.
-struct Change_times
-{
-  std::array<double, 2> come, go;
-
-  /// How much there is of what an end has.
-  double remaining(int end, double progress) const
-  {
-    const auto done = [&](const std::array<double, 2>& times) {
-      return std::clamp((progress - times[0]) / (times[1] - times[0]), 0., 1.);
-    };
-    return end == 0 ? 1 - done(go) : done(come);
-  }
-};
-
-/// First those come that the shape needs to stand, or to hang together; the others wait until there is room for them.
-constexpr Change_times of_needed = {{0.15, 0.45}, {0.45, 0.75}}, of_others = {{0.4, 0.75}, {0.15, 0.5}};
-
 /// A part of the shapes in between: what becomes of one part, of a piece of one, or of several together. If it is
 /// matched, it has surfaces that follow each other; if not, one. Ends are numbered: 0 is the source, 1 the target.
 struct Blend_part
@@ -60,24 +42,24 @@ struct Blend_part
   std::shared_ptr<const Part_morph> morph;        ///< of a matched part
   std::shared_ptr<const Retreating_part> retreat; ///< or else of one that shrinks or grows
   std::vector<Root> roots;                        ///< of the latter, where parts before it carry it
+  std::size_t group = 0;                          ///< of the latter, those that come or go at one time
   double height = 0;                              ///< of its middle, at the ends' mean
   std::size_t image = Blend_task::no_part;        ///< its mirror image, where the blend is to be symmetric
   bool is_reflected = false;                      ///< computed as the image's image, in its charts
   bool stands = false;                            ///< on the ground, at all ends that have it
-  bool is_needed = false; ///< an unmatched part that stands, joins others or makes the shape larger, or carries one
-  std::array<double, 2> foot = {0, 0}; ///< by end, how high its lowest point is
-  double needless_turn = 0;            ///< of a matched part, beyond the least one, in radians
-  std::vector<Tree> trees;             ///< by surface; of those at the ends, there
-  std::vector<Rest_surface> rests;     ///< by surface
-  double size = 0;                     ///< the longer diagonal of the boxes of its surfaces
+  std::array<double, 2> foot = {0, 0};            ///< by end, how high its lowest point is
+  double needless_turn = 0;                       ///< of a matched part, beyond the least one, in radians
+  std::vector<Tree> trees;                        ///< by surface; of those at the ends, there
+  std::vector<Rest_surface> rests;                ///< by surface
+  double size = 0;                                ///< the longer diagonal of the boxes of its surfaces
 
   /// How high the lowest point of one that stands is due.
   double due_foot(double progress) const { return (1 - progress) * foot[0] + progress * foot[1]; }
   bool has_image() const { return image != Blend_task::no_part; }
-  /// Of an unmatched part that changes when its like do.
-  const Change_times& change_times() const { return is_needed ? of_needed : of_others; }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
+  /// Of an unmatched part: its number at that end.
+  std::size_t given() const { return end() == 0 ? task.source : task.target; }
   /// Whether an end has it.
   bool is_at(int at_end) const { return morph || end() == at_end; }
 

@@ -80,7 +80,7 @@ Field_morph::Field_morph(const Pair_charts& boxes, const Part_mesh& source, cons
 {
   constexpr int level_sets = 8;
   constexpr double least_common = 0.5;  // of the smaller inside
-  constexpr double first_change = 0.06; // when the first level set takes over from the source's surface
+  constexpr double first_change = 0.35; // when the first level set takes over from the source's surface
   const Point extents = grid_extents(boxes);
   Fields fields{Distance_grid(extents), {}, {}};
   for (int end : {0, 1}) {

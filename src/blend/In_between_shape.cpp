@@ -3,15 +3,15 @@
 
 #include "blend/In_between_shape.h"
 
-#include "blend/ease.h"
-
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr double no_extent = 1e-6; // of the height: what is narrower is not stretched
+constexpr double little = 0.25;    // what remains of a part from where on it counts less and less
 
 /// The map that stretches along the axes from one box to another; extents that are none are moved only.
 Eigen::Affine3d box_map(const contacts::Box& from, const contacts::Box& to)
@@ -64,20 +64,38 @@ void In_between_shape::set_progress(const Task_times& times, double t)
   double sum = 0, sizes = 0;
   for (std::size_t i = 0; i < progress_.size(); ++i) {
     const Blend_part& part = blend_.parts[i];
-    progress_[i] = eased((t - times[i][0]) / (times[i][1] - times[i][0]));
+    progress_[i] = std::clamp((t - times[i][0]) / (times[i][1] - times[i][0]), 0., 1.);
     if (part.morph) {
       sum += part.size * progress_[i];
       sizes += part.size;
-    } else if (part.task.obstacle != Blend_obstacle::NONE) {
-      remaining_[i] = part.change_times().remaining(part.end(), progress_[i]);
     } else {
       remaining_[i] = part.end() == 0 ? 1 - progress_[i] : progress_[i];
     }
   }
-  whole_ = sizes > 0 ? sum / sizes : eased(t);
+  whole_ = sizes > 0 ? sum / sizes : t;
 }
 
 contacts::Box In_between_shape::due_box() const { return between(blend_.boxes[0], blend_.boxes[1], whole_); }
+
+/// The box of an end around what there is of its parts, as high as the whole: nothing becomes wide for what is not
+/// there yet, or any more. Parts that come or go count as far as there is something of them, so that nothing jumps.
+contacts::Box In_between_shape::present_box(int end) const
+{
+  const auto box = [&](std::size_t part) -> const contacts::Box& {
+    return blend_.parts[part].trees[std::size_t(blend_.parts[part].end_surface(end))].box();
+  };
+  contacts::Box matched;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (blend_.parts[i].morph) matched.extend(box(i));
+  if (matched.isEmpty()) return blend_.boxes[std::size_t(end)];
+  contacts::Box result = matched;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (!blend_.parts[i].morph && blend_.parts[i].end() == end)
+      result.extend(between(matched, matched.merged(box(i)), std::min(1., remaining_[i] / little)));
+  result.min().y() = blend_.boxes[std::size_t(end)].min().y();
+  result.max().y() = blend_.boxes[std::size_t(end)].max().y();
+  return result;
+}
 
 Points In_between_shape::points(std::size_t part, int surface) const
 {
@@ -108,11 +126,12 @@ void In_between_shape::place(std::size_t part, const Eigen::Affine3d& map)
 void In_between_shape::ride_carriers()
 {
   constexpr double least_stretch = 0.5, most_stretch = 2;
+  const std::array<contacts::Box, 2> present = {present_box(0), present_box(1)};
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Blend_part& part = blend_.parts[i];
     if (!part.retreat) continue;
     const auto end = std::size_t(part.end());
-    const Eigen::Affine3d whole = box_map(blend_.boxes[end], due_box());
+    const Eigen::Affine3d whole = box_map(present[end], between(present[0], present[1], whole_));
     Eigen::Affine3d map(whole.linear().diagonal().cwiseMax(least_stretch).cwiseMin(most_stretch).asDiagonal());
     Point way = Point::Zero();
     for (const Root& root : part.roots)
@@ -212,7 +231,6 @@ void In_between_shape::draw_back()
 /// them, so that nothing jumps when one goes.
 void In_between_shape::fill_the_box()
 {
-  constexpr double little = 0.25; // what remains of a part from where on it counts less and less
   contacts::Box matched;
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (blend_.parts[i].morph) matched.extend(box_of(points_[i]));
@@ -230,7 +248,7 @@ void In_between_shape::fill_the_box()
     all.min().x() = -half;
     all.max().x() = half;
   }
-  contacts::Box due = due_box();
+  contacts::Box due = between(present_box(0), present_box(1), whole_);
   if (blend_.is_symmetric) {
     const double half = std::max(-due.min().x(), due.max().x());
     due.min().x() = -half;

@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::internal {
 using Task_times = std::vector<std::array<double, 2>>;
 
 /// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are named by index.
-/// Every task starts and stops gently, and so does what both shapes have at large.
+/// Every task goes on evenly, and so does what both shapes have at large.
 ///
 /// *Layout*: matched parts go straight from where they are at the one end to where they are at the other, unmatched
 /// ones with the box around the whole. Then all parts move a little so that contacts hold, mirror images stay that,
@@ -57,6 +57,7 @@ public:
   Trees trees() const;
 
 private:
+  contacts::Box present_box(int end) const;
   void set_progress(const Task_times& times, double t);
   void ride_carriers();
   Eigen::Affine3d carrier_map(const std::vector<std::size_t>& pieces, std::size_t end) const;

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Blend_pace.h"
 #include "blend/blend_quality.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
@@ -66,16 +65,6 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   schedules_ = plausible_schedules(blend_->parts);
   choose(schedules_, options.schedule);
   rank(schedules_, *blend_, options);
-  set_pace();
-}
-
-void Shape_blend::set_pace()
-{
-  pace_ = std::make_shared<const Blend_pace>(*blend_, times_of(schedules_[0]));
-  for (Blend_task& task : schedules_[0].tasks) {
-    task.begin = pace_->time(task.begin);
-    task.end = pace_->time(task.end);
-  }
 }
 
 std::vector<std::string> Shape_blend::schedule_names()
@@ -90,23 +79,14 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
 {
   constexpr double alike = 0.02; // of the height
   constexpr int samples = 3;
-  const std::vector<Blend_schedule> plans = plausible_schedules(blend_->parts);
-  const auto plan_of = [&](const Blend_schedule& schedule) {
-    return times_of(*std::find_if(plans.begin(), plans.end(),
-                                  [&](const Blend_schedule& plan) { return plan.name == schedule.name; }));
-  };
   std::vector<Shape_blend> result;
-  std::vector<Task_times> kept;
   for (const Blend_schedule& schedule : schedules_) {
-    const Task_times plan = plan_of(schedule);
-    const auto is_alike = [&](const Task_times& other) {
-      return schedule_distance(*blend_, plan, other, samples) < alike;
+    const auto is_alike = [&](const Shape_blend& other) {
+      return schedule_distance(*blend_, schedule, other.schedules_[0], samples) < alike;
     };
-    if (std::any_of(kept.begin(), kept.end(), is_alike)) continue;
+    if (std::any_of(result.begin(), result.end(), is_alike)) continue;
     result.push_back(*this);
     result.back().schedules_ = {schedule};
-    if (!kept.empty()) result.back().set_pace();
-    kept.push_back(plan);
   }
   return result;
 }
@@ -115,7 +95,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 {
   if (t <= 0) return blend_->shapes[0];
   if (t >= 1) return blend_->shapes[1];
-  const In_between_shape shape = pace_->shape(*blend_, t);
+  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
   Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->shapes[0].up());
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
     if (!shape.is_there(part)) continue;
@@ -127,7 +107,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 
 Blend_check Shape_blend::check(double t) const
 {
-  if (t > 0 && t < 1) return internal::check(pace_->shape(*blend_, t));
+  if (t > 0 && t < 1) return internal::check(In_between_shape(*blend_, times_of(schedules_[0]), t));
   Blend_check result;
   result.quality.asymmetry = blend_->end_asymmetry[t <= 0 ? 0 : 1];
   return result;
@@ -139,12 +119,11 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
   for (std::size_t i = 0; i < blend_->parts.size(); ++i) {
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
-    const auto time = [&](double progress) { return pace_->time_of(i, progress); };
+    const auto time = [&](double progress) { return task.begin + progress * (task.end - task.begin); };
     if (!part.morph) {
-      const Change_times& times = part.change_times();
-      const bool shrinks = part.end() == 0, is_unlike = task.obstacle != Blend_obstacle::NONE;
-      const double come = is_unlike ? time(times.come[0]) : task.begin, go = is_unlike ? time(times.go[1]) : task.end;
-      result.push_back({part.name, task, part.triangles(0), shrinks ? 0 : come, shrinks ? go : 1, part.end()});
+      const bool shrinks = part.end() == 0;
+      result.push_back(
+          {part.name, task, part.triangles(0), shrinks ? 0 : task.begin, shrinks ? task.end : 1, part.end()});
       continue;
     }
     const int count = part.number_of_surfaces();
@@ -163,7 +142,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
 std::vector<Points> Shape_blend::points(double t) const
 {
   std::vector<Points> result;
-  const In_between_shape shape = pace_->shape(*blend_, t);
+  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
     for (int surface = 0; surface < shape.part(part).number_of_surfaces(); ++surface)
       result.push_back(blend_->to_world(shape.points(part, surface), t));

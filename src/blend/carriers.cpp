@@ -39,7 +39,7 @@ public:
     add_grounded(std::numeric_limits<double>::infinity());
     for (Carried_part& found : found_) {
       found.chain = joined_[found.part];
-      if (joins_[found.chain]) found.joints = joints(found.part);
+      found.joins = joins_[found.chain];
     }
     return std::move(found_);
   }
@@ -58,17 +58,6 @@ private:
         if (!touched[chain]) touched[chain] = other;
         if (*touched[chain] != other) joins_[chain] = 1;
       }
-  }
-
-  std::vector<Point> joints(std::size_t part) const
-  {
-    std::vector<Point> result;
-    for (const Contact& contact : contacts()) {
-      if (contact.parts[0] != part && contact.parts[1] != part) continue;
-      const std::vector<Point> places = stage_.places_of(end_, contact);
-      result.insert(result.end(), places.begin(), places.end());
-    }
-    return result;
   }
 
   const std::vector<Contact>& contacts() const { return structure(stage_.graphs[std::size_t(end_)]).contacts; }

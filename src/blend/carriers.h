@@ -23,9 +23,9 @@ struct Root
 struct Carried_part
 {
   std::size_t part;
-  std::vector<Root> roots;   ///< carriers are parts of the shape
-  std::size_t chain;         ///< the same number for parts that go and touch each other, directly or not
-  std::vector<Point> joints; ///< where it touches others, if its chain joins parts that nothing else joins
+  std::vector<Root> roots; ///< carriers are parts of the shape
+  std::size_t chain;       ///< the same number for parts that go and touch each other, directly or not
+  bool joins;              ///< whether its chain joins parts that nothing else joins
 };
 
 /// The parts of a shape that go, those that carry others before them. What is large enough carries first, then the

@@ -11,21 +11,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
-
-/// When each kind of task takes place. What the shape needs is the last to go and the first to come.
-struct Schedule_plan
-{
-  const char* name;
-  std::array<double, 2> morph, shrink, grow;
-  double from_the_ground; ///< by how much what is highest comes later than what is lowest
-};
-
-std::array<double, 2> reversed(const std::array<double, 2>& times) { return {1 - times[1], 1 - times[0]}; }
 
 Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
 {
@@ -110,6 +102,72 @@ Points box_corners(const In_between_shape& shape)
   return result;
 }
 
+/// Parts that come or go at one time, and when.
+struct Change_group
+{
+  std::array<bool, 2> is_at = {false, false}; ///< by end
+  double height = 0, size = 0;                ///< sums over its parts, of heights times sizes and of sizes
+  std::array<double, 2> times = {0, 1};
+
+  bool is_exchange() const { return is_at[0] && is_at[1]; }
+  /// New parts are nearly there before old ones go.
+  std::array<double, 2> times_of(const Blend_part& part) const
+  {
+    constexpr double share = 0.6;
+    const double length = (is_exchange() ? share : 1) * (times[1] - times[0]);
+    if (part.end() == 0) return {times[1] - length, times[1]};
+    return {times[0], times[0] + length};
+  }
+};
+
+using Change_groups = std::map<std::size_t, Change_group>;
+
+Change_groups groups_of(const std::vector<Blend_part>& parts)
+{
+  Change_groups result;
+  for (const Blend_part& part : parts) {
+    if (part.morph) continue;
+    Change_group& group = result[part.group];
+    group.is_at[std::size_t(part.end())] = true;
+    group.height += part.height * part.size;
+    group.size += part.size;
+  }
+  return result;
+}
+
+/// One group after the other, each so quickly that old and new parts are hardly seen together: first those that go,
+/// then those that are exchanged, then those that come; of these, from the ground up or from the top down.
+Change_groups in_turn(Change_groups groups, bool from_the_ground)
+{
+  constexpr double first = 0.15, last = 0.75, longest = 0.08;
+  std::vector<std::tuple<int, Steps, std::size_t>> order;
+  for (const auto& [number, group] : groups) {
+    const Steps height = quantized(group.height / group.size);
+    const int kind = group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2;
+    order.emplace_back(kind, from_the_ground ? height : -height, number);
+  }
+  std::sort(order.begin(), order.end());
+  const double step = (last - first) / double(order.size()), half = std::min(longest, step) / 2;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    double middle = first + (double(i) + 0.5) * step;
+    if (std::abs(middle - 0.5) < half) middle = middle < 0.5 ? 0.5 - half : 0.5 + half; // half-way, all are whole
+    groups[std::get<2>(order[i])].times = {middle - half, middle + half};
+  }
+  return groups;
+}
+
+Blend_schedule schedule(const char* name, const std::vector<Blend_part>& parts, const Change_groups& groups)
+{
+  Blend_schedule result{name, {}, {}};
+  for (const Blend_part& part : parts) {
+    result.tasks.push_back(part.task);
+    const std::array<double, 2> times = part.morph ? std::array{0., 1.} : groups.at(part.group).times_of(part);
+    result.tasks.back().begin = times[0];
+    result.tasks.back().end = times[1];
+  }
+  return result;
+}
+
 } // namespace
 
 Task_times times_of(const Blend_schedule& schedule)
@@ -122,31 +180,9 @@ Task_times times_of(const Blend_schedule& schedule)
 
 std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& parts)
 {
-  static constexpr Schedule_plan plans[] = {{"all at once", {0, 1}, {0, 1}, {0, 1}, 0},
-                                            {"shrink, then grow", {0, 1}, {0, 0.6}, {0.4, 1}, 0},
-                                            {"one after the other", {0.1, 0.9}, {0, 0.6}, {0.4, 1}, 0},
-                                            {"shrink, morph, grow", {0.15, 0.85}, {0, 0.55}, {0.45, 1}, 0},
-                                            {"from the ground up", {0, 0.7}, {0, 0.7}, {0.3, 1}, 0.3}};
-  std::vector<Blend_schedule> result;
-  for (const Schedule_plan& plan : plans) {
-    result.emplace_back();
-    result.back().name = plan.name;
-    for (const Blend_part& part : parts) {
-      Blend_task task = part.task;
-      const auto morphs = bool(part.morph);
-      const bool is_unlike = !morphs && task.obstacle != Blend_obstacle::NONE; // all change at once
-      const double delay = morphs ? plan.from_the_ground * std::clamp(part.height, 0., 1.) : 0;
-      std::array<double, 2> times = is_unlike                              ? std::array<double, 2>{0, 1}
-                                    : morphs                               ? plan.morph
-                                    : task.type == Blend_task_type::SHRINK ? plan.shrink
-                                                                           : plan.grow;
-      if (!is_unlike && !morphs && part.is_needed) times = reversed(times);
-      task.begin = times[0] + delay;
-      task.end = times[1] + delay;
-      result.back().tasks.push_back(task);
-    }
-  }
-  return result;
+  const Change_groups groups = groups_of(parts);
+  return {schedule("from the ground up", parts, in_turn(groups, true)),
+          schedule("from the top down", parts, in_turn(groups, false)), schedule("all at once", parts, groups)};
 }
 
 void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, const Blend_options& options)
@@ -163,12 +199,13 @@ void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, 
   schedules = std::move(ranked);
 }
 
-double schedule_distance(const Blend_structure& blend, const Task_times& a, const Task_times& b, int samples)
+double schedule_distance(const Blend_structure& blend, const Blend_schedule& a, const Blend_schedule& b, int samples)
 {
   double farthest = 0;
   for (int i = 1; i <= samples; ++i) {
     const double t = double(i) / (samples + 1);
-    const Points difference = box_corners(In_between_shape(blend, a, t)) - box_corners(In_between_shape(blend, b, t));
+    const Points difference =
+        box_corners(In_between_shape(blend, times_of(a), t)) - box_corners(In_between_shape(blend, times_of(b), t));
     farthest = std::max(farthest, std::sqrt(difference.squaredNorm() / double(difference.cols())));
   }
   return farthest;

@@ -21,6 +21,6 @@ void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, 
 
 /// How far in-between shapes of two schedules are apart, of the height: the root mean square distance of the corners of
 /// the boxes of their parts at most, a part that is not there counting as a point.
-double schedule_distance(const Blend_structure& blend, const Task_times& a, const Task_times& b, int samples);
+double schedule_distance(const Blend_structure& blend, const Blend_schedule& a, const Blend_schedule& b, int samples);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -116,6 +116,8 @@ contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_
   return {low.array() - around, high.array() + around};
 }
 
+constexpr double same_place = 0.4; // of the smaller box
+
 /// The overlap of boxes over the smaller one.
 double overlap(const contacts::Box& a, const contacts::Box& b)
 {
@@ -124,9 +126,13 @@ double overlap(const contacts::Box& a, const contacts::Box& b)
 
 } // namespace
 
+bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t target)
+{
+  return overlap(relative_box(stage, 0, source), relative_box(stage, 1, target)) > same_place;
+}
+
 Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given)
 {
-  constexpr double much = 0.4;
   std::array<std::vector<char>, 2> is_used = {std::vector<char>(stage.meshes[0].size(), 0),
                                               std::vector<char>(stage.meshes[1].size(), 0)};
   for (const auto& [s, t] : given)
@@ -136,7 +142,7 @@ Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given)
     for (std::size_t t = 0; t < is_used[1].size(); ++t) {
       if (is_used[0][s] || is_used[1][t]) continue;
       const double shared = overlap(relative_box(stage, 0, s), relative_box(stage, 1, t));
-      if (shared <= much) continue;
+      if (shared <= same_place) continue;
       if (!Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, stage).is_too_much_for_parts())
         alike.emplace_back(-quantized(shared), std::pair(s, t));
     }

@@ -25,6 +25,9 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, P
 /// Pairs of parts that are in none of the given ones, alike in place and size, those that overlap most first.
 Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given);
 
+/// Whether two parts take up the same place in the boxes around the shapes.
+bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t target);
+
 /// Whether what is in two boxes is too unlike to become each other.
 bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes);
 

@@ -25,7 +25,6 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 namespace internal {
-class Blend_pace;
 class Blend_structure;
 }
 
@@ -107,13 +106,12 @@ public:
               const Blend_options& options = {});
 
   /// The shape at `t` in [0, 1], on the stage: the source at 0 and the target at 1, of the sizes that
-  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. The shape changes evenly
-  /// with `t`: so is the area that moves, times how far.
+  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions start and
+  /// stop gently.
   Segmented_shape operator()(double t) const;
 
   /// The schedules, the best first, which is the one of the blend. Unless `Blend_options::rank_all` is set, a schedule
-  /// is not rated by further samples once it is worse by some than the best one by all. The tasks of the first one have
-  /// times of the blend; those of the others are as planned, before shapes are made to change evenly.
+  /// is not rated by further samples once it is worse by some than the best one by all.
   const std::vector<Blend_schedule>& schedules() const { return schedules_; }
 
   /// The shape at `t` as one closed surface that looks outwards, for printing and Boolean operations: it is wrapped
@@ -140,11 +138,7 @@ public:
   std::vector<Points> points(double t) const;
 
 private:
-  /// Paces the first schedule. From there on, the times of its tasks are those of the blend.
-  void set_pace();
-
   std::shared_ptr<const internal::Blend_structure> blend_;
-  std::shared_ptr<const internal::Blend_pace> pace_;
   std::vector<Blend_schedule> schedules_;
 };
 
