@@ -10,7 +10,7 @@
 #include "blend/unlike_pairs.h"
 
 #include <algorithm>
-#include <optional>
+#include <set>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -160,7 +160,7 @@ void set_image(const Blend_stage& stage, std::size_t number, std::vector<Blend_p
 }
 
 /// Groups of parts that come and go at one time, so that each takes the place of the other: chains and those that they
-/// correspond to, mirror images, what takes up one place, and all that a shape needs to stand or to hang together.
+/// correspond to, mirror images, what takes up one place, and what else a shape needs to stand or to hang together.
 class Change_groups
 {
 public:
@@ -176,27 +176,42 @@ public:
     const std::size_t number = number_of(end, part.part), image = stage_.images[std::size_t(end)][part.part];
     sets_.unite(number, number_of(end, part.chain));
     if (image != Mirror_images::none) sets_.unite(number, number_of(end, image));
-    if (stands || part.joins) sets_.unite(number, support_.value_or(number)), support_ = number;
+    if (stands) standing_.push_back(number);
+    if (part.joins) joining_.push_back(number);
     going_[std::size_t(end)].push_back(part.part);
   }
 
   /// To be called when all are added.
-  void unite_places()
+  void find()
   {
     for (std::size_t source : going_[0])
       for (std::size_t target : going_[1])
         if (are_in_one_place(stage_, source, target)) sets_.unite(source, sources_ + target);
+    unite(standing_);
+    std::array<std::set<std::size_t>, 2> groups; // by end
+    for (int end : {0, 1})
+      for (std::size_t part : going_[std::size_t(end)])
+        groups[std::size_t(end)].insert(sets_[number_of(end, part)]);
+    std::vector<std::size_t> alone; // that have no others in their place
+    for (std::size_t number : joining_)
+      if (groups[0].count(sets_[number]) + groups[1].count(sets_[number]) == 1) alone.push_back(number);
+    unite(alone);
   }
 
   std::size_t operator()(const Blend_part& part) { return sets_[number_of(part.end(), part.given())]; }
 
 private:
+  void unite(const std::vector<std::size_t>& numbers)
+  {
+    for (std::size_t number : numbers)
+      sets_.unite(number, numbers[0]);
+  }
   std::size_t number_of(int end, std::size_t part) const { return end == 0 ? part : sources_ + part; }
 
   const Blend_stage& stage_;
   std::size_t sources_;
-  Disjoint_sets sets_; ///< of the parts of the source, then those of the target
-  std::optional<std::size_t> support_;
+  Disjoint_sets sets_;                            ///< of the parts of the source, then those of the target
+  std::vector<std::size_t> standing_, joining_;   ///< parts that stand, or join what nothing else joins
   std::array<std::vector<std::size_t>, 2> going_; ///< by end
 };
 
@@ -228,7 +243,7 @@ void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std
     for (std::size_t i = 0; i < going.size(); ++i)
       if (is_unlike[going[i].chain]) parts[first + i].task.obstacle = Blend_obstacle::UNLIKE;
   }
-  groups.unite_places();
+  groups.find();
   for (std::size_t i = matched; i < parts.size(); ++i) {
     set_image(stage, i, parts);
     parts[i].group = groups(parts[i]);

@@ -107,7 +107,7 @@ struct Change_group
 {
   std::array<bool, 2> is_at = {false, false}; ///< by end
   double height = 0, size = 0;                ///< sums over its parts, of heights times sizes and of sizes
-  std::array<double, 2> times = {0, 1};
+  std::array<double, 2> times = {0, 0};
 
   bool is_exchange() const { return is_at[0] && is_at[1]; }
   /// New parts are nearly there before old ones go.
@@ -182,7 +182,7 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
 {
   const Change_groups groups = groups_of(parts);
   return {schedule("from the ground up", parts, in_turn(groups, true)),
-          schedule("from the top down", parts, in_turn(groups, false)), schedule("all at once", parts, groups)};
+          schedule("from the top down", parts, in_turn(groups, false))};
 }
 
 void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, const Blend_options& options)

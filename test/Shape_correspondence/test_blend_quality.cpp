@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend/Box_motion.h"
 #include "blend/blend_quality.h"
-#include "blend/ease.h"
 #include "box_models.h"
 #include "model_files.h"
 
@@ -201,12 +200,11 @@ TEST_CASE("Parts turn by the least rotation between their boxes")
   boxes[2].middle.y() = 1.3;
   const Box_model target = model_of(boxes);
   Blend_options options;
-  options.schedule = "all at once";
   options.size = Blend_size::SAME;
   const Shape_blend blend = blend_of(source, target, same_parts(3), options);
   for (double t : {0.25, 0.5, 0.75}) {
     CHECK(blend.check(t).quality.rotation < 1e-6);
-    const double done = internal::eased(t), width = (1 - done) * 0.8 / 1.4 + done * 0.5 / 1.7;
+    const double width = (1 - t) * 0.8 / 1.4 + t * 0.5 / 1.7;
     CHECK(box_of(blend(t).parts()[2]).sizes().x() == Approx(width).epsilon(0.02));
   }
 }
@@ -239,9 +237,7 @@ TEST_CASE("Parts that pass through each other are told")
                                        {"mast", {0, 0.55, 0.4}, {0.1, 0.9, 0.1}}};
   std::vector<Named_box> there = here;
   there[1].middle.x() = 0.25, there[2].middle.x() = -0.25; // farther, they would thin and thicken
-  Blend_options options;
-  options.schedule = "all at once";
-  const Shape_blend blend = blend_of(model_of(here), model_of(there), same_parts(4), options);
+  const Shape_blend blend = blend_of(model_of(here), model_of(there), same_parts(4));
   CHECK(blend.check(0.5).quality.overlap > Shape_blend::overlap_tolerance);
   CHECK(blend.check(0.05).quality.overlap == 0);
   CHECK(blend.check(0).quality.overlap == 0);
@@ -313,7 +309,7 @@ TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike i
   CHECK(morphs(0.5) == 3);
 }
 
-TEST_CASE("All motions start and stop gently, by any schedule")
+TEST_CASE("All motions are even, by any schedule")
 {
   std::vector<Named_box> wide = stand();
   wide[2].size.x() = 2;
@@ -328,12 +324,9 @@ TEST_CASE("All motions start and stop gently, by any schedule")
     options.schedule = name;
     const Shape_blend blend = blend_of(source, target, same_parts(3), options);
     REQUIRE(blend.schedules().size() == 1);
-    CHECK(width(blend(0.02)) < 1.01);
-    CHECK(width(blend(0.98)) > 1.99);
+    for (double t : {0.02, 0.3, 0.98})
+      CHECK(width(blend(t)) == Approx(1 + t).epsilon(0.01));
   }
-  CHECK(internal::eased(0.5) == Approx(0.5));
-  for (double done : {0., 0.1, 0.5, 0.8, 1.})
-    CHECK(internal::eased(internal::time_of(done)) == Approx(done).margin(1e-12));
 }
 
 TEST_CASE("A schedule may be chosen; blends by different ones differ, and the best one is that of all")
@@ -342,6 +335,7 @@ TEST_CASE("A schedule may be chosen; blends by different ones differ, and the be
   std::vector<Named_box> more = stand();
   more[2].middle.x() = 0.2;
   more.push_back({"lamp", {0.2, 1.2, 0}, {0.3, 0.4, 0.3}});
+  more.push_back({"shelf", {0, 0.5, 0.2}, {0.3, 0.05, 0.3}});
   const Box_model target = model_of(more);
   Blend_options options;
   options.schedule = "no such";
@@ -356,10 +350,7 @@ TEST_CASE("A schedule may be chosen; blends by different ones differ, and the be
   REQUIRE(different.size() > 1);
   CHECK(different[0].schedules()[0].name == all.schedules()[0].name);
   const Segmented_shape first = different[0](0.5), second = different[1](0.5);
-  const bool is_other = first.parts().size() != second.parts().size() ||
-                        std::abs(height_of(first) - height_of(second)) > 1e-3 ||
-                        (first.parts()[2].mesh.points - second.parts()[2].mesh.points).norm() > 1e-3;
-  CHECK(is_other);
+  CHECK(first.parts().back().name != second.parts().back().name); // the shelf or the lamp comes first
   // Nothing that moves, shrinks or grows: all are the same
   CHECK(blend_of(source, source, same_parts(3), options).different_blends().size() == 1);
 }

@@ -3,7 +3,6 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend/Blend_structure.h"
-#include "blend/Retreating_part.h"
 #include "blend_checks.h"
 #include "box_shapes.h"
 
@@ -17,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,7 +107,7 @@ TEST_CASE("What touches at one end parts evenly: a crest that stays on its posts
   CHECK(partings == 2);
 }
 
-TEST_CASE("A chain that joins parts that nothing else joins goes together, and holds together until it is gone")
+TEST_CASE("A chain of parts goes at one time, and holds together until then")
 {
   Segmented_shape joined("joined"), apart("apart");
   joined.add_part("foot", box({0, 0.1, 0}, {1, 0.2, 1}));
@@ -119,17 +119,20 @@ TEST_CASE("A chain that joins parts that nothing else joins goes together, and h
   apart.add_part("shade", box({-0.4, 0.9, 0.1}, {0.25, 0.4, 0.4}));
   const Model source(joined), target(apart);
   const Shape_blend blend = blend_of(source, target, {{"foot", "foot"}, {"shade", "shade"}});
-  int seen = 0;
-  for (double t = 0.05; t < 0.9; t += 0.05) {
-    const Segmented_shape shape = blend(t);
-    const auto count = shape.parts().size();
-    CHECK((count == 2 || count == 5));
-    if (count == 2) continue;
-    ++seen;
-    INFO("t = " << t);
-    CHECK(widest_gap(shape, 1.1) < touching);
+  double begin = 0, end = 0;
+  for (const Blend_task& task : blend.schedules()[0].tasks) {
+    if (task.type != Blend_task_type::SHRINK) continue;
+    CHECK((begin == 0 || task.begin == begin));
+    begin = task.begin;
+    end = task.end;
   }
-  CHECK(seen > 3);
+  CHECK(end - begin < 0.1);
+  for (double t = 0.01; t < 1; t += 0.05) {
+    INFO("t = " << t);
+    const Segmented_shape shape = blend(t);
+    CHECK(shape.parts().size() == (t < end ? 5 : 2));
+    if (t < begin) CHECK(widest_gap(shape, 1.1) < touching);
+  }
 }
 
 TEST_CASE("What nothing large carries is carried by what is small, not by the ground below")
@@ -178,32 +181,36 @@ TEST_CASE("Legs hang on a seat that is far higher than where they come from")
   CHECK(seen > 2);
 }
 
-TEST_CASE("A bent rod between others thins to its curve, where it is")
+TEST_CASE("What takes up one place, or is needed to stand, changes at one time")
 {
-  constexpr double half_thickness = 0.05;
-  Part_mesh bow = box({0, 0, 0}, {1, 2 * half_thickness, 2 * half_thickness}, 0, 24);
-  Points spine(3, 33);
-  for (Eigen::Index i = 0; i < spine.cols(); ++i)
-    spine.col(i) << double(i) / double(spine.cols() - 1) - 0.5, 0, 0;
-  for (Points* points : {&bow.points, &spine})
-    for (Eigen::Index i = 0; i < points->cols(); ++i) {
-      const double angle = EIGEN_PI * (*points)(0, i), radius = 1 + (*points)(1, i);
-      points->col(i).head<2>() << radius * std::sin(angle), radius * std::cos(angle);
+  const auto stand = [](bool is_round, const std::string& extra, double at) {
+    Segmented_shape result("stand");
+    result.add_part("top", box({0, 0.95, 0}, {1, 0.1, 1}));
+    for (double x : {-0.4, 0.4})
+      if (!is_round) result.add_part(x < 0 ? "left" : "right", box({x, 0.45, 0}, {0.1, 0.9, 0.8}));
+    if (is_round) result.add_part("column", box({0, 0.45, 0}, {0.1, 0.9, 0.1}));
+    result.add_part(extra, box({at, 1.1, 0.3}, {0.2, 0.2, 0.2}));
+    return Model(result);
+  };
+  const auto windows = [](const Shape_blend& blend) {
+    std::set<std::pair<double, double>> result; // of what goes
+    for (const Blend_task& task : blend.schedules()[0].tasks) {
+      if (task.type == Blend_task_type::MORPH) continue;
+      CHECK((task.end <= 0.5 || task.begin >= 0.5));
+      if (task.type == Blend_task_type::SHRINK) result.emplace(task.begin, task.end);
     }
-  Part_abstraction part;
-  part.geometry = Curve{spine, false};
-  const auto chart = internal::Part_chart::around(part, spine, bow.points);
-  const std::vector<Point> ends = {{-1, 0, 0}, {1, 0, 0}};
-  const internal::Retreating_part retreating(bow, &chart, Eigen::Matrix3d::Identity(), ends, ends);
-  const double remaining = 0.125, left = std::cbrt(remaining);
-  const Points points = retreating.points(remaining);
-  double farthest = 0;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const Point p = points.col(i);
-    farthest = std::max(farthest, std::hypot(std::hypot(p.x(), p.y()) - 1, p.z()));
-    CHECK((p - retreating.place(bow.points.col(i), remaining)).norm() < 1e-12);
+    return result;
+  };
+  const Model source = stand(false, "vase", -0.3), same_place = stand(true, "bowl", -0.3);
+  const Shape_blend blend = blend_of(source, same_place, {{"top", "top"}});
+  CHECK(windows(blend).size() == 2); // the supports, and what stands on the top
+  int supports = 0;
+  constexpr int steps = 50;
+  for (int i = 1; i < steps; ++i) {
+    const Segmented_shape shape = blend(double(i) / steps);
+    supports += std::any_of(shape.parts().begin(), shape.parts().end(), [](const Shape_part& part) {
+      return (part.name == "left~" || part.name == "~column") && part.mesh.points.row(1).minCoeff() < 0.02;
+    });
   }
-  CHECK(farthest < 1.1 * left * std::sqrt(2) * half_thickness);
-  CHECK(farthest > 0.9 * left * std::sqrt(2) * half_thickness);
-  CHECK(points.row(1).maxCoeff() > 0.99); // it is as bent as ever
+  CHECK(supports == steps - 1); // at any time, one stands
 }

@@ -50,8 +50,8 @@ struct Blend_surface
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
 ///   and rotation; the axes of boxes are paired for the least rotation. Then all parts are moved and
 ///   stretched along the axes as little as it takes to keep contacts, and to part evenly what touches at one end only;
-///   mirror images stay that, what stands on the ground stands, and the whole has the height, width and depth that are
-///   due between the ends.
+///   mirror images stay that, what stands on the ground stands, and the whole has the height that is due between the
+///   ends, and the width and depth that are due for the parts that are there.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
 ///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where there is no such map,
 ///   as a surface would be torn on the way, or would have to turn, to change its proportions, to travel or
@@ -60,9 +60,9 @@ struct Blend_surface
 ///   fall apart, or the ends have little in common, a surface that would be torn is replaced by the other one in its
 ///   box half-way.
 /// - *Unmatched parts*, and those that become their counterparts in neither way, go with what carries them, and draw
-///   back into it, or grow out of it; what joins parts that nothing else joins thins where it is. What the shape needs
-///   to stand or to hang together, and what reaches beyond all that stays, goes last and comes first. Two parts without
-///   counterpart that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
+///   back into it, or grow out of it: in groups, one after the other, each quickly, so that old and new parts are
+///   hardly seen together. Two parts without counterpart that are alike in place and size become each other
+///   (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///
@@ -106,8 +106,7 @@ public:
               const Blend_options& options = {});
 
   /// The shape at `t` in [0, 1], on the stage: the source at 0 and the target at 1, of the sizes that
-  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions start and
-  /// stop gently.
+  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions are even.
   Segmented_shape operator()(double t) const;
 
   /// The schedules, the best first, which is the one of the blend. Unless `Blend_options::rank_all` is set, a schedule
