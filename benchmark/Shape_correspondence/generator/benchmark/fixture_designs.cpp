@@ -238,13 +238,10 @@ Assembly single_spot(const char* name, bool on_wall, std::uint64_t seed)
            on_wall ? wall_mount({0, 0, 0}, .08) : disc(disc_profile(.08, -.01, .01, .003), .08, 0, 14));
   lamp.add("arm", {"body", ""}, beam(Point::Zero(), joint, round_section(.014), 6));
   const Point towards = Point(0, -1, random.between(.2, 1.2)).normalized();
-  const Point bracket(.5 * size + .006, 0, 0);
-  lamp.add("bracket", {"arm", "swivel"},
-           tube(with_mirror_image(bent(
-                    {joint + Point(0, .5 * size, 0) * (on_wall ? 0 : 1) - Point(0, 0, on_wall ? .5 * size : 0),
-                     joint + bracket - (on_wall ? Point(0, 0, .5 * size) : Point(0, -.5 * size, 0)), joint + bracket},
-                    .02)),
-                bar(.024, .008)));
+  const Point aside(.5 * size + .006, 0, 0), behind = on_wall ? Point(0, 0, -.5 * size) : Point(0, .5 * size, 0);
+  lamp.add(
+      "bracket", {"arm", "swivel"},
+      tube(with_mirror_image(bent({joint + behind, joint + aside + behind, joint + aside}, .02)), bar(.024, .008)));
   add_spot(lamp, "", joint, towards, size, true);
   return lamp;
 }
