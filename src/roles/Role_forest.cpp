@@ -155,9 +155,22 @@ Eigen::MatrixXi Role_forest::votes(const Role_features& parts, int roles) const
 void Role_forest::write(std::ostream& out) const
 {
   for (const Node& node : trees().nodes) {
+    if (node.feature == leaf && node.value < roles_in_one_byte) {
+      out.put(char(ROLE_FEATURE_COUNT + node.value));
+      continue;
+    }
     out.put(char(node.feature));
     out.put(char(node.value));
   }
+}
+
+std::optional<Role_forest::Node> Role_forest::taken_node(Stored_bytes& bytes)
+{
+  if (bytes.size() == 0) return std::nullopt;
+  const std::uint8_t first = *bytes.next++;
+  if (first >= ROLE_FEATURE_COUNT && first < leaf) return Node{leaf, std::uint8_t(first - ROLE_FEATURE_COUNT)};
+  if (bytes.size() == 0) return std::nullopt;
+  return Node{first, *bytes.next++};
 }
 
 bool Role_forest::read(Stored_bytes& bytes, int trees, int roles)
@@ -165,12 +178,11 @@ bool Role_forest::read(Stored_bytes& bytes, int trees, int roles)
   const std::uint8_t* const begin = bytes.next;
   bool is_right = true;
   for (int tree = 0; tree < trees; ++tree)
-    for (std::size_t to_come = 1; to_come > 0; bytes.next += node_size) { // nodes of the tree that are left to read
-      if (bytes.size() < node_size) return false;
-      const std::uint8_t feature = bytes.next[0], value = bytes.next[1];
-      const bool is_leaf = feature == leaf;
-      is_right &= is_leaf ? value < roles : feature < ROLE_FEATURE_COUNT;
-      to_come += is_leaf ? std::size_t(-1) : 1;
+    for (std::size_t to_come = 1; to_come > 0;) { // nodes of the tree that are left to read
+      const std::optional<Node> node = taken_node(bytes);
+      if (!node) return false;
+      is_right &= node->feature != leaf || node->value < roles;
+      to_come += node->feature == leaf ? std::size_t(-1) : 1;
     }
   trees_ = std::make_shared<Trees>();
   trees_->stored = {begin, bytes.next, bytes.owner};
@@ -179,16 +191,14 @@ bool Role_forest::read(Stored_bytes& bytes, int trees, int roles)
 
 void Role_forest::make_trees(Trees& trees)
 {
-  const Stored_bytes& stored = trees.stored;
-  trees.nodes.reserve(stored.size() / node_size);
   std::vector<std::uint32_t> parents; // of right children that are to come
   bool is_root = true;
-  for (const std::uint8_t* next = stored.next; next != stored.end; next += node_size) {
+  for (Stored_bytes stored = trees.stored; const std::optional<Node> taken = taken_node(stored);) {
     const auto node = std::uint32_t(trees.nodes.size());
     if (is_root) trees.roots.push_back(node);
-    trees.nodes.push_back({next[0], next[1]});
+    trees.nodes.push_back(*taken);
     is_root = false;
-    if (next[0] != leaf) {
+    if (taken->feature != leaf) {
       parents.push_back(node);
     } else if (parents.empty()) {
       is_root = true;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -56,7 +57,9 @@ private:
     std::uint32_t right = 0; // index of the right child; the left one is next
   };
   static constexpr std::uint8_t leaf = 255;
-  static constexpr std::size_t node_size = 2; // bytes in a file: feature and value
+  // In a file, a node has two bytes, feature and value; but a leaf of one of the first roles has one, the number of
+  // features plus the role.
+  static constexpr int roles_in_one_byte = leaf - ROLE_FEATURE_COUNT;
 
   struct Trees
   {
@@ -68,6 +71,8 @@ private:
 
   class Builder;
 
+  // Takes the first node of the bytes; none if they end before.
+  static std::optional<Node> taken_node(Stored_bytes& bytes);
   static void make_trees(Trees& trees);
   const Trees& trees() const;
 

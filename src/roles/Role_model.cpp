@@ -123,7 +123,7 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
                       (known.empty() ? "none" : known));
 }
 
-constexpr const char* magic = "shape_correspondence roles 5";
+constexpr const char* magic = "shape_correspondence roles 6";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 constexpr long most_weight_steps = 1000000000; // of a weight, either way
 

@@ -182,14 +182,33 @@ TEST_CASE("What is no forest is refused when it is read, before anybody asks for
   CHECK_FALSE(is_read(whole, trees - 1, roles, read));
   for (std::size_t size = 0; size < whole.size(); ++size)
     CHECK_FALSE(is_read(whole.substr(0, size), trees, roles, read));
-  const char leaf = char(255), no_feature = char(ROLE_FEATURE_COUNT);
-  for (std::size_t node = 0; node < whole.size(); node += 2) {
+  const char no_role = char(ROLE_FEATURE_COUNT + roles);
+  for (std::size_t node = 0; node < whole.size();) {
     std::string damaged = whole;
-    if (whole[node] == leaf)
-      damaged[node + 1] = char(roles);
-    else
-      damaged[node] = no_feature;
+    damaged[node] = no_role;
     CHECK_FALSE(is_read(damaged, trees, roles, read));
+    const bool is_leaf = std::uint8_t(whole[node]) >= ROLE_FEATURE_COUNT;
+    node += is_leaf ? 1 : 2;
+  }
+}
+
+TEST_CASE("A forest of many roles, whose last ones take two bytes, is read as it was written")
+{
+  constexpr int trees = 5;
+  for (int most : {3, 255 - ROLE_FEATURE_COUNT, 256 - ROLE_FEATURE_COUNT, 255}) {
+    INFO(most);
+    std::vector<Role_example> examples = random_examples(60);
+    for (Role_example& example : examples)
+      example.role = std::uint8_t(most - 1 - example.role);
+    std::sort(examples.begin(), examples.end());
+    const Role_forest grown(examples, trees, 5);
+    Role_forest read;
+    REQUIRE(is_read(bytes_of(grown), trees, most, read));
+    CHECK_FALSE(is_read(bytes_of(grown), trees, most - 1, read));
+    REQUIRE(is_read(bytes_of(grown), trees, most, read));
+    Role_features parts = Role_features::Constant(1, ROLE_FEATURE_COUNT, 7);
+    CHECK(read.votes(parts, most) == grown.votes(parts, most));
+    CHECK(bytes_of(read) == bytes_of(grown));
   }
 }
 

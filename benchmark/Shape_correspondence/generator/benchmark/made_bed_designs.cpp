@@ -5,8 +5,6 @@
 
 #include "made_bed_designs.h"
 
-#include "bed_designs.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -15,18 +13,6 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 namespace {
-
-enum class Bed_support { posts, frame, box };
-enum class Bedding { none, blanket, fold, band };
-
-struct Made_bed_design
-{
-  const char* name;
-  Bed_support support;
-  Bed_design bed; ///< its ends, width and pillows
-  Bedding bedding = Bedding::blanket;
-  bool headboard = true, legs = true;
-};
 
 /// What lies across the bed and hangs down at both sides, between two places along z, 0 the foot and 1 the head.
 Solid cover(const Bed_frame& f, double top, double from, double to, double drop)
@@ -40,18 +26,35 @@ Solid cover(const Bed_frame& f, double top, double from, double to, double drop)
   return slab(surface, .03, {7, 14, 0, .3});
 }
 
-void add_bedding(Assembly& bed, const Bed_frame& f, Bedding bedding, double top, Random& random)
+} // namespace
+
+void add_bedding(Assembly& bed, const Bed_frame& f, Bedding bedding, double top, Random& random,
+                 const std::string& suffix)
 {
   const double drop = random.between(.08, .22), end = random.between(.62, .75);
   if (bedding == Bedding::none) return;
   if (bedding == Bedding::band) {
     const double from = random.between(.15, .55);
-    bed.add("band", {"bedding", "band"}, cover(f, top + .02, from, from + .18, drop));
+    bed.add("band" + suffix, {"bedding", "band"}, cover(f, top + .02, from, from + .18, drop));
     return;
   }
-  bed.add("blanket", {"bedding", "blanket"}, cover(f, top + .02, 0, end, drop));
-  if (bedding == Bedding::fold) bed.add("fold", {"bedding", "fold"}, cover(f, top + .045, end - .12, end, .7 * drop));
+  bed.add("blanket" + suffix, {"bedding", "blanket"}, cover(f, top + .02, 0, end, drop));
+  if (bedding == Bedding::fold)
+    bed.add("fold" + suffix, {"bedding", "fold"}, cover(f, top + .045, end - .12, end, .7 * drop));
 }
+
+namespace {
+
+enum class Bed_support { posts, frame, box };
+
+struct Made_bed_design
+{
+  const char* name;
+  Bed_support support;
+  Bed_design bed; ///< its ends, width and pillows
+  Bedding bedding = Bedding::blanket;
+  bool headboard = true, legs = true;
+};
 
 /// A ring around the mattress, in one piece.
 Solid bed_ring(const Bed_frame& f, double y)

@@ -6,13 +6,21 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_MADE_BED_DESIGNS_H
 #define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_MADE_BED_DESIGNS_H
 
-#include "../assembly.h"
+#include "bed_designs.h"
 
 #include <cstdint>
+#include <string>
 
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
+
+/// Nothing, a blanket, one that is folded back at the head, or a band across the foot.
+enum class Bedding { none, blanket, fold, band };
+
+/// \param top of the mattress
+void add_bedding(Assembly& bed, const Bed_frame& f, Bedding bedding, double top, Random& random,
+                 const std::string& suffix = "");
 
 /// Beds as in `bed_designs()`, but with bedding, and on frames in one piece or on boxes; `seed` is of the first one.
 std::vector<Assembly> made_beds(std::uint64_t seed);

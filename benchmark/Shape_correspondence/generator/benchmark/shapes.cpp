@@ -7,17 +7,21 @@
 
 #include "aeroplane_designs.h"
 #include "bed_designs.h"
+#include "bed_kinds.h"
 #include "boat_designs.h"
 #include "car_designs.h"
 #include "cart_designs.h"
 #include "chair_designs.h"
+#include "cycle_designs.h"
 #include "desk_designs.h"
+#include "fixture_designs.h"
 #include "lamp_designs.h"
 #include "light_designs.h"
 #include "made_bed_designs.h"
 #include "plant_designs.h"
 #include "shelf_designs.h"
 #include "sofa_designs.h"
+#include "sofa_kinds.h"
 #include "table_designs.h"
 #include "velocipede_designs.h"
 
@@ -55,7 +59,8 @@ std::vector<Assembly> training_shapes()
 {
   std::vector<Assembly> shapes = benchmark_shapes();
   for (const std::vector<Assembly>& category :
-       {made_beds(700), cars(800), desks(900), lights(1000), plants(1100), shelves(1200), sofas(1300)})
+       {made_beds(700), cars(800), desks(900), lights(1000), plants(1100), shelves(1200), sofas(1300), cycles(1400),
+        fixtures(1500), bed_kinds(1600), sofa_kinds(1700)})
     shapes.insert(shapes.end(), category.begin(), category.end());
   return shapes;
 }

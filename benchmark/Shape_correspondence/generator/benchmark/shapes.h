@@ -16,8 +16,8 @@ namespace generator {
 /// from fixed seeds.
 std::vector<Assembly> benchmark_shapes();
 
-/// The shapes that roles are learned from: those of the benchmark, further beds, lamps and tables, and cars, plants,
-/// shelves and sofas. No method is compared on the further ones.
+/// The shapes that roles are learned from: those of the benchmark, further beds, lamps, tables and velocipedes, and
+/// cars, plants, shelves and sofas. No method is compared on the further ones.
 std::vector<Assembly> training_shapes();
 
 /// Boats and carts, three of each: further kinds of the paper's gallery, which no method is set or compared on.

@@ -240,7 +240,15 @@ const std::vector<Shelf_design>& shelf_designs()
       {"shelf_night_stand", C::body, B::legs, .45, .55, .4, 0, 0, 0, 2, 1, true, true},
       {"shelf_sideboard", C::boards, B::legs, 1.6, .8, .45, 0, 0, 2, 1, 3, true, false, true},
       {"shelf_posts", C::posts, B::none, .9, 1.8, .4, 5},
-      {"shelf_drawers_below", C::boards, B::plinth, .8, 1.8, .35, 3, 0, 0, 2, 1, true, true}};
+      {"shelf_drawers_below", C::boards, B::plinth, .8, 1.8, .35, 3, 0, 0, 2, 1, true, true},
+      {"shelf_bench", C::boards, B::legs, 1.3, .45, .4, 0, 0, 0, 0, 1, false},
+      {"shelf_media", C::boards, B::legs, 1.5, .5, .42, 1, 0, 0, 0, 1, false},
+      {"shelf_media_back", C::boards, B::plinth, 1.6, .45, .4, 1, 2},
+      {"shelf_media_drawers", C::boards, B::legs, 1.6, .5, .42, 1, 0, 0, 1, 2, true, false, true},
+      {"shelf_cubes", C::boards, B::none, .8, .8, .38, 1, 1, 0, 0, 1, false},
+      {"shelf_narrow", C::boards, B::none, .4, 1.9, .3, 5, 0, 0, 0, 1, false},
+      {"shelf_body_legs", C::body, B::legs, 1., 1.2, .35, 3},
+      {"shelf_posts_low", C::posts, B::none, 1.2, .8, .4, 2}};
   return designs;
 }
 
