@@ -110,11 +110,10 @@ struct Change_group
   std::array<double, 2> times = {0, 0};
 
   bool is_exchange() const { return is_at[0] && is_at[1]; }
-  /// New parts are nearly there before old ones go.
+  /// New parts are there before old ones go.
   std::array<double, 2> times_of(const Blend_part& part) const
   {
-    constexpr double share = 0.6;
-    const double length = (is_exchange() ? share : 1) * (times[1] - times[0]);
+    const double length = (is_exchange() ? 0.5 : 1) * (times[1] - times[0]);
     if (part.end() == 0) return {times[1] - length, times[1]};
     return {times[0], times[0] + length};
   }

