@@ -135,22 +135,32 @@ Change_groups groups_of(const std::vector<Blend_part>& parts)
 }
 
 /// One group after the other, each so quickly that old and new parts are hardly seen together: first those that go,
-/// then those that are exchanged, then those that come; of these, from the ground up or from the top down.
+/// then those that are exchanged, in the middle of the time, then those that come; of these, from the ground up or from
+/// the top down.
 Change_groups in_turn(Change_groups groups, bool from_the_ground)
 {
   constexpr double first = 0.15, last = 0.75, longest = 0.08;
-  std::vector<std::tuple<int, Steps, std::size_t>> order;
+  using Order = std::vector<std::tuple<Steps, std::size_t>>;
+  std::array<Order, 3> kinds;
   for (const auto& [number, group] : groups) {
     const Steps height = quantized(group.height / group.size);
-    const int kind = group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2;
-    order.emplace_back(kind, from_the_ground ? height : -height, number);
+    Order& kind = kinds[group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2];
+    kind.emplace_back(from_the_ground ? height : -height, number);
   }
-  std::sort(order.begin(), order.end());
-  const double step = (last - first) / double(order.size()), half = std::min(longest, step) / 2;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    double middle = first + (double(i) + 0.5) * step;
-    if (std::abs(middle - 0.5) < half) middle = middle < 0.5 ? 0.5 - half : 0.5 + half; // half-way, all are whole
-    groups[std::get<2>(order[i])].times = {middle - half, middle + half};
+  const bool has_exchanges = !kinds[1].empty();
+  std::vector<Order> turns;
+  for (Order& kind : kinds)
+    if (has_exchanges || !kind.empty()) turns.push_back(std::move(kind));
+  const double share = (last - first) / double(turns.size());
+  for (std::size_t turn = 0; turn < turns.size(); ++turn) {
+    Order& order = turns[turn];
+    std::sort(order.begin(), order.end());
+    const double step = share / double(order.size()), half = std::min(longest, step) / 2;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      double middle = first + double(turn) * share + (double(i) + 0.5) * step;
+      if (std::abs(middle - 0.5) < half) middle = middle < 0.5 ? 0.5 - half : 0.5 + half; // half-way, all are whole
+      groups[std::get<1>(order[i])].times = {middle - half, middle + half};
+    }
   }
   return groups;
 }
