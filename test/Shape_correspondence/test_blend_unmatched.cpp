@@ -183,27 +183,26 @@ TEST_CASE("Legs hang on a seat that is far higher than where they come from")
 
 TEST_CASE("What takes up one place, or is needed to stand, changes at one time")
 {
-  const auto stand = [](bool is_round, const std::string& extra, double at) {
-    Segmented_shape result("stand");
-    result.add_part("top", box({0, 0.95, 0}, {1, 0.1, 1}));
-    for (double x : {-0.4, 0.4})
-      if (!is_round) result.add_part(x < 0 ? "left" : "right", box({x, 0.45, 0}, {0.1, 0.9, 0.8}));
-    if (is_round) result.add_part("column", box({0, 0.45, 0}, {0.1, 0.9, 0.1}));
-    result.add_part(extra, box({at, 1.1, 0.3}, {0.2, 0.2, 0.2}));
-    return Model(result);
-  };
-  const auto windows = [](const Shape_blend& blend) {
-    std::set<std::pair<double, double>> result; // of what goes
-    for (const Blend_task& task : blend.schedules()[0].tasks) {
-      if (task.type == Blend_task_type::MORPH) continue;
-      CHECK((task.end <= 0.5 || task.begin >= 0.5));
-      if (task.type == Blend_task_type::SHRINK) result.emplace(task.begin, task.end);
-    }
-    return result;
-  };
-  const Model source = stand(false, "vase", -0.3), same_place = stand(true, "bowl", -0.3);
-  const Shape_blend blend = blend_of(source, same_place, {{"top", "top"}});
-  CHECK(windows(blend).size() == 2); // the supports, and what stands on the top
+  Segmented_shape legged("legged"), pedestal("pedestal");
+  for (Segmented_shape* shape : {&legged, &pedestal})
+    shape->add_part("top", box({0, 0.95, 0}, {1, 0.1, 1}));
+  for (double x : {-0.4, 0.4})
+    legged.add_part(x < 0 ? "left" : "right", box({x, 0.45, 0}, {0.1, 0.9, 0.8}));
+  pedestal.add_part("column", box({0, 0.45, 0}, {0.1, 0.9, 0.1}));
+  legged.add_part("vase", box({0, 1.15, 0}, {0.3, 0.3, 0.3}));
+  for (double x : {-0.06, 0.06})
+    pedestal.add_part(x < 0 ? "pear" : "apple", box({x, 1.01, 0}, {0.02, 0.02, 0.02}));
+  const Model source(legged), target(pedestal);
+  const Shape_blend blend = blend_of(source, target, {{"top", "top"}});
+  std::set<double> come, go; // when parts are there, and when they begin to go
+  for (const Blend_task& task : blend.schedules()[0].tasks) {
+    if (task.type == Blend_task_type::MORPH) continue;
+    CHECK((task.end <= 0.5 || task.begin >= 0.5)); // half-way, all are whole
+    if (task.type == Blend_task_type::GROW) come.insert(task.end);
+    if (task.type == Blend_task_type::SHRINK) go.insert(task.begin);
+  }
+  CHECK(come == go);
+  CHECK(go.size() == 2); // the supports, and what stands on the top
   int supports = 0;
   constexpr int steps = 50;
   for (int i = 1; i < steps; ++i) {
