@@ -13,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -140,12 +139,12 @@ Change_groups groups_of(const std::vector<Blend_part>& parts)
 Change_groups in_turn(Change_groups groups, bool from_the_ground)
 {
   constexpr double first = 0.15, last = 0.75, longest = 0.08;
-  using Order = std::vector<std::tuple<Steps, std::size_t>>;
+  using Order = std::map<Steps, std::vector<std::size_t>>; // by height: what is as high changes at one time
   std::array<Order, 3> kinds;
   for (const auto& [number, group] : groups) {
     const Steps height = quantized(group.height / group.size);
     Order& kind = kinds[group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2];
-    kind.emplace_back(from_the_ground ? height : -height, number);
+    kind[from_the_ground ? height : -height].push_back(number);
   }
   const bool has_exchanges = !kinds[1].empty();
   std::vector<Order> turns;
@@ -153,13 +152,14 @@ Change_groups in_turn(Change_groups groups, bool from_the_ground)
     if (has_exchanges || !kind.empty()) turns.push_back(std::move(kind));
   const double share = (last - first) / double(turns.size());
   for (std::size_t turn = 0; turn < turns.size(); ++turn) {
-    Order& order = turns[turn];
-    std::sort(order.begin(), order.end());
-    const double step = share / double(order.size()), half = std::min(longest, step) / 2;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      double middle = first + double(turn) * share + (double(i) + 0.5) * step;
-      if (std::abs(middle - 0.5) < half) middle = middle < 0.5 ? 0.5 - half : 0.5 + half; // half-way, all are whole
-      groups[std::get<1>(order[i])].times = {middle - half, middle + half};
+    const double step = share / double(turns[turn].size()), half = std::min(longest, step) / 2;
+    double middle = first + double(turn) * share - step / 2;
+    for (const auto& [height, numbers] : turns[turn]) {
+      middle += step;
+      double at = middle;
+      if (std::abs(at - 0.5) < half) at = at < 0.5 ? 0.5 - half : 0.5 + half; // half-way, all are whole
+      for (std::size_t number : numbers)
+        groups[number].times = {at - half, at + half};
     }
   }
   return groups;
