@@ -4,7 +4,6 @@
 #include "blend/In_between_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -73,6 +72,7 @@ void In_between_shape::set_progress(const Task_times& times, double t)
     }
   }
   whole_ = sizes > 0 ? sum / sizes : t;
+  present_ = {present_box(0), present_box(1)};
 }
 
 contacts::Box In_between_shape::due_box() const { return between(blend_.boxes[0], blend_.boxes[1], whole_); }
@@ -96,6 +96,8 @@ contacts::Box In_between_shape::present_box(int end) const
   result.max().y() = blend_.boxes[std::size_t(end)].max().y();
   return result;
 }
+
+contacts::Box In_between_shape::due_of_present() const { return between(present_[0], present_[1], whole_); }
 
 Points In_between_shape::points(std::size_t part, int surface) const
 {
@@ -126,12 +128,11 @@ void In_between_shape::place(std::size_t part, const Eigen::Affine3d& map)
 void In_between_shape::ride_carriers()
 {
   constexpr double least_stretch = 0.5, most_stretch = 2;
-  const std::array<contacts::Box, 2> present = {present_box(0), present_box(1)};
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Blend_part& part = blend_.parts[i];
     if (!part.retreat) continue;
     const auto end = std::size_t(part.end());
-    const Eigen::Affine3d whole = box_map(present[end], between(present[0], present[1], whole_));
+    const Eigen::Affine3d whole = box_map(present_[end], due_of_present());
     Eigen::Affine3d map(whole.linear().diagonal().cwiseMax(least_stretch).cwiseMin(most_stretch).asDiagonal());
     Point way = Point::Zero();
     for (const Root& root : part.roots)
@@ -248,7 +249,7 @@ void In_between_shape::fill_the_box()
     all.min().x() = -half;
     all.max().x() = half;
   }
-  contacts::Box due = between(present_box(0), present_box(1), whole_);
+  contacts::Box due = due_of_present();
   if (blend_.is_symmetric) {
     const double half = std::max(-due.min().x(), due.max().x());
     due.min().x() = -half;

@@ -58,6 +58,7 @@ public:
 
 private:
   contacts::Box present_box(int end) const;
+  contacts::Box due_of_present() const;
   void set_progress(const Task_times& times, double t);
   void ride_carriers();
   Eigen::Affine3d carrier_map(const std::vector<std::size_t>& pieces, std::size_t end) const;
@@ -69,6 +70,7 @@ private:
 
   const Blend_structure& blend_;
   double whole_ = 0;
+  std::array<contacts::Box, 2> present_;     ///< by end, around what there is of its parts
   std::vector<double> progress_, remaining_; ///< by part
   std::vector<Points> points_;               ///< by part
   std::vector<int> surface_;

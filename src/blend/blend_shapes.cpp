@@ -78,7 +78,7 @@ std::vector<std::string> Shape_blend::schedule_names()
 std::vector<Shape_blend> Shape_blend::different_blends() const
 {
   constexpr double alike = 0.02; // of the height
-  constexpr int samples = 15; // parts come and go quickly
+  constexpr int samples = 15;    // parts come and go quickly
   std::vector<Shape_blend> result;
   for (const Blend_schedule& schedule : schedules_) {
     const auto is_alike = [&](const Shape_blend& other) {

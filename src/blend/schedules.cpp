@@ -102,7 +102,7 @@ Points box_corners(const In_between_shape& shape)
 }
 
 /// Parts that come or go at one time, and when.
-struct Change_group
+struct Timed_group
 {
   std::array<bool, 2> is_at = {false, false}; ///< by end
   double height = 0, size = 0;                ///< sums over its parts, of heights times sizes and of sizes
@@ -118,14 +118,14 @@ struct Change_group
   }
 };
 
-using Change_groups = std::map<std::size_t, Change_group>;
+using Timed_groups = std::map<std::size_t, Timed_group>;
 
-Change_groups groups_of(const std::vector<Blend_part>& parts)
+Timed_groups groups_of(const std::vector<Blend_part>& parts)
 {
-  Change_groups result;
+  Timed_groups result;
   for (const Blend_part& part : parts) {
     if (part.morph) continue;
-    Change_group& group = result[part.group];
+    Timed_group& group = result[part.group];
     group.is_at[std::size_t(part.end())] = true;
     group.height += part.height * part.size;
     group.size += part.size;
@@ -136,7 +136,7 @@ Change_groups groups_of(const std::vector<Blend_part>& parts)
 /// One group after the other, each so quickly that old and new parts are hardly seen together: first those that go,
 /// then those that are exchanged, in the middle of the time, then those that come; of these, from the ground up or from
 /// the top down.
-Change_groups in_turn(Change_groups groups, bool from_the_ground)
+Timed_groups in_turn(Timed_groups groups, bool from_the_ground)
 {
   constexpr double first = 0.15, last = 0.75, longest = 0.08;
   using Order = std::map<Steps, std::vector<std::size_t>>; // by height: what is as high changes at one time
@@ -165,7 +165,7 @@ Change_groups in_turn(Change_groups groups, bool from_the_ground)
   return groups;
 }
 
-Blend_schedule schedule(const char* name, const std::vector<Blend_part>& parts, const Change_groups& groups)
+Blend_schedule schedule(const char* name, const std::vector<Blend_part>& parts, const Timed_groups& groups)
 {
   Blend_schedule result{name, {}, {}};
   for (const Blend_part& part : parts) {
@@ -189,7 +189,7 @@ Task_times times_of(const Blend_schedule& schedule)
 
 std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& parts)
 {
-  const Change_groups groups = groups_of(parts);
+  const Timed_groups groups = groups_of(parts);
   return {schedule("from the ground up", parts, in_turn(groups, true)),
           schedule("from the top down", parts, in_turn(groups, false))};
 }

@@ -250,13 +250,7 @@ const std::vector<Car_design>& car_designs()
 
 } // namespace
 
-std::vector<Assembly> cars(std::uint64_t seed)
-{
-  std::vector<Assembly> result;
-  for (const Car_design& design : car_designs())
-    result.push_back(car(design, seed++));
-  return result;
-}
+std::vector<Assembly> cars(std::uint64_t seed) { return shapes_of(car_designs(), seed, car); }
 
 } // namespace generator
 } // namespace Shape_correspondence

@@ -5,6 +5,7 @@
 
 #include "cycle_designs.h"
 
+#include "random.h"
 #include "velocipede_designs.h"
 
 #include <cmath>
@@ -468,9 +469,8 @@ Assembly motor_bike(const char* name, Motor kind, std::uint64_t seed)
 
 std::vector<Assembly> cycles(std::uint64_t seed)
 {
-  std::vector<Assembly> result;
-  for (const Cycle_design& design : cycle_designs())
-    result.push_back(cycle(design, seed++));
+  std::vector<Assembly> result = shapes_of(cycle_designs(), seed, cycle);
+  seed += result.size();
   for (const Assembly& other :
        {folding_bicycle("velocipede_folding", seed), cargo_bicycle("velocipede_cargo_box", true, seed + 1),
         cargo_bicycle("velocipede_cargo_platform", false, seed + 2), unicycle("velocipede_unicycle", seed + 3),

@@ -5,6 +5,7 @@
 
 #include "desk_designs.h"
 
+#include "random.h"
 #include "table_designs.h"
 
 #include <string>
@@ -160,13 +161,7 @@ const std::vector<Desk_design>& desk_designs()
 
 } // namespace
 
-std::vector<Assembly> desks(std::uint64_t seed)
-{
-  std::vector<Assembly> result;
-  for (const Desk_design& design : desk_designs())
-    result.push_back(desk(design, seed++));
-  return result;
-}
+std::vector<Assembly> desks(std::uint64_t seed) { return shapes_of(desk_designs(), seed, desk); }
 
 } // namespace generator
 } // namespace Shape_correspondence

@@ -5,6 +5,8 @@
 
 #include "made_bed_designs.h"
 
+#include "random.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -141,13 +143,7 @@ const std::vector<Made_bed_design>& made_bed_designs()
 
 } // namespace
 
-std::vector<Assembly> made_beds(std::uint64_t seed)
-{
-  std::vector<Assembly> result;
-  for (const Made_bed_design& design : made_bed_designs())
-    result.push_back(made_bed(design, seed++));
-  return result;
-}
+std::vector<Assembly> made_beds(std::uint64_t seed) { return shapes_of(made_bed_designs(), seed, made_bed); }
 
 } // namespace generator
 } // namespace Shape_correspondence

@@ -161,13 +161,7 @@ const std::vector<Plant_design>& plant_designs()
 
 } // namespace
 
-std::vector<Assembly> plants(std::uint64_t seed)
-{
-  std::vector<Assembly> result;
-  for (const Plant_design& design : plant_designs())
-    result.push_back(plant(design, seed++));
-  return result;
-}
+std::vector<Assembly> plants(std::uint64_t seed) { return shapes_of(plant_designs(), seed, plant); }
 
 } // namespace generator
 } // namespace Shape_correspondence

@@ -254,13 +254,7 @@ const std::vector<Shelf_design>& shelf_designs()
 
 } // namespace
 
-std::vector<Assembly> shelves(std::uint64_t seed)
-{
-  std::vector<Assembly> result;
-  for (const Shelf_design& design : shelf_designs())
-    result.push_back(shelf(design, seed++));
-  return result;
-}
+std::vector<Assembly> shelves(std::uint64_t seed) { return shapes_of(shelf_designs(), seed, shelf); }
 
 } // namespace generator
 } // namespace Shape_correspondence

@@ -212,13 +212,7 @@ const std::vector<Sofa_design>& sofa_designs()
 
 } // namespace
 
-std::vector<Assembly> sofas(std::uint64_t seed)
-{
-  std::vector<Assembly> result;
-  for (const Sofa_design& design : sofa_designs())
-    result.push_back(sofa(design, seed++));
-  return result;
-}
+std::vector<Assembly> sofas(std::uint64_t seed) { return shapes_of(sofa_designs(), seed, sofa); }
 
 } // namespace generator
 } // namespace Shape_correspondence
