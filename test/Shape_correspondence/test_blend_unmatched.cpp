@@ -218,13 +218,15 @@ TEST_CASE("Groups of one height change at one time, whatever the order of parts;
 {
   const auto windows = [](double second_height) {
     Segmented_shape plain("plain"), with_knobs("with knobs");
-    for (Segmented_shape* shape : {&plain, &with_knobs})
+    for (Segmented_shape* shape : {&plain, &with_knobs}) {
+      shape->add_part("foot", box({0, -0.05, 0}, {0.8, 0.1, 0.4}));
       shape->add_part("base", box({0, 0.3, 0}, {1, 0.6, 0.5}));
+    }
     with_knobs.add_part("knob", box({-0.3, 0.65, 0.1}, {0.1, 0.1, 0.1}));
     with_knobs.add_part("other", box({0.2, 0.6 + second_height / 2, -0.1}, {0.1, second_height, 0.1}));
     const Model source(plain), target(with_knobs);
     std::set<std::pair<double, double>> result;
-    for (const Blend_task& task : blend_of(source, target, {{"base", "base"}}).schedules()[0].tasks)
+    for (const Blend_task& task : blend_of(source, target, {{"foot", "foot"}, {"base", "base"}}).schedules()[0].tasks)
       if (task.type == Blend_task_type::GROW) result.emplace(task.begin, task.end);
     return result;
   };
