@@ -5,8 +5,6 @@
 
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
-#include "blend/Retreating_part.h"
-#include "blend/carriers.h"
 #include "map/Charted_mesh.h"
 #include "map/matched_members.h"
 
@@ -39,19 +37,18 @@ struct Blend_part
 
   std::string name;
   Blend_task task;
-  std::shared_ptr<const Part_morph> morph;        ///< of a matched part
-  std::shared_ptr<const Retreating_part> retreat; ///< or else of one that shrinks or grows
-  std::vector<Root> roots;                        ///< of the latter, where parts before it carry it
-  std::size_t group = 0;                          ///< of the latter, those that come or go at one time
-  double height = 0;                              ///< of its middle, at the ends' mean
-  std::size_t image = Blend_task::no_part;        ///< its mirror image, where the blend is to be symmetric
-  bool is_reflected = false;                      ///< computed as the image's image, in its charts
-  bool stands = false;                            ///< on the ground, at all ends that have it
-  std::array<double, 2> foot = {0, 0};            ///< by end, how high its lowest point is
-  double needless_turn = 0;                       ///< of a matched part, beyond the least one, in radians
-  std::vector<Tree> trees;                        ///< by surface; of those at the ends, there
-  std::vector<Rest_surface> rests;                ///< by surface
-  double size = 0;                                ///< the longer diagonal of the boxes of its surfaces
+  std::shared_ptr<const Part_morph> morph; ///< of a matched part
+  Part_mesh mesh;                          ///< of another one, which shrinks or grows
+  std::size_t group = 0;                   ///< of the latter, those that come or go at one time
+  double height = 0;                       ///< of its middle, at the ends' mean
+  std::size_t image = Blend_task::no_part; ///< its mirror image, where the blend is to be symmetric
+  bool is_reflected = false;               ///< computed as the image's image, in its charts
+  bool stands = false;                     ///< on the ground, at all ends that have it
+  std::array<double, 2> foot = {0, 0};     ///< by end, how high its lowest point is
+  double needless_turn = 0;                ///< of a matched part, beyond the least one, in radians
+  std::vector<Tree> trees;                 ///< by surface; of those at the ends, there
+  std::vector<Rest_surface> rests;         ///< by surface
+  double size = 0;                         ///< the longer diagonal of the boxes of its surfaces
 
   /// How high the lowest point of one that stands is due.
   double due_foot(double progress) const { return (1 - progress) * foot[0] + progress * foot[1]; }
@@ -66,14 +63,12 @@ struct Blend_part
   const Eigen::Matrix3Xi& triangles(int surface) const;
   int number_of_surfaces() const { return morph ? morph->number_of_surfaces() : 1; }
   /// \param progress of a matched part, its own time
-  /// \param remaining how much there is of an unmatched one
-  Points points(int surface, double progress, double remaining = 1) const;
+  Points points(int surface, double progress) const;
 
-  /// A point of the part at an end, which has it.
+  /// A point of a matched part as it is at an end, or at both.
   Carried_point carried(int end, const Point& p) const;
-  /// The same at both ends. \pre the part is matched
   Carried_point carried(const Point& source, const Point& target) const;
-  Point place(const Carried_point& p, double progress, double remaining) const;
+  Point place(const Carried_point& p, double progress) const;
 
   /// The surface at an end and its points there. \pre the end has the part
   int end_surface(int at_end) const { return at_end * (number_of_surfaces() - 1); }
@@ -86,13 +81,11 @@ struct Blend_part
 /// What becomes of a part of an end, or of pieces of it.
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
 
-/// The parts of a blend: one for every two parts, or pieces or sets of parts, that correspond or are left over alike
-/// and, if the ends are symmetric, for their mirror images; and the parts of both ends that become no part.
-std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence);
-
-/// Adds the parts of both ends that become no part.
-/// \param unlike pairs that correspond but do not morph
-void add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike, std::vector<Blend_part>& parts);
+/// The parts of a blend that are matched: one for every two parts, or pieces or sets of parts, that correspond or are
+/// left over alike and, if the ends are symmetric, for their mirror images.
+/// \param unlike gets the pairs that correspond but do not morph
+std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
+                                      Part_pairs& unlike);
 
 /// Adds the surface of another part to one.
 void append(Part_mesh& all, const Part_mesh& mesh);

@@ -119,14 +119,16 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
 Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Blend_stage& stage,
                                  const Correspondence& correspondence, const Blend_options& options)
     : shapes(stage.moved_shapes(inputs, options.size)),
-      parts(blend_parts(stage, correspondence)),
       is_symmetric(stage.are_symmetric),
       boxes(stage.boxes),
       widest_gap(stage.widest_gap),
       axes_(structure(inputs[0].graph).frame.axes),
       heights_(stage.heights(options.size))
 {
+  Part_pairs unlike;
+  parts = matched_parts(stage, correspondence, unlike);
   contacts = contacts_to_keep(stage, parts, options.contact_tolerance);
+  chains = add_unmatched_parts(stage, unlike, parts);
   for (std::size_t end : {0u, 1u}) {
     looks.emplace_back(parts, int(end));
     if (is_symmetric) end_asymmetry[end] = end_asymmetry_of(stage.meshes[end]);

@@ -5,6 +5,7 @@
 
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
+#include "blend/Unmatched_chain.h"
 #include "blend/contacts_to_keep.h"
 
 #include <array>
@@ -54,7 +55,8 @@ public:
 
   std::array<Segmented_shape, 2> shapes; ///< in the world, moved onto the stage
   std::vector<Blend_part> parts;
-  std::vector<Kept_contact> contacts;
+  std::vector<Unmatched_chain> chains;          ///< of the parts that are not matched
+  std::vector<Kept_contact> contacts;           ///< of those that are
   bool is_symmetric = false;                    ///< both shapes have the mirror plane x = 0
   std::array<contacts::Box, 2> boxes;           ///< of the shapes
   std::array<double, 2> end_asymmetry = {0, 0}; ///< `Blend_quality::asymmetry`

@@ -28,11 +28,9 @@ Box_motion_solver::Box_motion_solver(std::vector<Moving_body> bodies)
     : bodies_(std::move(bodies)), right_(Points::Zero(3, Eigen::Index(unknowns * bodies_.size())))
 {
   constexpr double inertia = 0.005, stiffness = 0.02; // against 1, the weight of a contact
-  constexpr double immovable = 1e9;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     for (int axis = 0; axis < 3; ++axis)
-      add(axis, body, body,
-          (bodies_[body].is_fixed ? immovable : 1) * Eigen::Vector2d(inertia, stiffness).asDiagonal().toDenseMatrix());
+      add(axis, body, body, Eigen::Vector2d(inertia, stiffness).asDiagonal().toDenseMatrix());
 }
 
 void Box_motion_solver::add_contact(std::size_t a, const Point& p, std::size_t b, const Point& q, double weight)

@@ -30,8 +30,7 @@ struct Box_motion
 struct Moving_body
 {
   Point middle = Point::Zero();
-  double size = 1;       ///< a change of shape counts as much as a motion this far from the middle; not 0
-  bool is_fixed = false; ///< it stays where it is
+  double size = 1; ///< a change of shape counts as much as a motion this far from the middle; not 0
 };
 
 /// Finds the motions of bodies that close the gaps of their contacts, in the least squares sense, with as little motion

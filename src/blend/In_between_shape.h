@@ -60,11 +60,9 @@ private:
   contacts::Box present_box(int end) const;
   contacts::Box due_of_present() const;
   void set_progress(const Task_times& times, double t);
-  void ride_carriers();
-  Eigen::Affine3d carrier_map(const std::vector<std::size_t>& pieces, std::size_t end) const;
-  void close_contacts(bool of_matched);
+  void close_contacts();
   void put_on_ground(std::size_t part);
-  void draw_back();
+  void place(const Unmatched_chain& chain);
   void fill_the_box();
   void place(std::size_t part, const Eigen::Affine3d& map);
 

@@ -42,17 +42,11 @@ public:
     std::vector<Kept_contact> result;
     for (int end : {0, 1})
       for (const auto& [pair, touch] : touching[std::size_t(end)]) {
-        const Blend_part &a = parts_[pair[0]], &b = parts_[pair[1]];
-        if (!a.is_at(1 - end) || !b.is_at(1 - end)) {
-          result.push_back({pair, {}, {touch.gap, touch.gap}});
-          for (const Point& p : touch.at)
-            result.back().points.push_back({{a.carried(end, p), b.carried(end, p)}});
-        } else if (const auto other = touching[std::size_t(1 - end)].find(pair);
-                   other == touching[std::size_t(1 - end)].end()) {
+        const std::map<Index_pair, Touch>& others = touching[std::size_t(1 - end)];
+        if (const auto other = others.find(pair); other == others.end())
           result.push_back(parting(pair, touch, end));
-        } else if (end == 0) {
+        else if (end == 0)
           result.push_back(lasting(pair, touch, other->second));
-        }
       }
     return result;
   }

@@ -32,7 +32,7 @@ struct Kept_contact
   double allowed_gap(double t) const { return (1 - t) * gap[0] + t * gap[1]; }
 };
 
-/// The contacts of matched parts at either end, and those of unmatched parts at their end.
+/// The contacts of matched parts at either end.
 /// \param tolerance what is nearer than this touches
 std::vector<Kept_contact> contacts_to_keep(const Blend_stage& stage, const std::vector<Blend_part>& parts,
                                            double tolerance);

@@ -213,12 +213,13 @@ std::vector<Blend_part> mapped_parts(const Blend_stage& stage, const Part_pairs&
 
 } // namespace
 
-std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence)
+std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
+                                      Part_pairs& unlike)
 {
   const Part_pairs given = paired_parts(stage, correspondence), leftover = leftover_pairs(stage, given);
   Torn_pairs torn;
   std::size_t known;
-  Part_pairs mapped, unlike;
+  Part_pairs mapped;
   std::vector<Blend_part> result;
   do { // with a pair that is torn go all others of its parts
     known = torn.size();
@@ -242,7 +243,6 @@ std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Corresponden
   for (Blend_part& part : result)
     if (std::binary_search(leftover.begin(), leftover.end(), std::pair(part.task.source, part.task.target)))
       part.task.type = Blend_task_type::EXCHANGE;
-  add_unmatched_parts(stage, unlike, result);
   return result;
 }
 

@@ -6,7 +6,6 @@
 #include "blend/Distance_grid.h"
 #include "blend/Field_morph.h"
 #include "blend/Rest_surface.h"
-#include "blend/Retreating_part.h"
 #include "blend/pair_boxes.h"
 #include "blend_checks.h"
 #include "box_models.h"
@@ -323,45 +322,6 @@ TEST_CASE("The axes of boxes are paired for the least rotation; a box has its ow
   slanted.points = turn * slanted.points;
   CHECK(internal::turn(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
   CHECK(internal::change(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
-}
-
-TEST_CASE("A part without counterpart draws back into what carries it")
-{
-  using Roots = std::vector<Point>;
-  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  const auto box_when = [&](const Part_mesh& mesh, const Roots& roots, double remaining) {
-    const internal::Retreating_part part(mesh, axes, roots);
-    CHECK(part.points(1) == mesh.points);
-    CHECK((part.points(remaining).col(0) - part.place(mesh.points.col(0), remaining)).norm() < 1e-12);
-    CHECK(part.place(part.root(), remaining).isApprox(part.root(), 1e-12));
-    CHECK(internal::box_of(part.points(0)).sizes().norm() < 1e-12);
-    return internal::box_of(part.points(remaining));
-  };
-  const auto is_box = [](const internal::contacts::Box& box, const Point& low, const Point& high) {
-    return (box.min() - low).norm() < 1e-12 && (box.max() - high).norm() < 1e-12;
-  };
-  // A leg into the seat, also where an apron touches its side; a foot goes to the ground
-  const Part_mesh leg = box_shapes::box({0, 0.5, 0}, {0.1, 1, 0.1});
-  for (const Roots& roots : {Roots{{0, 1, 0}}, Roots{{0, 1, 0}, {0.05, 0.9, 0}}}) {
-    const internal::contacts::Box box = box_when(leg, roots, 0.5);
-    CHECK(box.max().y() == Approx(roots.size() == 1 ? 1 : 0.975));
-    CHECK(box.sizes().isApprox(Point(0.1, 0.5, 0.1)));
-  }
-  CHECK(is_box(box_when(leg, {{0, 0, 0}}, 0.4), {-0.05, 0, -0.05}, {0.05, 0.4, 0.05}));
-  // A cushion onto the seat; when little remains, it shrinks in all directions
-  const Part_mesh cushion = box_shapes::box({0, 0.1, 0}, {1, 0.2, 0.8});
-  CHECK(is_box(box_when(cushion, {{0, 0, 0}}, 0.5), {-0.5, 0, -0.4}, {0.5, 0.1, 0.4}));
-  CHECK(box_when(cushion, {{0, 0, 0}}, 0.15).sizes().isApprox(Point(0.5, 0.03, 0.4)));
-  // A board that is carried at both ends goes downwards, one from front to back to the back
-  const Part_mesh board = box_shapes::box({0, 0.5, 0}, {0.5, 1, 0.1}),
-                  shelf = box_shapes::box({0, 0, 0}, {0.5, 0.1, 1});
-  CHECK(is_box(box_when(board, {{0, 0, 0}, {0, 1, 0}}, 0.4), {-0.25, 0, -0.05}, {0.25, 0.4, 0.05}));
-  CHECK(is_box(box_when(shelf, {{0, 0, -0.5}, {0, 0, 0.5}}, 0.5), {-0.25, -0.05, -0.5}, {0.25, 0.05, 0}));
-  // A rod between two parts becomes thin
-  const Part_mesh rail = box_shapes::box({0, 0, 0}, {1, 0.1, 0.1});
-  CHECK(is_box(box_when(rail, {{-0.5, 0, 0}, {0.5, 0, 0}}, 0.4), {-0.5, -0.02, -0.02}, {0.5, 0.02, 0.02}));
-  // A wheel into its hub as a whole
-  CHECK(box_when(box_shapes::box({0, 0, 0}, {1, 1, 0.1}), {{0, 0, 0}}, 0.5).sizes().isApprox(Point(0.5, 0.5, 0.05)));
 }
 
 TEST_CASE("Coordinates relative to outlines: a round one and one with corners are the same disc")
