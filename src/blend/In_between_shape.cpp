@@ -97,7 +97,7 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
     if (part(i).morph) put_on_ground(i);
   for (const Unmatched_chain& chain : blend.chains)
     place(chain);
-  fill_the_box();
+  fill_the_height();
 }
 
 /// The whole is as far as matched parts are on average, by their sizes.
@@ -115,32 +115,9 @@ void In_between_shape::set_progress(const Task_times& times, double t)
     }
   }
   whole_ = sizes > 0 ? sum / sizes : t;
-  present_ = {present_box(0), present_box(1)};
 }
 
 contacts::Box In_between_shape::due_box() const { return between(blend_.boxes[0], blend_.boxes[1], whole_); }
-
-/// The box of an end around what there is of its parts, as high as the whole: nothing becomes wide for what is not
-/// there yet, or any more.
-contacts::Box In_between_shape::present_box(int end) const
-{
-  const auto box = [&](std::size_t part) -> const contacts::Box& {
-    return blend_.parts[part].trees[std::size_t(blend_.parts[part].end_surface(end))].box();
-  };
-  contacts::Box result;
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (part(i).morph) result.extend(box(i));
-  if (result.isEmpty()) return blend_.boxes[std::size_t(end)];
-  for (const Unmatched_chain& chain : blend_.chains)
-    if (chain.end == end)
-      for (std::size_t i : chain.parts)
-        result.extend(box_of(chain.shrunk(corners(box(i)), remaining_[i])));
-  result.min().y() = blend_.boxes[std::size_t(end)].min().y();
-  result.max().y() = blend_.boxes[std::size_t(end)].max().y();
-  return result;
-}
-
-contacts::Box In_between_shape::due_of_present() const { return between(present_[0], present_[1], whole_); }
 
 Points In_between_shape::points(std::size_t part, int surface) const
 {
@@ -176,9 +153,8 @@ void In_between_shape::close_contacts()
   Box_motion_solver solver(bodies);
   for (const Kept_contact& contact : blend_.contacts) {
     const auto [a, b] = contact.parts;
-    for (const Contact_points& at : contact.points)
-      solver.add_contact(a, part(a).place(at.points[0], progress_[a]) + at.due_offset(whole_), b,
-                         part(b).place(at.points[1], progress_[b]), 1);
+    for (const std::array<Carried_point, 2>& at : contact.points)
+      solver.add_contact(a, part(a).place(at[0], progress_[a]), b, part(b).place(at[1], progress_[b]), 1);
   }
   const std::vector<Box_motion> motions = solver.solve(least_stretch, most_stretch);
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -203,10 +179,9 @@ void In_between_shape::put_on_ground(std::size_t part)
 /// little remains of them.
 void In_between_shape::place(const Unmatched_chain& chain)
 {
-  constexpr double most = 2, most_standing = 5; // that it is stretched
-  const Eigen::Affine3d whole = box_map(present_[std::size_t(chain.end)], due_of_present());
-  Eigen::Affine3d map(whole.linear().diagonal().cwiseMax(1 / most).cwiseMin(most).asDiagonal());
-  map.pretranslate(whole * chain.root - map * chain.root);
+  constexpr double most = 5; // that it is stretched to stand
+  const Point due = box_map(blend_.boxes[std::size_t(chain.end)], due_box()) * chain.root;
+  Eigen::Affine3d map(Eigen::Translation3d(due - chain.root));
   const auto touched = Eigen::Index(chain.anchors.size());
   Points from(3, touched), to(3, touched);
   Eigen::VectorXd weights(touched);
@@ -220,28 +195,25 @@ void In_between_shape::place(const Unmatched_chain& chain)
   const auto body = [&] { return box_of(map * corners(chain.box)); };
   if (touched > 0) map = motion_between(from, to, weights, body().diagonal().norm() / 2) * map;
   if (chain.stands() || body().min().y() < 0)
-    map = grounded(body(), (map * chain.root).y(), chain.stands() ? chain.box.min().y() : 0, most_standing) * map;
+    map = grounded(body(), (map * chain.root).y(), chain.stands() ? chain.box.min().y() : 0, most) * map;
   for (std::size_t i : chain.parts)
     points_[i] = map * chain.shrunk(part(i).mesh.points, remaining_[i]);
 }
 
-/// Stretches the whole so that it fills the box that is due for what there is.
-void In_between_shape::fill_the_box()
+/// Stretches the whole so that it is as high as is due.
+void In_between_shape::fill_the_height()
 {
-  contacts::Box all, due = due_of_present();
+  contacts::Box all;
   bool is_matched = false;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (part(i).morph || is_there(i)) all.extend(box_of(points_[i]));
+    if (is_there(i)) all.extend(box_of(points_[i]));
     is_matched = is_matched || part(i).morph;
   }
-  if (!is_matched) return;
+  if (!is_matched) return; // else at any time something has its full size
+  contacts::Box due = all;
+  due.min().y() = 0;
+  due.max().y() = due_box().max().y();
   all.min().y() = std::min(0., all.min().y());
-  if (blend_.is_symmetric)
-    for (contacts::Box* box : {&all, &due}) {
-      const double half = std::max(-box->min().x(), box->max().x());
-      box->min().x() = -half;
-      box->max().x() = half;
-    }
   for (std::size_t i = 0; i < points_.size(); ++i)
     place(i, box_map(all, due));
 }

@@ -21,7 +21,7 @@ using Task_times = std::vector<std::array<double, 2>>;
 ///
 /// *Layout*: matched parts go straight from where they are at the one end to where they are at the other, unmatched
 /// ones with the box around the whole. Then all parts move a little so that contacts hold, mirror images stay that,
-/// what stands on the ground stands, and the whole fills the box that is due.
+/// what stands on the ground stands, and the whole is as high as is due.
 class In_between_shape
 {
 public:
@@ -57,18 +57,15 @@ public:
   Trees trees() const;
 
 private:
-  contacts::Box present_box(int end) const;
-  contacts::Box due_of_present() const;
   void set_progress(const Task_times& times, double t);
   void close_contacts();
   void put_on_ground(std::size_t part);
   void place(const Unmatched_chain& chain);
-  void fill_the_box();
+  void fill_the_height();
   void place(std::size_t part, const Eigen::Affine3d& map);
 
   const Blend_structure& blend_;
   double whole_ = 0;
-  std::array<contacts::Box, 2> present_;     ///< by end, around what there is of its parts
   std::vector<double> progress_, remaining_; ///< by part
   std::vector<Points> points_;               ///< by part
   std::vector<int> surface_;

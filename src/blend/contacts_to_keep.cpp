@@ -40,41 +40,21 @@ public:
   {
     const std::array<std::map<Index_pair, Touch>, 2> touching = {touching_at(0), touching_at(1)};
     std::vector<Kept_contact> result;
-    for (int end : {0, 1})
-      for (const auto& [pair, touch] : touching[std::size_t(end)]) {
-        const std::map<Index_pair, Touch>& others = touching[std::size_t(1 - end)];
-        if (const auto other = others.find(pair); other == others.end())
-          result.push_back(parting(pair, touch, end));
-        else if (end == 0)
-          result.push_back(lasting(pair, touch, other->second));
-      }
+    for (const auto& [pair, touch] : touching[0])
+      if (const auto other = touching[1].find(pair); other != touching[1].end())
+        result.push_back(contact(pair, touch, other->second));
     return result;
   }
 
 private:
-  /// Of two parts that touch at both ends.
-  Kept_contact lasting(const Index_pair& pair, const Touch& source, const Touch& target) const
+  Kept_contact contact(const Index_pair& pair, const Touch& source, const Touch& target) const
   {
     Kept_contact result{pair, {}, {source.gap, target.gap}};
     const bool are_paired = source.at.size() == target.at.size();
     const std::vector<Point> from = are_paired ? source.at : std::vector<Point>{middle(source.at)};
     const std::vector<Point> to = are_paired ? target.at : std::vector<Point>{middle(target.at)};
     for (std::size_t i = 0; i < from.size(); ++i)
-      result.points.push_back({{parts_[pair[0]].carried(from[i], to[i]), parts_[pair[1]].carried(from[i], to[i])}});
-    return result;
-  }
-
-  /// Of two parts that touch at one end only.
-  Kept_contact parting(const Index_pair& pair, const Touch& touch, int end) const
-  {
-    const contacts::Closest_pair apart = tree(pair[0], 1 - end).nearly_closest(tree(pair[1], 1 - end));
-    const Point at = middle(touch.at);
-    const auto carried = [&](std::size_t i, const Point& other) {
-      return end == 0 ? parts_[pair[i]].carried(at, other) : parts_[pair[i]].carried(other, at);
-    };
-    Kept_contact result{pair, {{{carried(0, apart.first), carried(1, apart.second)}}}, {touch.gap, touch.gap}};
-    result.points[0].offset[std::size_t(1 - end)] = apart.second - apart.first;
-    result.gap[std::size_t(1 - end)] = std::sqrt(apart.squared);
+      result.points.push_back({parts_[pair[0]].carried(from[i], to[i]), parts_[pair[1]].carried(from[i], to[i])});
     return result;
   }
 

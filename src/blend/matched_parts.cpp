@@ -141,20 +141,15 @@ private:
 
   /// Charts by which a pair may morph, the better ones first: those of the boxes and those of the parts, along which
   /// they may bend: first, unless they turn the part more than boxes do to make up for what boxes stretch more. What is
-  /// its own mirror image has upright boxes, and other charts only if it stays its image by them.
+  /// its own mirror image stays that by boxes.
   std::vector<Pair_charts> charts(std::size_t number, const Points& source, const Points& target) const
   {
     constexpr double bending = 0.35; // that own charts may turn more
-    const bool is_own_image = images_[number] == number;
     const std::array<const Points*, 2> surfaces = {&source, &target};
-    Piece_pair pair = pairs_[number];
+    const Piece_pair& pair = pairs_[number];
     const auto [from, to] = piece_charts(pair, stage_.charted[0], stage_.charted[1]);
-    const Pair_charts boxes = is_own_image ? upright_boxes(surfaces) : pair_boxes(surfaces, {from.axes(), to.axes()});
-    if (is_own_image) {
-      const std::optional<Eigen::Matrix3d> turn = mirrored_turn(pair, stage_.charted[0], stage_.charted[1]);
-      if (!turn) return {boxes};
-      pair.turn = *turn;
-    }
+    const Pair_charts boxes = pair_boxes(surfaces, {from.axes(), to.axes()});
+    if (images_[number] == number) return {boxes};
     const Pair_charts own = pair_charts(pair, stage_.charted[0], stage_.charted[1], source, target);
     if (change(own) <= change(boxes) + bending) return {own, boxes};
     return {boxes, own};

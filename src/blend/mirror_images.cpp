@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/mirror_images.h"
+
 #include "base/quantized.h"
+#include "blend/pair_boxes.h"
 #include "blend/surface_components.h"
-#include "map/Charted_mesh.h"
-#include "map/piece_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,67 +25,12 @@ bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, dou
          (high - other.max()).cwiseAbs().maxCoeff() <= tolerance;
 }
 
-/// From the coordinates of a point in one chart to those of its mirror image in the other, as nearly as axes and their
-/// signs can tell.
-Eigen::Matrix3d mirror_turn(const Part_chart& chart, const Part_chart& image)
-{
-  const Eigen::Matrix3d wanted = -(image.axes().transpose() * Point(-1, 1, 1).asDiagonal() * chart.axes());
-  Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
-  for (const Eigen::Matrix3d& turn : cube_rotations())
-    if (quantized(turn.cwiseProduct(wanted).sum()) > quantized(best.cwiseProduct(wanted).sum())) best = turn;
-  return -best;
-}
-
-/// Whether a chart of a part that is its own mirror image has coordinates that are their own mirror image, too.
-bool is_mirrored(const Part_chart& chart)
-{
-  constexpr double upright = 0.05; // sine of an angle; also of the height
-  const Eigen::Matrix3d axes = chart.axes(), image = Point(-1, 1, 1).asDiagonal() * axes;
-  return std::abs(chart(Point::Zero()).x()) <= upright &&
-         (axes * mirror_turn(chart, chart) - image).cwiseAbs().maxCoeff() <= upright;
-}
-
-/// A rotation near to `axes` with one column along x, so that mirroring in x = 0 keeps all of their directions.
-/// \param kept the column that is turned least
-Eigen::Matrix3d mirrored_axes(const Eigen::Matrix3d& axes, int kept)
-{
-  const auto along_x = [&](int column) { return Point(axes(0, column) < 0 ? -1 : 1, 0, 0); };
-  const auto in_plane = [&](int column) {
-    return unit_or(Point(0, axes(1, column), axes(2, column)), Point(Point::UnitY()));
-  };
-  const int next = (kept + 1) % 3, last = (kept + 2) % 3;
-  const bool kept_is_x = std::abs(axes(0, kept)) > std::sqrt(0.5);
-  const bool next_is_x = quantized(std::abs(axes(0, next))) >= quantized(std::abs(axes(0, last)));
-  Eigen::Matrix3d result;
-  result.col(kept) = kept_is_x ? along_x(kept) : in_plane(kept);
-  if (kept_is_x || !next_is_x) {
-    result.col(last) = kept_is_x ? in_plane(last) : along_x(last);
-    result.col(next) = result.col(last).cross(result.col(kept));
-  } else {
-    result.col(next) = along_x(next);
-    result.col(last) = result.col(kept).cross(result.col(next));
-  }
-  return result;
-}
-
 /// The points of a part and of its mirror image in the mirror.
 Points with_image(const Points& part, const Points& image)
 {
   Points result(3, part.cols() + image.cols());
   result << part, mirrored(image);
   return result;
-}
-
-/// A chart of a part that is its own mirror image with coordinates that are their own mirror image, too: the mean of
-/// the given one and its image if they are alike, or else a straight one.
-Part_chart mirrored_chart(const Part_chart& chart, const Points& surface)
-{
-  const Points both = with_image(surface, surface);
-  const Eigen::Matrix3d turn = mirror_turn(chart, chart);
-  const int kept = chart.is_sheet() ? 2 : 0;
-  if (is_mirrored(chart) && turn(kept, kept) != 0) return chart.symmetrised(turn).fitted(both);
-  const Eigen::Matrix3d axes = mirrored_axes(chart.axes(), kept);
-  return chart.is_sheet() ? Part_chart::plate(both, axes) : Part_chart::box(both, axes);
 }
 
 } // namespace
@@ -164,25 +109,14 @@ void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& ima
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const std::size_t image = images[part];
     if (image == Mirror_images::none || image < part) continue;
+    const Points both = with_image(parts[part].points, parts[image].points);
     if (image == part) {
-      charts[part] = mirrored_chart(charts[part], parts[part].points);
+      charts[part] = mirrored_box(both);
     } else {
-      charts[part] = charts[part].fitted(with_image(parts[part].points, parts[image].points));
+      charts[part] = charts[part].fitted(both);
       charts[image] = charts[part].image();
     }
   }
-}
-
-std::optional<Eigen::Matrix3d> mirrored_turn(const Piece_pair& pair, const Charted_shape& source,
-                                             const Charted_shape& target)
-{
-  const auto [from, to] = piece_charts(pair, source, target);
-  if (!is_mirrored(from) || !is_mirrored(to)) return {};
-  const Eigen::Matrix3d before = mirror_turn(from, from), after = mirror_turn(to, to);
-  return best_turn(from, to, pair_kind(pair, source, target), [&, from = from, to = to](const Eigen::Matrix3d& turn) {
-    const Eigen::Matrix3d rotation = to.axes() * turn * from.axes().transpose();
-    return (after * turn).isApprox(turn * before) && rotation(0, 0) > 0; // it turns about x only
-  });
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -50,13 +50,8 @@ private:
 /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
 void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target);
 
-/// Gives parts that are mirror images of each other charts that are, too, so that what they are divided among, and what
-/// is divided among them, is divided alike.
+/// Gives parts that are mirror images of each other charts that are, too, and those that are their own boxes that are, so
+/// that what they are divided among, and what is divided among them, is divided alike.
 void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& images, std::vector<Part_chart>& charts);
-
-/// The turn by which a pair that is its own mirror image keeps the mirror plane where it is, on the way, too; none if
-/// its charts do not allow one.
-std::optional<Eigen::Matrix3d> mirrored_turn(const Piece_pair& pair, const Charted_shape& source,
-                                             const Charted_shape& target);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -21,6 +21,9 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 /// The same, with the axes of the world: what is its own mirror image stays that.
 Pair_charts upright_boxes(const std::array<const Points*, 2>& surfaces);
 
+/// The chart of a box that is its own mirror image in x = 0, along the surface.
+Part_chart mirrored_box(const Points& surface);
+
 /// How much one chart has to change to become the other: the angle by which it turns, in radians, and how many times
 /// as long its extents become.
 double change(const Pair_charts& charts);

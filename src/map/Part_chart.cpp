@@ -361,19 +361,6 @@ Part_chart Part_chart::centred(const Points& surface) const
   return section(moved) < section(*this) ? moved : *this;
 }
 
-Part_chart Part_chart::symmetrised(const Eigen::Matrix3d& turn) const
-{
-  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
-  Points spine(3, spine_.cols());
-  for (Eigen::Index s = 0; s < spine.cols(); ++s)
-    spine.col(s) = (spine_.col(s) + mirror * (*this)(turn * coordinates_of_station(s))) / 2;
-  if (is_sheet_) return over(spine, half_);
-  Point across = frames_[0].col(1);
-  if (turn(0, 0) > 0)
-    across = std::abs(across.x()) > std::sqrt(0.5) ? Point(across.x(), 0, 0) : Point(0, across.y(), across.z());
-  return along(spine, across, half_);
-}
-
 Part_chart Part_chart::image() const
 {
   const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);

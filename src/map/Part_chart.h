@@ -48,8 +48,6 @@ public:
   /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each
   /// other as the stations
   Part_chart centred(const Points& surface) const;
-  /// The mean with the chart's own mirror image in x = 0. \param turn from coordinates of a point to those of its image
-  Part_chart symmetrised(const Eigen::Matrix3d& turn) const;
   /// The chart's mirror image in x = 0, but for the signs of coordinates.
   Part_chart image() const;
   /// The chart of the box from `low` to `high`, in coordinates.

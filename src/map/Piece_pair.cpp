@@ -29,8 +29,11 @@ std::vector<Eigen::Matrix3d> cube_rotations()
   return result;
 }
 
-std::optional<Eigen::Matrix3d> best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind,
-                                         const std::function<bool(const Eigen::Matrix3d&)>& is_allowed)
+namespace {
+
+/// The turn from coordinates of one chart to those of another that lays the longest extents on each other best (paper,
+/// section 5, "Deform-to-fit": extremities are matched by proximity).
+Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
 {
   const bool lengthwise = kind == Pair_kind::LENGTHWISE;
   const Part_chart a = lengthwise ? source.lengthwise() : source, b = lengthwise ? target.lengthwise() : target;
@@ -39,22 +42,14 @@ std::optional<Eigen::Matrix3d> best_turn(const Part_chart& source, const Part_ch
   const Eigen::Matrix3d from = a.axes() * a.half_extents().asDiagonal();
   const Eigen::Matrix3d to = b.axes() * b.half_extents().asDiagonal();
   const int kept = a.is_sheet() ? 2 : 0;
-  std::optional<Eigen::Matrix3d> best;
+  Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
   std::int64_t best_score = std::numeric_limits<std::int64_t>::min();
   for (const Eigen::Matrix3d& turn : cube_rotations()) {
     if (kind != Pair_kind::BOXES && turn(kept, kept) == 0) continue;
-    if (!is_allowed(after * turn * before)) continue;
     const std::int64_t score = quantized(from.cwiseProduct(to * turn).sum());
-    if (!best || score > best_score) best = after * turn * before, best_score = score;
+    if (score > best_score) best = after * turn * before, best_score = score;
   }
   return best;
-}
-
-namespace {
-
-Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
-{
-  return *best_turn(source, target, kind, [](const Eigen::Matrix3d&) { return true; });
 }
 
 /// Place and extents of another part along the axes of a part that is divided.

@@ -11,8 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -39,12 +37,6 @@ enum class Pair_kind {
 
 /// The rotations of the cube onto itself, the identity first.
 std::vector<Eigen::Matrix3d> cube_rotations();
-
-/// The turn from coordinates of one chart to those of another that lays the longest extents on each other best (paper,
-/// section 5, "Deform-to-fit": extremities are matched by proximity), of those for which `is_allowed(turn)` holds; none
-/// if it holds for none.
-std::optional<Eigen::Matrix3d> best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind,
-                                         const std::function<bool(const Eigen::Matrix3d&)>& is_allowed);
 
 /// The charts of the pieces of a pair.
 std::array<Part_chart, 2> piece_charts(const Piece_pair& pair, const Charted_shape& source,

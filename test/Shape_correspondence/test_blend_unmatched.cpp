@@ -90,21 +90,11 @@ TEST_CASE("What touches at one end parts evenly: a crest that stays on its posts
   };
   constexpr double gap = 0.3, height = 0.7;
   const Model source = chair(0.5), target = chair(0.5 - gap);
-  Correspondence same;
-  for (std::size_t i = 0; i < 4; ++i)
-    same.pairs.push_back({i, i});
-  const internal::Blend_structure blend(
-      {internal::Blend_input{source.graph, source.shape, 0}, internal::Blend_input{target.graph, target.shape, 0}},
-      same, {});
-  int partings = 0;
-  for (const internal::Kept_contact& contact : blend.contacts)
-    if (blend.parts[contact.parts[1]].name == "crest~crest") {
-      ++partings;
-      CHECK(contact.gap[0] < touching);
-      CHECK(contact.gap[1] == Approx(gap / height).epsilon(0.05));
-      CHECK(contact.points[0].due_offset(0.5).norm() == Approx(gap / height / 2).epsilon(0.1));
-    }
-  CHECK(partings == 2);
+  const Shape_blend blend =
+      blend_of(source, target, {{"seat", "seat"}, {"left", "left"}, {"right", "right"}, {"crest", "crest"}});
+  for (double t : {0.25, 0.5, 0.75})
+    for (const char* post : {"left", "right"})
+      CHECK(distance(blend(t), "crest", post) == Approx(t * gap / height).epsilon(0.1));
 }
 
 TEST_CASE("A chain of parts goes at one time, and holds together until then")
