@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -180,29 +179,25 @@ Part_pairs paired_parts(const Blend_stage& stage, const Correspondence& correspo
   return result;
 }
 
-/// Those of the pairs whose parts are in sets.
-Part_pairs pairs_in(const std::vector<Part_set>& sets, const Part_pairs& pairs)
-{
-  Part_pairs result;
-  for (const auto& pair : pairs)
-    if (std::any_of(sets.begin(), sets.end(), [&](const Part_set& set) {
-          return std::binary_search(set.parts[0].begin(), set.parts[0].end(), pair.first) &&
-                 std::binary_search(set.parts[1].begin(), set.parts[1].end(), pair.second);
-        }))
-      result.push_back(pair);
-  return result;
-}
-
-/// The parts that pairs become by maps. \param torn gets those that have no map; they become none
-std::vector<Blend_part> mapped_parts(const Blend_stage& stage, const Part_pairs& pairs, Torn_pairs& torn)
+/// The parts that pairs become by maps, but for those of which there is none.
+std::vector<Blend_part> mapped_parts(const Blend_stage& stage, Part_pairs pairs)
 {
   for (;;) {
-    Part_pairs mapped;
-    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(mapped),
-                 [&](const auto& pair) { return torn.count(pair) == 0; });
-    const std::size_t known = torn.size();
-    std::vector<Blend_part> result = Matched_part_maker(stage, mapped).parts(torn);
-    if (torn.size() == known) return result;
+    Torn_pairs torn;
+    std::vector<Blend_part> result = Matched_part_maker(stage, pairs).parts(torn);
+    if (torn.empty()) return result;
+    const auto is_torn = [&](const auto& pair) { return torn.count(pair) > 0; };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_torn), pairs.end());
+  }
+}
+
+/// Adds parts with their images.
+void add_parts(std::vector<Blend_part> more, std::vector<Blend_part>& parts)
+{
+  const std::size_t first = parts.size();
+  for (Blend_part& part : more) {
+    if (part.has_image()) part.image += first;
+    parts.push_back(std::move(part));
   }
 }
 
@@ -211,33 +206,21 @@ std::vector<Blend_part> mapped_parts(const Blend_stage& stage, const Part_pairs&
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
                                       Part_pairs& unlike)
 {
-  const Part_pairs given = paired_parts(stage, correspondence), leftover = leftover_pairs(stage, given);
+  const Part_pairs given = paired_parts(stage, correspondence);
   Torn_pairs torn;
   std::size_t known;
-  Part_pairs mapped;
   std::vector<Blend_part> result;
   do { // with a pair that is torn go all others of its parts
     known = torn.size();
-    mapped = given;
+    Part_pairs mapped = given;
     unlike = take_unlike_pairs(stage, torn, mapped);
     result = Matched_part_maker(stage, mapped).parts(torn);
   } while (torn.size() > known);
-  std::vector<Part_set> sets = connected_sets(stage, unlike, torn);
-  // What does not hold together as a set may do so in part
-  Part_pairs others = most_alike(stage, pairs_in(take_broken(stage, sets), unlike));
-  others.insert(others.end(), leftover.begin(), leftover.end());
-  mapped.insert(mapped.end(), others.begin(), others.end());
-  std::sort(mapped.begin(), mapped.end());
-  if (!others.empty()) result = mapped_parts(stage, mapped, torn);
-  std::vector<Part_set> single;
-  for (const auto& [s, t] : others)
-    if (torn.count({s, t}) > 0) single.push_back({{{{s}, {t}}}, Blend_obstacle::TORN, nullptr});
-  take_broken(stage, single);
-  sets.insert(sets.end(), single.begin(), single.end());
-  add_sets(stage, sets, result);
-  for (Blend_part& part : result)
-    if (std::binary_search(leftover.begin(), leftover.end(), std::pair(part.task.source, part.task.target)))
-      part.task.type = Blend_task_type::EXCHANGE;
+  add_parts(part_sets(stage, unlike, torn), result);
+  std::vector<Blend_part> exchanged = mapped_parts(stage, leftover_pairs(stage, result));
+  for (Blend_part& part : exchanged)
+    part.task.type = Blend_task_type::EXCHANGE;
+  add_parts(std::move(exchanged), result);
   return result;
 }
 

@@ -5,14 +5,24 @@
 
 #include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
+#include "blend/Field_morph.h"
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
+
+struct Part_set
+{
+  std::array<std::vector<std::size_t>, 2> parts; ///< by end, in order
+  Blend_obstacle reason = Blend_obstacle::NONE;  ///< why there is no map
+  std::shared_ptr<const Field_morph> morph;      ///< once it is made, if it holds together
+};
 
 void insert(std::vector<std::size_t>& numbers, std::size_t number)
 {
@@ -80,8 +90,6 @@ std::shared_ptr<const Field_morph> morph_of(const Blend_stage& stage, const Part
   return result->holds_together() || swaps ? result : nullptr;
 }
 
-} // namespace
-
 std::vector<Part_set> connected_sets(const Blend_stage& stage, const Part_pairs& pairs, const Torn_pairs& torn)
 {
   const std::size_t sources = stage.meshes[0].size();
@@ -102,36 +110,38 @@ std::vector<Part_set> connected_sets(const Blend_stage& stage, const Part_pairs&
   return result;
 }
 
-std::vector<Part_set> take_broken(const Blend_stage& stage, std::vector<Part_set>& sets)
+/// Makes the morphs of sets, and takes out those that do not hold together, mirror images together.
+void make_morphs(const Blend_stage& stage, std::vector<Part_set>& sets)
 {
   std::vector<std::size_t> images;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     images.push_back(image_of(stage, sets, i));
     sets[i].morph = morph_of(stage, sets[i], images[i] < i);
   }
-  std::vector<Part_set> holding, broken;
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    const bool holds = sets[i].morph && (images[i] == Blend_task::no_part || sets[images[i]].morph);
-    (holds ? holding : broken).push_back(sets[i]);
-  }
+  std::vector<Part_set> holding;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    if (sets[i].morph && (images[i] == Blend_task::no_part || sets[images[i]].morph)) holding.push_back(sets[i]);
   sets = std::move(holding);
-  return broken;
 }
 
-void add_sets(const Blend_stage& stage, const std::vector<Part_set>& sets, std::vector<Blend_part>& parts)
+} // namespace
+
+std::vector<Blend_part> part_sets(const Blend_stage& stage, const Part_pairs& pairs, const Torn_pairs& torn)
 {
-  const std::size_t first = parts.size();
+  std::vector<Part_set> sets = connected_sets(stage, pairs, torn);
+  make_morphs(stage, sets);
+  std::vector<Blend_part> result;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    const std::size_t image = image_of(stage, sets, i);
     Blend_part part;
     part.task = task_of(sets[i]);
     part.name = stage.charted[0].parts[part.task.source]->name + '~' + stage.charted[1].parts[part.task.target]->name;
-    part.is_reflected = image < i;
-    part.image = image == Blend_task::no_part ? image : first + image;
+    part.image = image_of(stage, sets, i);
+    part.is_reflected = part.image < i;
     part.morph = sets[i].morph;
     part.set_ends();
-    parts.push_back(std::move(part));
+    result.push_back(std::move(part));
   }
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

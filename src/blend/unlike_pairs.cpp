@@ -7,7 +7,6 @@
 #include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
-#include "blend/Rest_surface.h"
 #include "blend/pair_boxes.h"
 
 #include <algorithm>
@@ -77,12 +76,8 @@ struct Difference
   bool is_too_much_for_parts() const { return is_too_much(far(), most_change); }
   bool is_too_much_for_sets() const { return is_too_much(far(), most_change_of_sets); }
   bool is_too_much_for_pieces() const { return is_too_much(near(), most_change_divided); }
-  /// Of one of several parts, so that one leg of four does not become a column.
-  bool is_too_much_for_one_of_several() const { return is_too_much(near(), most_change); }
   double far() const { return 0.4 + size / 2; }
   double near() const { return 0.25 + size / 8; }
-
-  double sum() const { return turns + changes + travels; }
 
   double size, turns, changes, travels;
 };
@@ -131,12 +126,12 @@ bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t 
   return overlap(relative_box(stage, 0, source), relative_box(stage, 1, target)) > same_place;
 }
 
-Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given)
+Part_pairs leftover_pairs(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  std::array<std::vector<char>, 2> is_used = {std::vector<char>(stage.meshes[0].size(), 0),
-                                              std::vector<char>(stage.meshes[1].size(), 0)};
-  for (const auto& [s, t] : given)
-    is_used[0][s] = is_used[1][t] = 1;
+  std::array<std::vector<char>, 2> is_used;
+  for (int end : {0, 1})
+    for (std::size_t part = 0; part < stage.meshes[std::size_t(end)].size(); ++part)
+      is_used[std::size_t(end)].push_back(!parts_of(parts, end, part).empty());
   std::vector<std::pair<Steps, Part_pairs::value_type>> alike; // by how little they overlap
   for (std::size_t s = 0; s < is_used[0].size(); ++s)
     for (std::size_t t = 0; t < is_used[1].size(); ++t) {
@@ -160,39 +155,6 @@ Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given)
 bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes)
 {
   return Difference({boxes.source, boxes.target}, stage).is_too_much_for_sets();
-}
-
-Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs)
-{
-  const auto area = [&](std::size_t end, std::size_t part) {
-    const Part_mesh& mesh = stage.meshes[end][part];
-    return Rest_surface(mesh.points, mesh.triangles).extent().area;
-  };
-  std::vector<std::pair<Steps, Part_pairs::value_type>> order;
-  for (const auto& [s, t] : pairs) {
-    if (stage.charted[0].parts[s]->is_closed_curve() != stage.charted[1].parts[t]->is_closed_curve())
-      continue; // the hole would be torn open
-    const double as_much = std::abs(std::log(area(0, s) / area(1, t)));
-    const Difference difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, stage);
-    if (as_much <= most_change && !difference.is_too_much_for_one_of_several())
-      order.emplace_back(quantized(difference.sum() + as_much), std::pair(s, t));
-  }
-  std::sort(order.begin(), order.end());
-  std::array<std::vector<char>, 2> is_taken = {std::vector<char>(stage.meshes[0].size(), 0),
-                                               std::vector<char>(stage.meshes[1].size(), 0)};
-  const auto is_free = [&](const auto& pair) { return !is_taken[0][pair.first] && !is_taken[1][pair.second]; };
-  Part_pairs result;
-  for (const auto& [cost, pair] : order) {
-    std::pair image(stage.images[0][pair.first], stage.images[1][pair.second]);
-    if (image.first == Mirror_images::none || image.second == Mirror_images::none) image = pair;
-    if (!is_free(pair) || !is_free(image) || (image.first == pair.first) != (image.second == pair.second)) continue;
-    for (const auto& taken : {pair, image}) {
-      if (!is_free(taken)) continue; // its own image
-      result.push_back(taken);
-      is_taken[0][taken.first] = is_taken[1][taken.second] = 1;
-    }
-  }
-  return result;
 }
 
 Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired)

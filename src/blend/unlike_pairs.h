@@ -5,10 +5,13 @@
 
 #include "map/matched_members.h"
 
+#include <cstddef>
 #include <set>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
+struct Blend_part;
 struct Blend_stage;
 struct Pair_charts;
 
@@ -22,16 +25,13 @@ using Torn_pairs = std::set<Part_pairs::value_type>;
 /// \return the pairs that were taken out
 Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired);
 
-/// Pairs of parts that are in none of the given ones, alike in place and size, those that overlap most first.
-Part_pairs leftover_pairs(const Blend_stage& stage, const Part_pairs& given);
+/// Pairs of parts that none of the parts of a blend has become of, alike in place and size.
+Part_pairs leftover_pairs(const Blend_stage& stage, const std::vector<Blend_part>& parts);
 
 /// Whether two parts take up the same place in the boxes around the shapes.
 bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t target);
 
 /// Whether what is in two boxes is too unlike to become each other.
 bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes);
-
-/// The most alike of some pairs, every part in one at most, images with images.
-Part_pairs most_alike(const Blend_stage& stage, const Part_pairs& pairs);
 
 } // namespace CGAL::Shape_correspondence::internal
