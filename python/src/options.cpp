@@ -211,7 +211,6 @@ struct Blend_keywords : Keywords
     SC::cli::Option_table::Group group = table.group("Output");
     add_output_options(group, output);
     add("schedule", options.schedule, "one of `schedule_names()`; None: the best");
-    add("rank_all", options.rank_all, "rate all schedules by all samples, also those that can no longer be the best");
   }
 };
 

@@ -82,7 +82,7 @@ void Blend_stage::add(const Blend_input& input, std::size_t end)
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     meshes[end].push_back({charted[end].surfaces[i], input.shape.parts()[i].mesh.triangles});
   boxes[end] = box_in_frame(input, structure(graphs[end]).frame);
-  widest_gap[end] = internal::widest_gap(trees_of(meshes[end]));
+  widest_gap[end] = internal::widest_gap(pointers_to(trees_of(meshes[end])));
 }
 
 Points Blend_stage::to_stage(int end, const Points& given) const

@@ -3,14 +3,12 @@
 
 #include "blend/Blend_structure.h"
 
-#include "base/eigen_system.h"
 #include "blend/surface_components.h"
 #include "shape/convex_hull.h"
 
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -21,7 +19,7 @@ double end_asymmetry_of(const std::vector<Part_mesh>& meshes)
   for (const Part_mesh& mesh : meshes)
     surfaces.push_back(&mesh.points);
   const std::vector<contacts::Triangle_tree> trees = trees_of(meshes);
-  return mirror_residual(surfaces, {trees.begin(), trees.end()});
+  return mirror_residual(surfaces, pointers_to(trees));
 }
 
 constexpr double least_depth = 0.003; // of the height: what is nearer to a surface is on it
@@ -64,29 +62,15 @@ Overlaps overlaps_of(const std::vector<Seen_surface>& surfaces)
 
 double hull_volume(const std::vector<const Points*>& surfaces)
 {
-  constexpr int directions = 150;
-  constexpr double flat = 1e-3; // of the height
-  Eigen::Matrix<double, directions, 3> towards;
-  for (int i = 0; i < directions; ++i) { // along a spiral from pole to pole
-    const double z = (2. * i + 1) / directions - 1, r = std::sqrt(1 - z * z),
-                 angle = i * double(EIGEN_PI) * (3 - std::sqrt(5.));
-    towards.row(i) << r * std::cos(angle), z, r * std::sin(angle);
-  }
-  Points farthest(3, directions);
-  Eigen::VectorXd most = Eigen::VectorXd::Constant(directions, -std::numeric_limits<double>::infinity());
+  Eigen::Index count = 0;
+  for (const Points* surface : surfaces)
+    count += surface->cols();
+  Points all(3, count);
   for (const Points* surface : surfaces) {
-    const Eigen::MatrixXd along = towards * *surface;
-    for (int i = 0; i < directions; ++i) {
-      Eigen::Index at = 0;
-      const double reach = along.row(i).maxCoeff(&at);
-      if (reach > most[i]) most[i] = reach, farthest.col(i) = surface->col(at);
-    }
+    count -= surface->cols();
+    all.middleCols(count, surface->cols()) = *surface;
   }
-  if (surfaces.empty()) return 0;
-  const Point middle = farthest.rowwise().mean();
-  const Points centred = farthest.colwise() - middle;
-  if (eigen_system(scatter_matrix(centred)).values[0] < directions * flat * flat) return 0;
-  return convex_hull(farthest).volume;
+  return all.cols() > 0 ? convex_hull(all).volume : 0;
 }
 
 End_look::End_look(const std::vector<Blend_part>& parts, int end)

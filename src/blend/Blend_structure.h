@@ -31,7 +31,7 @@ struct Seen_surface
 /// The overlaps of closed parts, those that are 0 left out.
 Overlaps overlaps_of(const std::vector<Seen_surface>& surfaces);
 
-/// The volume of the convex hull of surfaces, nearly; 0 of what is flat.
+/// The volume of the convex hull of surfaces; 0 of what is flat.
 double hull_volume(const std::vector<const Points*>& surfaces);
 
 /// What shapes in between are compared with at an end.

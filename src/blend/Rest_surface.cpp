@@ -95,15 +95,15 @@ Surface_extent Rest_surface::extent(const Points& points) const
     centred.col(t) = std::sqrt(area) * centre;
   }
   if (!(result.area > 0)) return result;
-  result.thickness = 2 * std::abs(result.volume) / result.area;
   result.spreads = (eigen_system(scatter_matrix(centred)).values / result.area).cwiseMax(0).cwiseSqrt();
   return result;
 }
 
 double Rest_surface::torn_area(const Points& points, const Surface_extent& extent) const
 {
-  constexpr double folded = -0.5;    // cosine of the angle between normals
-  constexpr double most_stretch = 3; // of an edge, over that of the whole surface
+  constexpr double folded = -0.5;       // cosine of the angle between normals
+  constexpr double least_spread = 1e-4; // of the shape's height
+  constexpr double most_stretch = 3;    // of an edge, over that of the whole surface
   const Points normals = doubled_normals(points, triangles_);
   const Eigen::VectorXd areas = normals.colwise().norm() / 2;
   std::vector<char> is_torn(std::size_t(triangles_.cols()), 0);
@@ -112,7 +112,7 @@ double Rest_surface::torn_area(const Points& points, const Surface_extent& exten
     if (cosine < folded * 4 * areas[edge.from] * areas[edge.to])
       is_torn[std::size_t(areas[edge.from] < areas[edge.to] ? edge.from : edge.to)] = 1;
   }
-  const Eigen::Vector3d least = Eigen::Vector3d::Constant(Surface_extent::least_thickness);
+  const Eigen::Vector3d least = Eigen::Vector3d::Constant(least_spread);
   const double growth =
       most_stretch *
       std::max(1., extent.spreads.cwiseMax(least).cwiseQuotient(extent_.spreads.cwiseMax(least)).maxCoeff());
@@ -131,18 +131,6 @@ Points Rest_surface::samples(const Points& points) const
     result.col(Eigen::Index(i)) = (points.col(corners[0]) + points.col(corners[1]) + points.col(corners[2])) / 3;
   }
   return result;
-}
-
-double thinning_of(const Rest_surface& source, const Rest_surface& target, const Surface_extent& extent)
-{
-  bool are_closed = true;
-  for (const Rest_surface* surface : {&source, &target}) {
-    if (surface->extent().is_flat()) return 0;
-    are_closed = are_closed && surface->is_closed() && surface->extent().thickness > Surface_extent::least_thickness;
-  }
-  const auto thickness = [&](const Surface_extent& of) { return are_closed ? of.thickness : of.spread(); };
-  const double at_ends = std::min(thickness(source.extent()), thickness(target.extent()));
-  return std::max(0., 1 - thickness(extent) / at_ends);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

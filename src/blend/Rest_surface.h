@@ -13,14 +13,9 @@ namespace CGAL::Shape_correspondence::internal {
 struct Surface_extent
 {
   double area = 0;
-  double volume = 0;    ///< signed, positive if the triangles look outwards; of a closed surface
-  double thickness = 0; ///< that of a plate of this volume and area; of a closed surface
+  double volume = 0; ///< signed, positive if the triangles look outwards; of a closed surface
   /// Root mean square distances from the planes through the middle along its principal directions, the least one first.
   Eigen::Vector3d spreads = Eigen::Vector3d::Zero();
-
-  double spread() const { return spreads[0]; }
-  bool is_flat() const { return spread() < least_thickness; }
-  static constexpr double least_thickness = 1e-4; ///< of the shape's height: what is thinner has none
 };
 
 /// A surface of a part of a blend as it is at its end of the blend, which it is compared with on the way.
@@ -57,8 +52,5 @@ private:
   Eigen::VectorXd longest_;          ///< by triangle, its longest edge, squared
   std::vector<Eigen::Index> chosen_; ///< triangles
 };
-
-/// By what share a surface is thinner than surfaces at the ends, where they are thinnest.
-double thinning_of(const Rest_surface& source, const Rest_surface& target, const Surface_extent& extent);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -36,14 +36,12 @@ const std::vector<Blend_measure>& blend_measures()
        "radians by which a part turns more than it has to"},
       {"travel", &Blend_quality::travel, Shape_blend::travel_tolerance, "distance of a part from its straight way"},
       {"gap", &Blend_quality::gap, Shape_blend::contact_tolerance,
-       "how much wider than due the gap is of parts that touch at an end"},
+       "how much wider than due the gap is of parts that touch at both ends"},
       {"apart", &Blend_quality::apart, Shape_blend::apart_tolerance,
        "how much wider gaps it takes to join all parts than there"},
       {"asymmetry", &Blend_quality::asymmetry, Shape_blend::symmetry_tolerance,
        "distance of the shape from its mirror image"},
       {"ground", &Blend_quality::ground, Shape_blend::ground_tolerance, "distance of the feet from the ground"},
-      {"thinning", &Blend_quality::thinning, Shape_blend::thinning_tolerance,
-       "share by which a part is thinner than in the source and the target"},
       {"area", &Blend_quality::area, Shape_blend::area_tolerance, "share by which the surface is larger"},
       {"torn", &Blend_quality::torn, Shape_blend::torn_tolerance, "share of the surface that is torn or folded"},
       {"overlap", &Blend_quality::overlap, Shape_blend::overlap_tolerance,
@@ -66,9 +64,8 @@ constexpr const char* sentences[] = {
     "FIRST is NUMBER of the height off its way.",
     "The contact of FIRST and SECOND is open by NUMBER of the height.",
     "Parts are farther from all others than at the ends by NUMBER of the height.",
-    "It is farther from its mirror image than the ends by NUMBER of the height, most of all FARTHEST.",
+    "It is farther from its mirror image than the ends by NUMBER of the height, most of all FIRST.",
     "The foot of FIRST is NUMBER of the height SIDE its place on the ground.",
-    "FIRST is thinner than at the ends by SHARE.",
     "The surface is larger than at the ends by SHARE, most of all that of FIRST.",
     "SHARE of the surface are torn or folded, most of all at FIRST.",
     "SHARE of the surface have gone into other parts, most of all FIRST into SECOND."};
@@ -111,9 +108,8 @@ public:
               travel(),
               gap(),
               {apart()},
-              {blend().is_symmetric ? mirror_residual(surfaces(), trees_) : 0},
+              asymmetry(),
               lifted_foot(),
-              thinning(),
               area(),
               torn(),
               overlap()};
@@ -218,26 +214,40 @@ private:
     });
   }
 
-  /// Of two parts that are left over, the one that becomes the other need not keep contacts.
   Worst_parts gap() const
   {
-    const auto stays = [&](std::size_t i) { return part(i).morph && part(i).task.type != Blend_task_type::EXCHANGE; };
     Worst_parts worst;
     for (const Kept_contact& contact : blend().contacts) {
       const auto [a, b] = contact.parts;
-      if (!stays(a) || !stays(b)) continue;
       const double allowed = contact.allowed_gap(shape_.progress());
       worst.improve(std::max(0., std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed), a, b);
     }
     return worst;
   }
 
+  /// Of the parts that are there.
+  Tree_pointers pointers() const
+  {
+    Tree_pointers result;
+    for (const std::optional<contacts::Triangle_tree>& tree : trees_)
+      if (tree) result.push_back(&*tree);
+    return result;
+  }
+
   double apart() const
   {
-    std::vector<const contacts::Triangle_tree*> there;
-    for (const std::optional<contacts::Triangle_tree>& tree : trees_)
-      if (tree) there.push_back(&*tree);
-    return std::max(0., widest_gap(there) - std::max(blend().widest_gap[0], blend().widest_gap[1]));
+    return std::max(0., widest_gap(pointers()) - std::max(blend().widest_gap[0], blend().widest_gap[1]));
+  }
+
+  Worst_parts asymmetry() const
+  {
+    Worst_parts worst;
+    if (!blend().is_symmetric) return worst;
+    const Tree_pointers trees = pointers();
+    for (std::size_t i = 0; i < extents_.size(); ++i)
+      if (shape_.is_there(i)) worst.improve(mirror_residual({&shape_.points(i)}, trees), i, i);
+    worst.value = mirror_residual(surfaces(), trees);
+    return worst;
   }
 
   /// How far a part that stands at both ends is above the height of its foot there, or below (negative).
@@ -246,12 +256,6 @@ private:
     return worst_matched([&](std::size_t i) {
       return part(i).stands ? trees_[i]->box().min().y() - part(i).due_foot(shape_.progress(i)) : 0;
     });
-  }
-
-  Worst_parts thinning() const
-  {
-    return worst_matched(
-        [&](std::size_t i) { return thinning_of(part(i).rests.front(), part(i).rests.back(), extents_[i]); });
   }
 
   /// By what share the surface is larger than at the ends, with the part that is over its own most.
@@ -300,7 +304,6 @@ private:
   }
 
   std::string fault(std::size_t measure) const;
-  std::string most_asymmetric() const;
   std::string quoted(std::size_t i) const { return '\'' + part(i).name + '\''; }
 
   const In_between_shape& shape_;
@@ -330,26 +333,6 @@ double over_tolerance(const Blend_measure& measure, const Blend_quality& quality
   return std::max(0., quality.*measure.value - at_ends(measure, blend)) / measure.tolerance;
 }
 
-/// The parts that are farthest from the mirror image of the shape, and how far.
-std::string Shape_measure::most_asymmetric() const
-{
-  constexpr std::size_t most_named = 3;
-  std::vector<std::pair<Steps, std::size_t>> order;
-  for (std::size_t i = 0; i < extents_.size(); ++i)
-    if (shape_.is_there(i)) order.emplace_back(-quantized(mirror_residual({&shape_.points(i)}, trees_)), i);
-  std::sort(order.begin(), order.end());
-  std::string result;
-  const double most = std::max(blend().end_asymmetry[0], blend().end_asymmetry[1]) + Shape_blend::symmetry_tolerance;
-  for (std::size_t n = 0; n < std::min(most_named, order.size()); ++n) {
-    const auto [steps, i] = order[n];
-    const double asymmetry = -double(steps) * comparison_grid;
-    if (asymmetry <= most) break;
-    result += (n > 0 ? ", " : "") + quoted(i) + " by " + two_digits(asymmetry);
-    if (!part(i).has_image()) result += " (it has no mirror image)";
-  }
-  return result;
-}
-
 std::string Shape_measure::fault(std::size_t measure) const
 {
   const Worst_parts& worst = worst_[measure];
@@ -361,7 +344,6 @@ std::string Shape_measure::fault(std::size_t measure) const
   put("SHARE", std::to_string(std::lround(100 * value)) + " %");
   put("NUMBER", two_digits(value));
   put("SIDE", worst.value > 0 ? "above" : "below");
-  if (blend_measures()[measure].value == &Blend_quality::asymmetry) put("FARTHEST", most_asymmetric());
   put("SECOND", quoted(worst.parts[1]));
   put("FIRST", quoted(worst.parts[0]));
   return result;

@@ -35,21 +35,7 @@ Points with_image(const Points& part, const Points& image)
 
 } // namespace
 
-double mirror_distance(const Points& points, const contacts::Triangle_tree& surface)
-{
-  constexpr Eigen::Index samples = 24;
-  const Eigen::Index n = std::min(points.cols(), samples);
-  double sum = 0;
-  std::size_t triangle = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Point image = mirrored(Point(points.col(i * points.cols() / n)));
-    sum += (surface.nearest(image, triangle) - image).squaredNorm();
-  }
-  return std::sqrt(sum / double(n));
-}
-
-double mirror_residual(const std::vector<const Points*>& surfaces,
-                       const std::vector<std::optional<contacts::Triangle_tree>>& trees)
+double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees)
 {
   constexpr Eigen::Index samples = 24; // of a surface
   double sum = 0;
@@ -62,7 +48,7 @@ double mirror_residual(const std::vector<const Points*>& surfaces,
       std::size_t triangle;
       double squared = std::numeric_limits<double>::infinity();
       const auto improve = [&](std::size_t tree) {
-        if (trees[tree] && contacts::squared_distance(trees[tree]->box(), p) < squared &&
+        if (contacts::squared_distance(trees[tree]->box(), p) < squared &&
             trees[tree]->improve_nearest(p, nearest, squared, triangle))
           last = tree;
       };
@@ -86,7 +72,7 @@ Mirror_images::Mirror_images(const std::vector<Part_mesh>& parts) : images_(part
     for (std::size_t j = i; j < parts.size(); ++j) {
       if (!are_mirror_images(trees[i].box(), trees[j].box(), 2 * tolerance)) continue;
       const double distance =
-          std::max(mirror_distance(parts[i].points, trees[j]), mirror_distance(parts[j].points, trees[i]));
+          std::max(mirror_residual({&parts[i].points}, {&trees[j]}), mirror_residual({&parts[j].points}, {&trees[i]}));
       if (distance <= tolerance) likely.emplace_back(quantized(distance), i, j);
     }
   std::sort(likely.begin(), likely.end());

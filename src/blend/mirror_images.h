@@ -3,11 +3,10 @@
 
 #pragma once
 
-#include "map/Charted_mesh.h"
+#include "blend/surface_components.h"
 #include "map/Piece_pair.h"
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -24,13 +23,8 @@ inline Points mirrored(Points points)
   return points;
 }
 
-/// The root mean square distance of some of the points, mirrored in x = 0, from a surface.
-double mirror_distance(const Points& points, const contacts::Triangle_tree& surface);
-
 /// Root mean square distance of some points of surfaces, mirrored in x = 0, from surfaces.
-/// \param trees those that there are
-double mirror_residual(const std::vector<const Points*>& surfaces,
-                       const std::vector<std::optional<contacts::Triangle_tree>>& trees);
+double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees);
 
 /// The mirror images in x = 0 of the parts of a shape, by index: a part that is its own image has itself.
 class Mirror_images

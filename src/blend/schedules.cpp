@@ -26,68 +26,16 @@ Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
   return result;
 }
 
-/// Judges schedules. The cost of a schedule by some of the samples is no more than by all of them, so that one that is
-/// worse by the sample in the middle than another one is by all need not be judged further.
-class Schedule_judge
+/// Rates a schedule by shapes in between, the worst of each measure.
+Blend_quality quality_of(const Blend_structure& blend, const Blend_schedule& schedule, int samples)
 {
-public:
-  Schedule_judge(const Blend_structure& blend, const Blend_options& options, std::vector<Blend_schedule>& schedules)
-      : blend_(blend), options_(options), schedules_(schedules), costs_(schedules.size(), not_judged)
-  {}
-
-  void judge()
-  {
-    const auto middle = std::size_t((options_.samples - 1) / 2);
-    for (std::size_t s = 0; s < schedules_.size(); ++s) {
-      if (!goes_on(s)) return;
-      add_samples(s, {middle});
-    }
-    std::vector<std::size_t> others(std::size_t(options_.samples));
-    std::iota(others.begin(), others.end(), std::size_t(0));
-    others.erase(others.begin() + std::ptrdiff_t(middle));
-    std::vector<char> is_judged(schedules_.size(), 0);
-    for (std::size_t count = 0; count < schedules_.size(); ++count) {
-      const auto best = std::size_t(std::min_element(costs_.begin(), costs_.end()) - costs_.begin());
-      std::size_t next = best;
-      if (is_judged[best]) {
-        if (!options_.rank_all) return;
-        next = std::size_t(std::find(is_judged.begin(), is_judged.end(), 0) - is_judged.begin());
-      }
-      if (!goes_on(schedules_.size() + count * others.size())) return;
-      add_samples(next, others);
-      is_judged[next] = 1;
-    }
-  }
-
-  const std::vector<Steps>& costs() const { return costs_; }
-
-private:
-  static constexpr double alike = 0.25; // of costs: among schedules as good, the first one, which has no idle time
-  static constexpr Steps not_judged = std::numeric_limits<Steps>::max();
-
-  /// \param done samples
-  bool goes_on(std::size_t done) const
-  {
-    return !options_.progress || options_.progress(double(done) / double(schedules_.size() * options_.samples));
-  }
-
-  void add_samples(std::size_t schedule, const std::vector<std::size_t>& samples)
-  {
-    const Task_times times = times_of(schedules_[schedule]);
-    std::vector<Blend_quality> qualities(samples.size());
-    for_each_index<CGAL::Parallel_if_available_tag>(samples.size(), [&](std::size_t i) {
-      qualities[i] = quality(In_between_shape(blend_, times, double(samples[i] + 1) / (options_.samples + 1)));
-    });
-    Blend_quality& result = schedules_[schedule].quality;
-    result = std::accumulate(qualities.begin(), qualities.end(), result, worst);
-    costs_[schedule] = std::llround(cost_of(result, blend_) / alike);
-  }
-
-  const Blend_structure& blend_;
-  const Blend_options& options_;
-  std::vector<Blend_schedule>& schedules_;
-  std::vector<Steps> costs_;
-};
+  const Task_times times = times_of(schedule);
+  std::vector<Blend_quality> qualities(static_cast<std::size_t>(samples));
+  for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
+    qualities[i] = quality(In_between_shape(blend, times, double(i + 1) / (samples + 1)));
+  });
+  return std::accumulate(qualities.begin(), qualities.end(), Blend_quality(), worst);
+}
 
 /// The lowest and the highest corner of the box of every part.
 Points box_corners(const In_between_shape& shape)
@@ -196,14 +144,18 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
 
 void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, const Blend_options& options)
 {
-  Schedule_judge judge(blend, options, schedules);
-  judge.judge();
-  std::vector<std::size_t> order(schedules.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return judge.costs()[a] < judge.costs()[b]; });
+  constexpr double alike = 0.25;                    // of costs
+  std::vector<std::pair<Steps, std::size_t>> order; // by cost; what is not rated comes last
+  for (std::size_t s = 0; s < schedules.size(); ++s)
+    order.emplace_back(std::numeric_limits<Steps>::max(), s);
+  for (std::size_t s = 0; s < schedules.size(); ++s) {
+    if (options.progress && !options.progress(double(s) / double(schedules.size()))) break;
+    schedules[s].quality = quality_of(blend, schedules[s], options.samples);
+    order[s].first = std::llround(cost_of(schedules[s].quality, blend) / alike);
+  }
+  std::sort(order.begin(), order.end());
   std::vector<Blend_schedule> ranked;
-  for (std::size_t s : order)
+  for (const auto& [cost, s] : order)
     ranked.push_back(std::move(schedules[s]));
   schedules = std::move(ranked);
 }

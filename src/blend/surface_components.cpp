@@ -3,6 +3,7 @@
 
 #include "blend/surface_components.h"
 
+#include "base/Disjoint_sets.h"
 #include "base/quantized.h"
 
 #include <cmath>
@@ -12,20 +13,35 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-std::vector<Surface_connection> shortest_connections(const std::vector<const contacts::Triangle_tree*>& surfaces,
-                                                     Disjoint_sets components)
+std::vector<contacts::Triangle_tree> trees_of(const std::vector<Part_mesh>& parts)
+{
+  std::vector<contacts::Triangle_tree> result;
+  for (const Part_mesh& part : parts)
+    result.push_back(tree_of(part.points, part.triangles));
+  return result;
+}
+
+Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
+{
+  Tree_pointers result;
+  for (const contacts::Triangle_tree& tree : trees)
+    result.push_back(&tree);
+  return result;
+}
+
+double widest_gap(const Tree_pointers& surfaces)
 {
   constexpr bool measured = false, bounded = true; // what is measured comes first
   using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
   for (std::size_t a = 0; a < surfaces.size(); ++a)
     for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
-      if (components[a] == components[b]) continue;
       const double bound = surfaces[a]->box().exteriorDistance(surfaces[b]->box());
       queue.emplace(quantized(bound), bounded, a, b, bound);
     }
-  std::vector<Surface_connection> result;
-  while (!queue.empty()) {
+  Disjoint_sets components(surfaces.size());
+  double result = 0;
+  while (components.number_of_sets() > 1) {
     const auto [key, kind, a, b, length] = queue.top();
     queue.pop();
     if (components[a] == components[b]) continue;
@@ -34,33 +50,11 @@ std::vector<Surface_connection> shortest_connections(const std::vector<const con
       surfaces[a]->improve_closest(*surfaces[b], closest);
       const double exact = std::sqrt(closest.squared);
       queue.emplace(quantized(exact), measured, a, b, exact);
-      continue;
+    } else {
+      components.unite(a, b);
+      result = length;
     }
-    components.unite(a, b);
-    result.push_back({{a, b}, length});
   }
-  return result;
-}
-
-double widest_gap(const std::vector<const contacts::Triangle_tree*>& surfaces)
-{
-  const std::vector<Surface_connection> connections = shortest_connections(surfaces, Disjoint_sets(surfaces.size()));
-  return connections.empty() ? 0 : connections.back().length;
-}
-
-double widest_gap(const std::vector<contacts::Triangle_tree>& surfaces)
-{
-  std::vector<const contacts::Triangle_tree*> pointers;
-  for (const contacts::Triangle_tree& surface : surfaces)
-    pointers.push_back(&surface);
-  return widest_gap(pointers);
-}
-
-std::vector<contacts::Triangle_tree> trees_of(const std::vector<Part_mesh>& parts)
-{
-  std::vector<contacts::Triangle_tree> result;
-  for (const Part_mesh& part : parts)
-    result.push_back(tree_of(part.points, part.triangles));
   return result;
 }
 

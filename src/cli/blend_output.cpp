@@ -141,7 +141,6 @@ Blend_options blend_options(const Blend_output& output)
 {
   Blend_options result;
   result.size = output.size.value_or(Blend_size::BLEND);
-  result.rank_all = output.schedule == "all";
   for (const std::string& name : Shape_blend::schedule_names())
     if (schedule_word(name) == output.schedule) result.schedule = name;
   return result;

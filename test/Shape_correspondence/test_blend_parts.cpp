@@ -127,27 +127,16 @@ TEST_CASE("A piece where a part has nothing is a speck of it")
   CHECK(std::abs(piece.points.row(2).maxCoeff()) < 0.2 + 1e-6);
 }
 
-TEST_CASE("Components of surfaces are joined once, by the shortest connections")
+TEST_CASE("The widest gap that it takes to join surfaces is the longest of the shortest connections")
 {
-  // Rows of boxes, a component each; gaps in a row are wider than those between rows
-  std::vector<Surface_tree> surfaces;
-  std::vector<const Surface_tree*> pointers;
+  std::vector<Surface_tree> surfaces; // in rows; gaps in a row are wider than those between rows but the last one
   for (int row = 0; row < 4; ++row)
     for (int i = 0; i < 3; ++i) {
-      const Part_mesh box = box_shapes::box({2. * i, 1.1 * row + 0.01 * row * row, 0}, {1, 1, 1});
+      const Part_mesh box = box_shapes::box({1.12 * i, 1.1 * row + 0.01 * row * row, 0}, {1, 1, 1});
       surfaces.push_back(internal::tree_of(box.points, box.triangles));
     }
-  for (const Surface_tree& surface : surfaces)
-    pointers.push_back(&surface);
-  internal::Disjoint_sets rows(surfaces.size());
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    rows.unite(i, i / 3 * 3 + 2);
-  const std::vector<internal::Surface_connection> connections = internal::shortest_connections(pointers, rows);
-  REQUIRE(connections.size() == 3);
-  for (std::size_t i = 0; i < connections.size(); ++i) {
-    CHECK(connections[i].surfaces[1] / 3 == connections[i].surfaces[0] / 3 + 1);
-    CHECK(connections[i].length == Approx(0.11 + 0.02 * double(i)));
-  }
+  CHECK(internal::widest_gap(internal::pointers_to(surfaces)) == Approx(0.15));
+  CHECK(internal::widest_gap({&surfaces[0]}) == 0);
 }
 
 TEST_CASE("Distances are those of the closest points but for a tenth of what they are over what is enough")

@@ -221,7 +221,7 @@ TEST_CASE("What is not symmetric any more is told, with the part")
   };
   CHECK(!is_told(faults(1, 0), "mirror image", "column~column"));
   CHECK(is_told(faults(1, 0.3), "farther from its mirror image", "column~column"));
-  CHECK(is_told(faults(3, 2), "no mirror image", "peg~peg"));
+  CHECK(is_told(faults(3, 2), "farther from its mirror image", "peg~peg"));
 }
 
 TEST_CASE("Parts that pass through each other are told")
@@ -336,11 +336,8 @@ TEST_CASE("A schedule may be chosen; blends by different ones differ, and the be
   options.schedule = "no such";
   CHECK_THROWS_AS(blend_of(source, target, same_parts(3), options), Invalid_input);
   options.schedule = "";
-  const Shape_blend best = blend_of(source, target, same_parts(3), options);
-  options.rank_all = true;
   const Shape_blend all = blend_of(source, target, same_parts(3), options);
   CHECK(all.schedules().size() == Shape_blend::schedule_names().size());
-  CHECK(best.schedules()[0].name == all.schedules()[0].name);
   const std::vector<Shape_blend> different = all.different_blends();
   REQUIRE(different.size() > 1);
   CHECK(different[0].schedules()[0].name == all.schedules()[0].name);

@@ -129,7 +129,6 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
       CHECK(blend.check(t).quality.gone <= 1.2 * Shape_blend::gone_tolerance); // seats rise where backs go
       CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
       CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
-      CHECK(blend.check(t).quality.thinning <= Shape_blend::thinning_tolerance);
       CHECK(blend.check(t).quality.area <= Shape_blend::area_tolerance);
       CHECK(blend.check(t).quality.volume <= Shape_blend::volume_tolerance);
     }

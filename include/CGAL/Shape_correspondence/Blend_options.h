@@ -38,7 +38,6 @@ struct Blend_options
   double min_confidence = 0.5;
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
   std::string schedule;                ///< name of the schedule to use; empty: the best one
-  bool rank_all = false;               ///< rate all schedules by all samples, also those that can no longer be the best
   /// Called before every schedule is rated, with the fraction done, in [0, 1]; `false` ends the rating: schedules that
   /// are not rated come last.
   std::function<bool(double)> progress;

@@ -67,11 +67,10 @@ struct Blend_quality
   double gone = 0;      ///< share by which a part that both ends have is larger or smaller across than is due, at most
   double rotation = 0;  ///< angle in radians by which a part turns beyond the least rotation between its boxes, at most
   double travel = 0;    ///< how far the middle of a part that both ends have is from where it is due, at most
-  double gap = 0;       ///< by how much the gap of parts that stay, and touch at an end, is wider than is due, at most
+  double gap = 0;       ///< by how much the gap of parts that touch at both ends is wider than is due, at most
   double apart = 0;     ///< by how much wider gaps than at the ends it takes to join all parts
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
   double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
-  double thinning = 0;  ///< by what fraction a part is thinner than where it is thinnest at the ends, at most
   double area = 0;      ///< by what fraction the surface is larger than at the end where it is larger
   double torn = 0;      ///< share of the surface that is folded over, or stretched far more than its part
   double overlap = 0;   ///< share of the surface that is inside closed parts, but not inside them at either end

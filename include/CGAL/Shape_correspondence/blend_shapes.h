@@ -88,7 +88,6 @@ public:
   static constexpr double hull_tolerance = 0.2;     ///< of `Blend_quality::hull`
   static constexpr double support_tolerance = 0.4;  ///< of `Blend_quality::support`
   static constexpr double gone_tolerance = 0.4;     ///< of `Blend_quality::gone`
-  static constexpr double thinning_tolerance = 0.5; ///< of `Blend_quality::thinning`
   static constexpr double area_tolerance = 0.3;     ///< of `Blend_quality::area`
   static constexpr double volume_tolerance = 0.3;   ///< of `Blend_quality::volume`
   static constexpr double torn_tolerance = 0.02;    ///< of `Blend_quality::torn`
@@ -109,8 +108,7 @@ public:
   /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions are even.
   Segmented_shape operator()(double t) const;
 
-  /// The schedules, the best first, which is the one of the blend. Unless `Blend_options::rank_all` is set, a schedule
-  /// is not rated by further samples once it is worse by some than the best one by all.
+  /// The schedules, the best first, which is the one of the blend.
   const std::vector<Blend_schedule>& schedules() const { return schedules_; }
 
   /// The shape at `t` as one closed surface that looks outwards, for printing and Boolean operations: it is wrapped
