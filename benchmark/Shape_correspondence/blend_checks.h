@@ -52,7 +52,8 @@ inline std::vector<Triangle_tree> trees_of(const Segmented_shape& shape, double 
 /// The widest gap that it takes to join all parts, over the shape's height.
 inline double widest_gap(const Segmented_shape& shape, double height)
 {
-  return CGAL::Shape_correspondence::internal::widest_gap(trees_of(shape, 1 / height));
+  const std::vector<Triangle_tree> trees = trees_of(shape, 1 / height);
+  return CGAL::Shape_correspondence::internal::widest_gap(CGAL::Shape_correspondence::internal::pointers_to(trees));
 }
 
 /// Whether a point is in a closed mesh, by the solid angle under which it sees the surface.

@@ -175,8 +175,8 @@ void In_between_shape::put_on_ground(std::size_t part)
     place(part, grounded(box, box.max().y(), own.stands ? own.due_foot(progress_[part]) : 0, most));
 }
 
-/// Places unmatched parts: stretched as the whole, so that they hold on to what they touch, and stand; and as small as
-/// little remains of them.
+/// Places unmatched parts so that they hold on to what they touch, and stand; what touches nothing goes with the box
+/// around the whole.
 void In_between_shape::place(const Unmatched_chain& chain)
 {
   constexpr double most = 5; // that it is stretched to stand

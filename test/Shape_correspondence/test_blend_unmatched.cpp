@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// What becomes of parts without counterpart, and of contacts that only one end has.
+// What becomes of parts without counterpart, and of parts that touch at one end only.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -125,7 +125,7 @@ TEST_CASE("A chain of parts goes at one time, and holds together until then")
   }
 }
 
-TEST_CASE("What nothing large carries is carried by what is small, not by the ground below")
+TEST_CASE("Unmatched parts that touch each other hold together")
 {
   Segmented_shape plain("plain"), with_bar("with bar");
   for (Segmented_shape* shape : {&plain, &with_bar}) {
@@ -145,6 +145,38 @@ TEST_CASE("What nothing large carries is carried by what is small, not by the gr
     CHECK(distance(shape, "~knob", "~bar") < touching);
   }
   CHECK(seen > 2);
+}
+
+TEST_CASE("Unmatched parts shrink to where they are held; a rod between two parts becomes thin")
+{
+  Segmented_shape plain("plain"), full("full");
+  for (Segmented_shape* shape : {&plain, &full}) {
+    shape->add_part("base", box({0, 0.1, 0}, {1, 0.2, 0.5}));
+    shape->add_part("left", box({-0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
+    shape->add_part("right", box({0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
+  }
+  full.add_part("rail", box({0, 0.7, 0}, {0.7, 0.06, 0.06}));
+  full.add_part("vase", box({0, 0.35, 0}, {0.1, 0.3, 0.1}));
+  const Model source(full), target(plain);
+  Correspondence same;
+  for (std::size_t i = 0; i < 3; ++i)
+    same.pairs.push_back({i, i});
+  const internal::Blend_structure blend(
+      {internal::Blend_input{source.graph, source.shape, 0}, internal::Blend_input{target.graph, target.shape, 0}},
+      same, {});
+  REQUIRE(blend.chains.size() == 2);
+  constexpr double remaining = 0.4;
+  for (const internal::Unmatched_chain& chain : blend.chains) {
+    const internal::Blend_part& part = blend.parts[chain.parts.at(0)];
+    const internal::contacts::Box whole = internal::box_of(part.mesh.points),
+                                  less = internal::box_of(chain.shrunk(part.mesh.points, remaining));
+    const bool is_rail = part.name == "rail~";
+    const Point factors(is_rail ? 1 : remaining, remaining, remaining);
+    CHECK(less.sizes().isApprox(factors.cwiseProduct(whole.sizes()), 1e-9));
+    if (!is_rail) CHECK(less.min().y() == Approx(whole.min().y()).margin(touching));
+    CHECK(chain.shrunk(part.mesh.points, 1) == part.mesh.points);
+    CHECK(internal::box_of(chain.shrunk(part.mesh.points, 0)).sizes().norm() < 1e-12);
+  }
 }
 
 TEST_CASE("Legs hang on a seat that is far higher than where they come from")
