@@ -25,13 +25,11 @@ contacts::Box between(const contacts::Box& a, const contacts::Box& b, double t)
   return {(1 - t) * a.min() + t * b.min(), (1 - t) * a.max() + t * b.max()};
 }
 
-constexpr double least_stretch = 0.7, most_stretch = 1.4; // of bodies that close contacts
+// Of bodies that close contacts
+constexpr double least_stretch = 0.7, most_stretch = 1.4;
+constexpr double least_size = 1e-3; // of the height
 
-Moving_body moving_body(const contacts::Box& box)
-{
-  constexpr double least_size = 1e-3;
-  return {box.center(), std::max(box.diagonal().norm() / 2, least_size)};
-}
+double size_of(const contacts::Box& box) { return std::max(box.diagonal().norm() / 2, least_size); }
 
 /// Stretches what is in a box along y so that it begins at a level, while another height stays; what would be stretched
 /// too much moves as a whole.
@@ -149,7 +147,7 @@ void In_between_shape::close_contacts()
 {
   std::vector<Moving_body> bodies(points_.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (part(i).morph) bodies[i] = moving_body(box_of(points_[i]));
+    if (part(i).morph) bodies[i] = {box_of(points_[i]).center(), size_of(box_of(points_[i]))};
   Box_motion_solver solver(bodies);
   for (const Kept_contact& contact : blend_.contacts) {
     const auto [a, b] = contact.parts;
@@ -190,10 +188,10 @@ void In_between_shape::place(const Unmatched_chain& chain)
     const Blend_part& carrier = part(anchor.carrier);
     from.col(i) = map * anchor.at;
     to.col(i) = placements_[anchor.carrier] * carrier.place(anchor.carried, progress_[anchor.carrier]);
-    weights[i] = std::min(1., carrier.size / chain.box.diagonal().norm());
+    weights[i] = std::min(1., std::max(carrier.size / 2, least_size) / size_of(chain.box)); // the small yields
   }
   const auto body = [&] { return box_of(map * corners(chain.box)); };
-  if (touched > 0) map = motion_between(from, to, weights, body().diagonal().norm() / 2) * map;
+  if (touched > 0) map = motion_between(from, to, weights, size_of(body())) * map;
   if (chain.stands() || body().min().y() < 0)
     map = grounded(body(), (map * chain.root).y(), chain.stands() ? chain.box.min().y() : 0, most) * map;
   for (std::size_t i : chain.parts)

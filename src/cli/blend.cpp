@@ -29,7 +29,7 @@ const char* const blend_help =
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
 ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way: by a
 map between the two surfaces or, where it would be torn, by their distance fields, several parts together where they have
-to. Parts without counterpart draw back into what carries them, or grow out of it; parts in contact stay in contact. The
+to. Parts without counterpart hold on to what they touch, and shrink or grow quickly; parts in contact stay in contact. The
 first frame is the source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and

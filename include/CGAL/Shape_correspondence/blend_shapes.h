@@ -48,10 +48,9 @@ struct Blend_surface
 /// - *Stage*: every shape stands on the ground with the middle of its box, or its mirror plane, above the origin, in
 ///   the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
-///   and rotation; the axes of boxes are paired for the least rotation. Then all parts are moved and
-///   stretched along the axes as little as it takes to keep contacts, and to part evenly what touches at one end only;
-///   mirror images stay that, what stands on the ground stands, and the whole has the height that is due between the
-///   ends, and the width and depth that are due for the parts that are there.
+///   and rotation; the axes of boxes are paired for the least rotation. Then matched parts are moved and
+///   stretched along the axes as little as it takes to keep the contacts that both ends have; mirror images stay that,
+///   what stands on the ground stands, and the whole is as high as is due between the ends.
 /// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
 ///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where there is no such map,
 ///   as a surface would be torn on the way, or would have to turn, to change its proportions, to travel or
@@ -59,15 +58,14 @@ struct Blend_surface
 ///   as one: surfaces in between are level sets of the mean of both fields, with the volume that is due. If these would
 ///   fall apart, or the ends have little in common, a surface that would be torn is replaced by the other one in its
 ///   box half-way.
-/// - *Unmatched parts*, and those that become their counterparts in neither way, go with what carries them, and draw
-///   back into it, or grow out of it: in groups, one after the other, each quickly, so that old and new parts are
-///   hardly seen together. Two parts without counterpart that are alike in place and size become each other
-///   (`Blend_task_type::EXCHANGE`).
+/// - *Unmatched parts*, and those that become their counterparts in neither way, keep their shape. Those that touch each
+///   other move as one body, which holds on to the matched parts that it touches. They shrink to where they are held, or
+///   grow from there, in groups, one after the other, each quickly, so that old and new parts are hardly seen together.
+///   Two parts without counterpart that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///
-/// Closing gaps moves parts and stretches them along the axes, by factors between 0.7 and 1.4 only; `check()` reports
-/// gaps that remain.
+/// Parts that close gaps are stretched by factors between 0.7 and 1.4 only; `check()` reports gaps that remain.
 ///
 /// The schedule with the best `Blend_quality` is used, that is the least sum of its measures,
 /// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
