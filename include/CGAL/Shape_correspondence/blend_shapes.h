@@ -58,10 +58,11 @@ struct Blend_surface
 ///   as one: surfaces in between are level sets of the mean of both fields, with the volume that is due. If these would
 ///   fall apart, or the ends have little in common, a surface that would be torn is replaced by the other one in its
 ///   box half-way.
-/// - *Unmatched parts*, and those that become their counterparts in neither way, keep their shape. Those that touch each
-///   other move as one body, which holds on to the matched parts that it touches. They shrink to where they are held, or
-///   grow from there, in groups, one after the other, each quickly, so that old and new parts are hardly seen together.
-///   Two parts without counterpart that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
+/// - *Unmatched parts*, and those that become their counterparts in neither way, keep their shape. Those that touch
+///   each other move as one body, which holds on to the matched parts that it touches. They shrink to where they are
+///   held, or grow from there, in groups, one after the other, each quickly, so that old and new parts are hardly seen
+///   together. Two parts without counterpart that are alike in place and size become each other
+///   (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two, and both move alike.
 ///
