@@ -303,6 +303,37 @@ TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mir
   }
 }
 
+TEST_CASE("Shapes in between are the same whatever the order of parts")
+{
+  constexpr double alike = 0.002; // of the height: mirror images are computed from the one that comes first
+  const Model &source = model("chair_four_legged"), &target = model("chair_slatted");
+  Model reversed{Segmented_shape(source.shape.name(), source.shape.up()), {}};
+  const std::size_t count = source.shape.parts().size();
+  for (std::size_t i = count; i-- > 0;)
+    reversed.shape.add_part(source.shape.parts()[i].name, source.shape.parts()[i].mesh);
+  Structure_options options;
+  options.abstraction.abstractor = Bounding_box_abstraction();
+  reversed.graph = build_structural_graph(reversed.shape, options);
+  const Correspondence given = find_correspondence(source.graph, target.graph);
+  Correspondence other = given;
+  for (auto& pair : other.pairs)
+    pair.source = count - 1 - pair.source;
+  const Shape_blend blend = blend_of(source, target, given), same = blend_of(reversed, target, other);
+  for (double t : {0.2, 0.4, 0.7}) {
+    INFO("t = " << t);
+    const Segmented_shape shape = blend(t), again = same(t);
+    CHECK(shape.parts().size() == again.parts().size());
+    for (const Shape_part& part : shape.parts()) {
+      INFO(part.name);
+      const auto& parts = again.parts();
+      const auto found = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == part.name; });
+      REQUIRE(found != parts.end());
+      const auto corner = [](const Points& points) { return Points(points.rowwise().minCoeff()); };
+      CHECK((corner(found->mesh.points) - corner(part.mesh.points)).norm() < alike);
+    }
+  }
+}
+
 TEST_CASE("A shape blended with itself stays as it is")
 {
   const Model& chair = model("chair_four_legged");
