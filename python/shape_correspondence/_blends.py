@@ -27,8 +27,6 @@ class BlendTask(Record):
     end: float  #: time at which it ends
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
-    other_sources: Optional[List[str]] = None  #: further source parts, if several become one surface
-    other_targets: Optional[List[str]] = None  #: further target parts
     #: why there is no map onto the counterpart: the surface would be ``"torn"``, or the two are too ``"unlike"``
     obstacle: Optional[str] = None
 

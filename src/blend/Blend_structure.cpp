@@ -4,6 +4,7 @@
 #include "blend/Blend_structure.h"
 
 #include "blend/surface_components.h"
+#include "blend/unlike_pairs.h"
 #include "shape/convex_hull.h"
 
 #include <Eigen/Geometry>
@@ -81,9 +82,8 @@ End_look::End_look(const std::vector<Blend_part>& parts, int end)
     if (!parts[i].is_at(end)) continue;
     const auto surface = std::size_t(parts[i].end_surface(end));
     const Rest_surface& rest = parts[i].rests[surface];
-    area += rest.extent().area;
     if (rest.is_closed()) volume += std::abs(rest.extent().volume);
-    supports += parts[i].foot[std::size_t(end)] <= Blend_part::on_ground;
+    supports += parts[i].trees[surface].box().min().y() <= Blend_part::on_ground;
     points.push_back(parts[i].end_points(end));
     seen.push_back(
         {i, rest.samples(points.back()), &parts[i].trees[surface], rest.is_closed(), rest.extent().volume > 0});
@@ -109,7 +109,7 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
       axes_(structure(inputs[0].graph).frame.axes),
       heights_(stage.heights(options.size))
 {
-  Part_pairs unlike;
+  Unlike_pairs unlike;
   parts = matched_parts(stage, correspondence, unlike);
   contacts = contacts_to_keep(stage, parts, options.contact_tolerance);
   chains = add_unmatched_parts(stage, unlike, parts);

@@ -39,9 +39,9 @@ struct End_look
 {
   End_look(const std::vector<Blend_part>& parts, int end);
 
-  double area = 0, volume = 0; ///< of all parts; the volume of closed ones
-  double hull = 0;             ///< volume of the convex hull
-  double supports = 0;         ///< number of parts that stand on the ground
+  double volume = 0;   ///< of closed parts
+  double hull = 0;     ///< volume of the convex hull
+  double supports = 0; ///< number of parts that stand on the ground
   Overlaps overlaps;
 };
 

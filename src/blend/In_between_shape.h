@@ -4,7 +4,6 @@
 #pragma once
 
 #include "blend/Blend_structure.h"
-#include "blend/Box_motion.h"
 
 #include <array>
 #include <cstddef>
@@ -17,11 +16,10 @@ namespace CGAL::Shape_correspondence::internal {
 using Task_times = std::vector<std::array<double, 2>>;
 
 /// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are named by index.
-/// Every task goes on evenly, and so does what both shapes have at large.
 ///
-/// *Layout*: matched parts go straight from where they are at the one end to where they are at the other, unmatched
-/// ones with the box around the whole. Then all parts move a little so that contacts hold, mirror images stay that,
-/// what stands on the ground stands, and the whole is as high as is due.
+/// *Layout*: matched parts go straight and evenly from where they are at the one end to where they are at the other.
+/// Unmatched ones hold on to these, stand if they did, and become wider or narrower with the box around the whole.
+/// Then the whole is stretched so that it is as high as is due.
 class In_between_shape
 {
 public:
@@ -30,14 +28,13 @@ public:
 
   static constexpr double nothing = 1e-6; ///< of a surface: less has no area in floating-point numbers
 
+  /// \param times of unmatched parts
   In_between_shape(const Blend_structure& blend, const Task_times& times, double t);
 
   const Blend_structure& blend() const { return blend_; }
   const Blend_part& part(std::size_t part) const { return blend_.parts[part]; }
   std::size_t number_of_parts() const { return points_.size(); }
-  /// How far a matched part, or the whole shape, is on its way, in [0, 1].
-  double progress(std::size_t part) const { return progress_[part]; }
-  double progress() const { return whole_; }
+  double time() const { return t_; }
   /// The box that the whole is to fill.
   contacts::Box due_box() const;
 
@@ -50,26 +47,19 @@ public:
   Points& moving_points(std::size_t part) { return points_[part]; }
   /// Of any; for one that there is not, its motion is continued.
   Points points(std::size_t part, int surface) const;
-  /// How much there is of an unmatched part, in [0, 1].
-  double remaining(std::size_t part) const { return remaining_[part]; }
 
   /// The trees of the parts that are there.
   Trees trees() const;
 
 private:
-  void set_progress(const Task_times& times, double t);
-  void close_contacts();
-  void put_on_ground(std::size_t part);
-  void place(const Unmatched_chain& chain);
+  void place(const Unmatched_chain& chain, const Task_times& times, const Trees& matched);
   void fill_the_height();
-  void place(std::size_t part, const Eigen::Affine3d& map);
 
   const Blend_structure& blend_;
-  double whole_ = 0;
-  std::vector<double> progress_, remaining_; ///< by part
-  std::vector<Points> points_;               ///< by part
+  double t_;
+  std::vector<Points> points_; ///< by part
   std::vector<int> surface_;
-  std::vector<Eigen::Affine3d> placements_; ///< by part, from where it is by itself
+  Eigen::Affine3d stretch_ = Eigen::Affine3d::Identity(); ///< of the whole
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -5,7 +5,6 @@
 
 #include "blend/Blend_part.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -16,7 +15,7 @@ struct Anchor
 {
   Point at;
   std::size_t carrier; ///< the matched part
-  Carried_point carried;
+  Point coordinates;   ///< of that, there
 };
 
 /// Unmatched parts of an end that hold together: they go with the matched parts that they touch, and come or go as one
@@ -27,19 +26,20 @@ struct Unmatched_chain
   std::vector<std::size_t> parts; ///< of the blend
   std::vector<Anchor> anchors;
   contacts::Box box;
-  Point root; ///< what it shrinks to, and grows from: the middle of its anchors, or of its foot if it has none
-  std::array<bool, 3> is_held = {false, false,
-                                 false}; ///< by axis, whether it shrinks along it only when little remains
+  Point root; ///< what it shrinks to, and grows from
 
   bool stands() const { return box.min().y() <= Blend_part::on_ground; }
   /// Points of it when a share of it remains, in [0, 1].
-  Points shrunk(const Points& points, double remaining) const;
+  Points shrunk(const Points& points, double remaining) const
+  {
+    return (remaining * (points.colwise() - root)).colwise() + root;
+  }
 };
 
 /// Adds the parts of both ends that become no part.
 /// \param unlike pairs that correspond but do not morph
 /// \param parts gets them
-std::vector<Unmatched_chain> add_unmatched_parts(const Blend_stage& stage, const Part_pairs& unlike,
+std::vector<Unmatched_chain> add_unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
                                                  std::vector<Blend_part>& parts);
 
 } // namespace CGAL::Shape_correspondence::internal

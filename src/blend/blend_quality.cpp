@@ -41,8 +41,6 @@ const std::vector<Blend_measure>& blend_measures()
        "how much wider gaps it takes to join all parts than there"},
       {"asymmetry", &Blend_quality::asymmetry, Shape_blend::symmetry_tolerance,
        "distance of the shape from its mirror image"},
-      {"ground", &Blend_quality::ground, Shape_blend::ground_tolerance, "distance of the feet from the ground"},
-      {"area", &Blend_quality::area, Shape_blend::area_tolerance, "share by which the surface is larger"},
       {"torn", &Blend_quality::torn, Shape_blend::torn_tolerance, "share of the surface that is torn or folded"},
       {"overlap", &Blend_quality::overlap, Shape_blend::overlap_tolerance,
        "share of the surface that lies inside other parts"}};
@@ -65,8 +63,6 @@ constexpr const char* sentences[] = {
     "The contact of FIRST and SECOND is open by NUMBER of the height.",
     "Parts are farther from all others than at the ends by NUMBER of the height.",
     "It is farther from its mirror image than the ends by NUMBER of the height, most of all FIRST.",
-    "The foot of FIRST is NUMBER of the height SIDE its place on the ground.",
-    "The surface is larger than at the ends by SHARE, most of all that of FIRST.",
     "SHARE of the surface are torn or folded, most of all at FIRST.",
     "SHARE of the surface have gone into other parts, most of all FIRST into SECOND."};
 
@@ -109,8 +105,6 @@ public:
               gap(),
               {apart()},
               asymmetry(),
-              lifted_foot(),
-              area(),
               torn(),
               overlap()};
   }
@@ -142,7 +136,7 @@ private:
   template <typename Value>
   Value due(const Value& source, const Value& target) const
   {
-    return (1 - shape_.progress()) * source + shape_.progress() * target;
+    return (1 - shape_.time()) * source + shape_.time() * target;
   }
   /// Between volumes, as if lengths were between.
   double due_volume(double source, double target) const
@@ -219,7 +213,7 @@ private:
     Worst_parts worst;
     for (const Kept_contact& contact : blend().contacts) {
       const auto [a, b] = contact.parts;
-      const double allowed = contact.allowed_gap(shape_.progress());
+      const double allowed = contact.allowed_gap(shape_.time());
       worst.improve(std::max(0., std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed), a, b);
     }
     return worst;
@@ -250,27 +244,6 @@ private:
     return worst;
   }
 
-  /// How far a part that stands at both ends is above the height of its foot there, or below (negative).
-  Worst_parts lifted_foot() const
-  {
-    return worst_matched([&](std::size_t i) {
-      return part(i).stands ? trees_[i]->box().min().y() - part(i).due_foot(shape_.progress(i)) : 0;
-    });
-  }
-
-  /// By what share the surface is larger than at the ends, with the part that is over its own most.
-  Worst_parts area() const
-  {
-    Worst_parts worst;
-    for (std::size_t i = 0; i < extents_.size(); ++i) {
-      const double at_ends = std::max(part(i).rests.front().extent().area, part(i).rests.back().extent().area);
-      worst.improve(std::max(0., extents_[i].area - at_ends), i, i);
-    }
-    const double most = std::max(look(0).area, look(1).area);
-    worst.value = most > 0 ? std::max(0., area_ / most - 1) : 0;
-    return worst;
-  }
-
   /// Areas as a share of the whole surface.
   Worst_parts share(Worst_parts areas) const
   {
@@ -283,7 +256,7 @@ private:
     return share(worst_matched([&](std::size_t i) { return rest(i).torn_area(shape_.points(i), extents_[i]); }));
   }
 
-  /// How much of the surface is inside other parts, more than at the ends; what thins or thickens may be.
+  /// How much of the surface is inside other parts, more than at the ends; what comes or goes may be.
   Worst_parts overlap() const
   {
     constexpr double least_share = 0.1; // of a part's surface, less may be the samples' chance
@@ -343,7 +316,6 @@ std::string Shape_measure::fault(std::size_t measure) const
   };
   put("SHARE", std::to_string(std::lround(100 * value)) + " %");
   put("NUMBER", two_digits(value));
-  put("SIDE", worst.value > 0 ? "above" : "below");
   put("SECOND", quoted(worst.parts[1]));
   put("FIRST", quoted(worst.parts[0]));
   return result;

@@ -77,14 +77,10 @@ std::vector<std::string> Shape_blend::schedule_names()
 
 std::vector<Shape_blend> Shape_blend::different_blends() const
 {
-  constexpr double alike = 0.02; // of the height
-  constexpr int samples = 15;    // parts come and go quickly
   std::vector<Shape_blend> result;
   for (const Blend_schedule& schedule : schedules_) {
-    const auto is_alike = [&](const Shape_blend& other) {
-      return schedule_distance(*blend_, schedule, other.schedules_[0], samples) < alike;
-    };
-    if (std::any_of(result.begin(), result.end(), is_alike)) continue;
+    const auto is_same = [&](const Shape_blend& other) { return times_of(schedule) == times_of(other.schedules_[0]); };
+    if (std::any_of(result.begin(), result.end(), is_same)) continue;
     result.push_back(*this);
     result.back().schedules_ = {schedule};
   }
@@ -119,22 +115,16 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
   for (std::size_t i = 0; i < blend_->parts.size(); ++i) {
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
-    const auto time = [&](double progress) { return task.begin + progress * (task.end - task.begin); };
     if (!part.morph) {
       const bool shrinks = part.end() == 0;
       result.push_back(
           {part.name, task, part.triangles(0), shrinks ? 0 : task.begin, shrinks ? task.end : 1, part.end()});
       continue;
     }
-    const int count = part.number_of_surfaces();
-    const auto change = [&](int number) {
-      if (number < 0 || number + 1 == count) return number < 0 ? 0. : 1.;
-      const double progress = part.morph->changes()[std::size_t(number)];
-      return progress <= 0 ? 0 : progress >= 1 ? 1 : time(progress);
-    };
-    for (int surface = 0; surface < count; ++surface)
-      result.push_back({part.name, task, part.triangles(surface), change(surface - 1), change(surface),
-                        surface < count / 2 ? 0 : 1});
+    const double change = part.morph->change();
+    for (int surface : {0, 1})
+      result.push_back(
+          {part.name, task, part.triangles(surface), surface == 0 ? 0 : change, surface == 0 ? change : 1, surface});
   }
   return result;
 }

@@ -4,7 +4,6 @@
 #include "blend/mirror_images.h"
 
 #include "base/quantized.h"
-#include "blend/pair_boxes.h"
 #include "blend/surface_components.h"
 
 #include <algorithm>
@@ -23,14 +22,6 @@ bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, dou
   std::swap(low.x(), high.x());
   return (low - other.min()).cwiseAbs().maxCoeff() <= tolerance &&
          (high - other.max()).cwiseAbs().maxCoeff() <= tolerance;
-}
-
-/// The points of a part and of its mirror image in the mirror.
-Points with_image(const Points& part, const Points& image)
-{
-  Points result(3, part.cols() + image.cols());
-  result << part, mirrored(image);
-  return result;
 }
 
 } // namespace
@@ -88,21 +79,6 @@ void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_i
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
-void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& images, std::vector<Part_chart>& charts)
-{
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    const std::size_t image = images[part];
-    if (image == Mirror_images::none || image < part) continue;
-    const Points both = with_image(parts[part].points, parts[image].points);
-    if (image == part) {
-      charts[part] = mirrored_box(both);
-    } else {
-      charts[part] = charts[part].fitted(both);
-      charts[image] = charts[part].image();
-    }
-  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -17,12 +17,6 @@ inline Point mirrored(Point p)
   return p;
 }
 
-inline Points mirrored(Points points)
-{
-  points.row(0) = -points.row(0);
-  return points;
-}
-
 /// Root mean square distance of some points of surfaces, mirrored in x = 0, from surfaces.
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees);
 
@@ -43,9 +37,5 @@ private:
 
 /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
 void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target);
-
-/// Gives parts that are mirror images of each other charts that are, too, and those that are their own boxes that are,
-/// so that what they are divided among, and what is divided among them, is divided alike.
-void mirror_charts(const std::vector<Part_mesh>& parts, const Mirror_images& images, std::vector<Part_chart>& charts);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -68,22 +68,15 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
   return charts_along(surfaces, {from, best});
 }
 
-Pair_charts upright_boxes(const std::array<const Points*, 2>& surfaces)
-{
-  return charts_along(surfaces, {Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity()});
-}
-
-Part_chart mirrored_box(const Points& surface)
-{
-  const Eigen::Vector2d middle = surface.bottomRows<2>().rowwise().mean();
-  const Eigen::Matrix2Xd centred = surface.bottomRows<2>().colwise() - middle;
-  const Eigen::Matrix2d scatter = centred * centred.transpose();
-  const double angle = std::atan2(2 * scatter(0, 1), scatter(0, 0) - scatter(1, 1)) / 2;
-  const Eigen::Matrix3d axes = Eigen::AngleAxisd(angle, Point::UnitX()).toRotationMatrix();
-  return charts_along({&surface, &surface}, {axes, axes}).source;
-}
-
 double turn(const Pair_charts& charts) { return angle_of(charts.target.axes() * charts.source.axes().transpose()); }
+
+double needless_turn(const Pair_charts& charts)
+{
+  double least = turn(charts);
+  for (const Eigen::Matrix3d& rotation : cube_rotations())
+    least = std::min(least, angle_of(charts.target.axes() * rotation * charts.source.axes().transpose()));
+  return turn(charts) - least;
+}
 
 double change(const Pair_charts& charts)
 {

@@ -18,17 +18,13 @@ Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
 /// \param own_axes of the surfaces, rotations
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes);
 
-/// The same, with the axes of the world: what is its own mirror image stays that.
-Pair_charts upright_boxes(const std::array<const Points*, 2>& surfaces);
-
-/// The chart of a box that is its own mirror image in x = 0, along the surface.
-Part_chart mirrored_box(const Points& surface);
-
 /// How much one chart has to change to become the other: the angle by which it turns, in radians, and how many times
 /// as long its extents become.
 double change(const Pair_charts& charts);
 
-/// The angle by which the one turns to become the other, in radians.
+/// The angle by which the one turns to become the other, in radians, and by how much that is more than the least one
+/// over the symmetries of boxes.
 double turn(const Pair_charts& charts);
+double needless_turn(const Pair_charts& charts);
 
 } // namespace CGAL::Shape_correspondence::internal

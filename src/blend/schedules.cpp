@@ -37,18 +37,6 @@ Blend_quality quality_of(const Blend_structure& blend, const Blend_schedule& sch
   return std::accumulate(qualities.begin(), qualities.end(), Blend_quality(), worst);
 }
 
-/// The lowest and the highest corner of the box of every part.
-Points box_corners(const In_between_shape& shape)
-{
-  Points result(3, Eigen::Index(2 * shape.number_of_parts()));
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
-    const Points points = shape.points(part, shape.is_there(part) ? shape.surface(part) : 0);
-    result.col(Eigen::Index(2 * part)) = points.rowwise().minCoeff();
-    result.col(Eigen::Index(2 * part + 1)) = points.rowwise().maxCoeff();
-  }
-  return result;
-}
-
 /// Parts that come or go at one time, and when.
 struct Timed_group
 {
@@ -75,7 +63,7 @@ Timed_groups groups_of(const std::vector<Blend_part>& parts)
     if (part.morph) continue;
     Timed_group& group = result[part.group];
     group.is_at[std::size_t(part.end())] = true;
-    group.height += part.height * part.size;
+    group.height += part.mesh.points.row(1).mean() * part.size;
     group.size += part.size;
   }
   return result;
@@ -158,18 +146,6 @@ void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, 
   for (const auto& [cost, s] : order)
     ranked.push_back(std::move(schedules[s]));
   schedules = std::move(ranked);
-}
-
-double schedule_distance(const Blend_structure& blend, const Blend_schedule& a, const Blend_schedule& b, int samples)
-{
-  double farthest = 0;
-  for (int i = 1; i <= samples; ++i) {
-    const double t = double(i) / (samples + 1);
-    const Points difference =
-        box_corners(In_between_shape(blend, times_of(a), t)) - box_corners(In_between_shape(blend, times_of(b), t));
-    farthest = std::max(farthest, std::sqrt(difference.squaredNorm() / double(difference.cols())));
-  }
-  return farthest;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

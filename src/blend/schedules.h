@@ -19,8 +19,4 @@ std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& p
 /// Judges schedules by samples of their in-between shapes, and sorts them, the best one first.
 void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, const Blend_options& options);
 
-/// How far in-between shapes of two schedules are apart, of the height: the root mean square distance of the corners of
-/// the boxes of their parts at most, a part that is not there counting as a point.
-double schedule_distance(const Blend_structure& blend, const Blend_schedule& a, const Blend_schedule& b, int samples);
-
 } // namespace CGAL::Shape_correspondence::internal

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Blend_part.h"
 #include "shape/meshes.h"
 #include "shape/oriented_box.h"
 
@@ -12,6 +11,20 @@
 #include <CGAL/alpha_wrap_3.h>
 
 namespace CGAL::Shape_correspondence {
+namespace {
+
+/// Adds the surface of another part to one.
+void append(Part_mesh& all, const Part_mesh& mesh)
+{
+  const Eigen::Index points = all.points.cols(), triangles = all.triangles.cols();
+  all.points.conservativeResize(3, points + mesh.points.cols());
+  all.points.rightCols(mesh.points.cols()) = mesh.points;
+  all.triangles.conservativeResize(3, triangles + mesh.triangles.cols());
+  all.triangles.rightCols(mesh.triangles.cols()) = mesh.triangles.array() + int(points);
+}
+
+} // namespace
+
 Part_mesh Shape_blend::solid(double t, double detail) const
 {
   constexpr double least_detail = 0.001;
@@ -21,7 +34,7 @@ Part_mesh Shape_blend::solid(double t, double detail) const
   const Segmented_shape shape = (*this)(t);
   Part_mesh all;
   for (const Shape_part& part : shape.parts())
-    internal::append(all, part.mesh);
+    append(all, part.mesh);
   const internal::Triangle_soup soup = internal::to_soup(all);
   const double alpha = detail * internal::diagonal(all.points);
   internal::Halfedge_mesh result;

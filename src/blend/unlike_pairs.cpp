@@ -19,8 +19,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Of the extents: of parts, of sets of parts, and of pieces
-constexpr double most_change = 2, most_change_of_sets = 1.5, most_change_divided = 1.2;
+constexpr double most_change = 1.2; // of the extents
 
 /// Points all over the spine and the sides of a chart.
 Points samples(const Part_chart& chart)
@@ -55,50 +54,22 @@ struct Difference
 {
   Difference(const std::array<Part_chart, 2>& charts, const Blend_stage& stage)
   {
-    constexpr double least_size = 1e-3; // of the height
     const Points a = samples(charts[0]), b = samples(charts[1]);
     const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
     size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
     turns = turn(boxes);
-    // What becomes wider or flatter as the whole does keeps its proportions
-    const Point whole = stage.boxes[0].sizes().cwiseQuotient(stage.boxes[1].sizes().cwiseMax(least_size));
-    const Points with_whole = whole.asDiagonal() * b;
-    const Pair_charts relative = pair_boxes({&a, &with_whole}, {charts[0].axes(), charts[1].axes()});
-    changes = std::min(change(boxes) - turns, change(relative) - turn(relative));
+    changes = change(boxes) - turns;
     travels = travel(charts, stage);
   }
 
-  bool is_too_much(double most_travel, double most_changes) const
+  bool is_too_much() const
   {
     constexpr double most_turn = 0.6; // radians
-    return travels > most_travel || turns > most_turn || changes > most_changes;
+    return travels > 0.25 + size / 8 || turns > most_turn || changes > most_change;
   }
-  bool is_too_much_for_parts() const { return is_too_much(far(), most_change); }
-  bool is_too_much_for_sets() const { return is_too_much(far(), most_change_of_sets); }
-  bool is_too_much_for_pieces() const { return is_too_much(near(), most_change_divided); }
-  double far() const { return 0.4 + size / 2; }
-  double near() const { return 0.25 + size / 8; }
 
   double size, turns, changes, travels;
 };
-
-/// The boxes around the parts that a divided pair is of, and all counterparts, have to be alike, too: a shelf is not
-/// cut up for shelves above each other.
-bool are_boxes_unlike(const Blend_stage& stage, const Part_pairs& pairs, const Piece_pair& pair)
-{
-  std::array<contacts::Box, 2> around;
-  for (const auto& [s, t] : pairs)
-    if (s == pair.source || t == pair.target) {
-      around[0].extend(box_of(stage.meshes[0][s].points));
-      around[1].extend(box_of(stage.meshes[1][t].points));
-    }
-  std::array<Points, 2> corners;
-  for (std::size_t end : {0u, 1u}) {
-    corners[end].resize(3, 2);
-    corners[end] << around[end].min(), around[end].max();
-  }
-  return change(upright_boxes({&corners[0], &corners[1]})) > most_change_divided;
-}
 
 /// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
 contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_t part)
@@ -126,46 +97,43 @@ bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t 
   return overlap(relative_box(stage, 0, source), relative_box(stage, 1, target)) > same_place;
 }
 
-Part_pairs leftover_pairs(const Blend_stage& stage, const std::vector<Blend_part>& parts)
+Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired)
 {
-  std::array<std::vector<char>, 2> is_used;
-  for (int end : {0, 1})
-    for (std::size_t part = 0; part < stage.meshes[std::size_t(end)].size(); ++part)
-      is_used[std::size_t(end)].push_back(!parts_of(parts, end, part).empty());
+  std::array<std::vector<char>, 2> is_used = {std::vector<char>(stage.meshes[0].size(), 0),
+                                              std::vector<char>(stage.meshes[1].size(), 0)};
+  std::array<std::vector<char>, 2> has_counterpart = is_used;
+  for (const auto& [s, t] : paired)
+    is_used[0][s] = is_used[1][t] = 1;
+  for (const auto& [s, t] : unlike.all)
+    has_counterpart[0][s] = has_counterpart[1][t] = 1;
   std::vector<std::pair<Steps, Part_pairs::value_type>> alike; // by how little they overlap
   for (std::size_t s = 0; s < is_used[0].size(); ++s)
     for (std::size_t t = 0; t < is_used[1].size(); ++t) {
-      if (is_used[0][s] || is_used[1][t]) continue;
+      const std::pair pair(s, t);
+      const bool correspond = std::binary_search(unlike.all.begin(), unlike.all.end(), pair);
+      if (is_used[0][s] || is_used[1][t] || unlike.torn.count(pair) > 0) continue;
+      if (!correspond && (has_counterpart[0][s] || has_counterpart[1][t])) continue;
       const double shared = overlap(relative_box(stage, 0, s), relative_box(stage, 1, t));
       if (shared <= same_place) continue;
-      if (!Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, stage).is_too_much_for_parts())
-        alike.emplace_back(-quantized(shared), std::pair(s, t));
+      if (!Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, stage).is_too_much())
+        alike.emplace_back(-quantized(shared), pair);
     }
   std::sort(alike.begin(), alike.end());
-  Part_pairs result;
   for (const auto& [cost, pair] : alike) {
     if (is_used[0][pair.first] || is_used[1][pair.second]) continue;
     is_used[0][pair.first] = is_used[1][pair.second] = 1;
-    result.push_back(pair);
+    paired.push_back(pair);
   }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes)
-{
-  return Difference({boxes.source, boxes.target}, stage).is_too_much_for_sets();
+  std::sort(paired.begin(), paired.end());
+  return paired;
 }
 
 Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired)
 {
   const std::size_t sources = stage.meshes[0].size();
   Disjoint_sets sets(sources + stage.meshes[1].size()); // of parts that pairs connect, mirror images together
-  std::vector<int> uses(sets.size(), 0);                // by part
   for (const auto& [s, t] : paired) {
     sets.unite(s, sources + t);
-    ++uses[s];
-    ++uses[sources + t];
     const std::size_t source_image = stage.images[0][s], target_image = stage.images[1][t];
     if (source_image == Mirror_images::none || target_image == Mirror_images::none) continue;
     sets.unite(s, source_image);
@@ -177,10 +145,7 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, P
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
     if (known) continue;
-    const Difference difference(piece_charts(piece, stage.charted[0], stage.charted[1]), stage);
-    const bool is_divided = uses[piece.source] > 1 || uses[sources + piece.target] > 1;
-    known = is_divided ? are_boxes_unlike(stage, paired, piece) || difference.is_too_much_for_pieces()
-                       : difference.is_too_much_for_parts();
+    known = Difference(piece_charts(piece, stage.charted[0], stage.charted[1]), stage).is_too_much();
   }
   const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
                                                   [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });

@@ -7,16 +7,20 @@
 
 #include <cstddef>
 #include <set>
-#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
-struct Blend_part;
 struct Blend_stage;
-struct Pair_charts;
 
 /// Pairs of parts whose surfaces have no map onto each other, or pieces of theirs.
 using Torn_pairs = std::set<Part_pairs::value_type>;
+
+/// The pairs that correspond but do not morph.
+struct Unlike_pairs
+{
+  Part_pairs all;
+  Torn_pairs torn; ///< and leftover ones that would be
+};
 
 /// Takes out the pairs whose parts, or pieces of them, would have to turn, to change their proportions or to travel
 /// much to become each other: legs cut up for a star base, slats across spindles. With a pair of pieces go all
@@ -25,13 +29,11 @@ using Torn_pairs = std::set<Part_pairs::value_type>;
 /// \return the pairs that were taken out
 Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired);
 
-/// Pairs of parts that none of the parts of a blend has become of, alike in place and size.
-Part_pairs leftover_pairs(const Blend_stage& stage, const std::vector<Blend_part>& parts);
+/// Pairs, and those of parts that are in none of them, alike in place and size: both correspond, but to others, too, or
+/// neither has a counterpart.
+Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired);
 
 /// Whether two parts take up the same place in the boxes around the shapes.
 bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t target);
-
-/// Whether what is in two boxes is too unlike to become each other.
-bool are_unlike(const Blend_stage& stage, const Pair_charts& boxes);
 
 } // namespace CGAL::Shape_correspondence::internal

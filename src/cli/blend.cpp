@@ -27,15 +27,15 @@ const char* const blend_help =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
-ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way: by a
-map between the two surfaces or, where it would be torn, by their distance fields, several parts together where they have
-to. Parts without counterpart hold on to what they touch, and shrink or grow quickly; parts in contact stay in contact. The
-first frame is the source, the last one the target.
+ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way, by a
+map between the two surfaces. Parts without counterpart, or too unlike it for a map, keep their shape and hold on to what
+they touch: the old ones shrink quickly as the new ones grow. Parts in contact stay in contact. The first frame is the
+source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
 Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where
-source part s becomes t, s~ where s vanishes, and ~t where t grows; several that become one are named after the first.
+source part s becomes t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
@@ -218,10 +218,6 @@ void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, con
       if (task.obstacle != reason) continue;
       if (task.source != Blend_task::no_part) add_name(names, source, task.source);
       if (task.target != Blend_task::no_part) add_name(others, target, task.target);
-      for (std::size_t part : task.other_sources)
-        add_name(names, source, part);
-      for (std::size_t part : task.other_targets)
-        add_name(others, target, part);
     }
     if (!names.empty()) warnings.push_back(names + " have no map onto " + others + ", as " + why);
   }

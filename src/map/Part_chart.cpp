@@ -361,13 +361,6 @@ Part_chart Part_chart::centred(const Points& surface) const
   return section(moved) < section(*this) ? moved : *this;
 }
 
-Part_chart Part_chart::image() const
-{
-  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
-  const Points spine = mirror * spine_;
-  return is_sheet_ ? over(spine, half_) : along(spine, mirror * frames_[0].col(1), half_);
-}
-
 Part_chart Part_chart::turned(const Eigen::Matrix3d& turn) const
 {
   const Point half = (turn.transpose() * half_).cwiseAbs();

@@ -48,8 +48,6 @@ public:
   /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each
   /// other as the stations
   Part_chart centred(const Points& surface) const;
-  /// The chart's mirror image in x = 0, but for the signs of coordinates.
-  Part_chart image() const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;
   /// The chart with other coordinates: those of the result times `turn` are those of this chart.

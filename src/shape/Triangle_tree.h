@@ -104,13 +104,6 @@ public:
     improve_closest(0, other, 0, search);
   }
 
-  /// Replaces `best` by the closest points if their distance is less than nine tenths of that of `best`.
-  void improve_nearly_closest(const Triangle_tree& other, Closest_pair& best) const
-  {
-    Closest_search search(best, 0, nearly);
-    if (squared_distance(0, other, 0) < search.limit()) improve_closest(0, other, 0, search);
-  }
-
   /// A point of either surface, not closest but nearly: their distance exceeds the least one, or `enough` if that is
   /// more, by at most a tenth of what it is over `enough`. Much faster than the closest points of faces that lie flat
   /// on each other.

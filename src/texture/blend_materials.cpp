@@ -18,15 +18,8 @@ namespace {
 
 constexpr int fade_steps = 5; // of a colour in an animation
 
-/// The parts of a shape that a task is of.
-std::vector<std::size_t> parts_of(const Blend_task& task, std::size_t side)
-{
-  const std::size_t first = side == 0 ? task.source : task.target;
-  if (first == Blend_task::no_part) return {};
-  std::vector<std::size_t> result = side == 0 ? task.other_sources : task.other_targets;
-  result.insert(result.begin(), first);
-  return result;
-}
+/// The part of a shape that a task is of.
+std::size_t part_of(const Blend_task& task, std::size_t side) { return side == 0 ? task.source : task.target; }
 
 /// Draws a blend by the materials of the shapes.
 class Material_painter : public Blend_painter
@@ -43,10 +36,10 @@ public:
       const auto side = std::size_t(surfaces_[i].side);
       Looks looks{side, {}, {}};
       for (std::size_t s = 0; s < 2; ++s)
-        looks.colour[s] = only_colour(s, parts_of(surfaces_[i].task, s));
-      const auto [mesh, given] = joined_parts(shapes[side], side == 0 ? appearance.source : appearance.target,
-                                              parts_of(surfaces_[i].task, side));
-      looks.appearance = appearance_on(mesh, given, {points[side][i], surfaces_[i].triangles});
+        looks.colour[s] = only_colour(s, part_of(surfaces_[i].task, s));
+      const std::size_t part = part_of(surfaces_[i].task, side);
+      looks.appearance = appearance_on(shapes[side].parts()[part].mesh, materials_[side].of_part(part),
+                                       {points[side][i], surfaces_[i].triangles});
       looks_.push_back(std::move(looks));
     }
   }
@@ -83,20 +76,10 @@ private:
     std::array<std::optional<Eigen::Vector4d>, 2> colour; ///< of the parts at both ends, where they have one
   };
 
-  /// The colour of parts that are of one colour.
-  std::optional<Eigen::Vector4d> only_colour(std::size_t side, const std::vector<std::size_t>& parts) const
-  {
-    std::optional<Eigen::Vector4d> result;
-    for (std::size_t part : parts) {
-      const std::optional<Eigen::Vector4d> own = only_colour(side, part);
-      if (!own || (result && *result != *own)) return std::nullopt;
-      result = own;
-    }
-    return result;
-  }
-
+  /// The colour of a part that is of one colour.
   std::optional<Eigen::Vector4d> only_colour(std::size_t side, std::size_t part) const
   {
+    if (part == Blend_task::no_part) return std::nullopt;
     const Part_appearance& looks = materials_[side].of_part(part);
     const int material = looks.materials.empty() ? -1 : looks.materials[0];
     const auto is_other = [&](int number) { return number != material; };

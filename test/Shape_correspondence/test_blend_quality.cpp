@@ -2,7 +2,6 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "blend/Box_motion.h"
 #include "blend/blend_quality.h"
 #include "box_models.h"
 #include "model_files.h"
@@ -23,8 +22,7 @@
 #include <string>
 #include <vector>
 
-// What is measured of shapes in between, what motions may do to parts, sizes, schedules, and pairs that are not
-// believed.
+// What is measured of shapes in between, sizes, schedules, and pairs that are not believed.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
@@ -83,32 +81,6 @@ TEST_CASE("Options and numbers of frames that make no sense are refused")
   }
 }
 
-TEST_CASE("Contacts are closed by moving all bodies as little as that takes, within bounds of stretch, without turns")
-{
-  constexpr double least = 0.7, most = 1.4;
-  internal::Box_motion_solver solver({{Point::Zero(), 1}, {Point(1, 0, 0), 1}, {Point(5, 0, 0), 1}});
-  solver.add_contact(0, Point(0.4, 0.5, 0), 1, Point(0.6, 0.5, 0), 1);
-  const std::vector<internal::Box_motion> motions = solver.solve(least, most);
-  const auto displacement = [&](std::size_t body, const Point& p) { return Point(motions[body].map() * p - p); };
-  CHECK(displacement(0, {0.4, 0.5, 0}).x() == Approx(0.1).epsilon(0.05));
-  CHECK(displacement(1, {0.6, 0.5, 0}).x() == Approx(-0.1).epsilon(0.05));
-  CHECK(displacement(0, {0.4, 0.5, 0}).tail<2>().norm() < 1e-12);
-  CHECK(motions[2].translation.norm() == 0);
-  CHECK(motions[2].stretch == Point::Ones());
-  const Eigen::Matrix3d linear = motions[0].map().linear();
-  CHECK(linear.isDiagonal(0));
-
-  internal::Box_motion_solver pulled({{Point::Zero(), 1}, {Point::Zero(), 1}});
-  pulled.add_contact(0, Point(1, 0.1, 0), 1, Point(5, 0.01, 0), 1);
-  pulled.add_contact(0, Point(-1, -0.1, 0), 1, Point(-5, -0.01, 0), 1);
-  CHECK(pulled.solve(least, most)[1].stretch.x() == least);
-
-  internal::Box_motion_solver small({{Point::Zero(), 0.1}, {Point::Zero(), 1}}); // which stretches more easily
-  small.add_contact(0, Point(1, 0.1, 0), 1, Point(5, 0.01, 0), 1);
-  small.add_contact(0, Point(-1, -0.1, 0), 1, Point(-5, -0.01, 0), 1);
-  CHECK(small.solve(least, most)[0].stretch.x() == most);
-}
-
 TEST_CASE("What is wrong with a shape in between is told, with the part, by its own measure")
 {
   const Box_model model = model_of(stand());
@@ -161,9 +133,6 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   CHECK(!is_told(faults(column, shifted({0.05, 0, 0})), "off its way", "column~column"));
   CHECK(is_told(faults(top, shifted({0, 0.03, 0})), "is open", "top~top"));
   CHECK(is_said(faults(top, shifted({0, 0.03, 0})), "farther from all others"));
-  CHECK(is_told(faults(base, shifted({0, -0.01, 0})), "below its place on the ground", "base~base"));
-  CHECK(is_told(faults(top, scaled({1.8, 1, 1.8})), "surface is larger", "top~top"));
-  CHECK(!is_told(faults(top, scaled({1.1, 1, 1.1})), "surface is larger", "top~top"));
   const auto crumpled = [](Points& points) {
     for (Eigen::Index i = 0; i < points.cols(); i += 2)
       points.col(i) += Point(0.7 * std::sin(double(i)), 0, 0.4 * std::cos(double(i)));
@@ -225,14 +194,14 @@ TEST_CASE("What is not symmetric any more is told, with the part")
 TEST_CASE("Parts that pass through each other are told")
 {
   const std::vector<Named_box> here = {{"base", {0, 0.05, 0}, {2, 0.1, 1}},
-                                       {"left", {-0.25, 0.45, 0}, {0.3, 0.7, 0.3}},
-                                       {"right", {0.25, 0.35, 0}, {0.25, 0.5, 0.25}},
+                                       {"left", {-0.14, 0.45, 0}, {0.3, 0.7, 0.3}},
+                                       {"right", {0.14, 0.35, 0}, {0.24, 0.5, 0.25}},
                                        {"mast", {0, 0.55, 0.4}, {0.1, 0.9, 0.1}}};
   std::vector<Named_box> there = here;
-  there[1].middle.x() = 0.25, there[2].middle.x() = -0.25; // farther, they would thin and thicken
+  there[1].middle.x() = 0.14, there[2].middle.x() = -0.14; // farther, they would come and go
   const Shape_blend blend = blend_of(model_of(here), model_of(there), same_parts(4));
   CHECK(blend.check(0.5).quality.overlap > Shape_blend::overlap_tolerance);
-  CHECK(blend.check(0.05).quality.overlap == 0);
+  CHECK(blend.check(0.01).quality.overlap == 0);
   CHECK(blend.check(0).quality.overlap == 0);
 }
 

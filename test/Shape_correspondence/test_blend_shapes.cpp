@@ -128,8 +128,6 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
       CHECK(blend.check(t).quality.support <= Shape_blend::support_tolerance);
       CHECK(blend.check(t).quality.gone <= 1.2 * Shape_blend::gone_tolerance); // seats rise where backs go
       CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
-      CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
-      CHECK(blend.check(t).quality.area <= Shape_blend::area_tolerance);
       CHECK(blend.check(t).quality.volume <= 2.5 * Shape_blend::volume_tolerance); // a cushion comes at once
     }
   }
@@ -172,12 +170,12 @@ TEST_CASE("What one part becomes, its mirror image becomes the mirror image of; 
 TEST_CASE("What does not hold is told with the parts where it does not")
 {
   // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only. Plates that
-  // are farther apart would make it thin and thicken.
+  // are farther apart would make it come and go.
   const auto stand = [](double height_of_peg) {
     Model result{Segmented_shape("stand"), {}};
     result.shape.add_part("base", box_shapes::box({0, 0.05, 0}, {1, 0.1, 0.6}));
     result.shape.add_part("column", box_shapes::box({0, 0.5, 0}, {0.1, 0.8, 0.1}));
-    result.shape.add_part("top", box_shapes::box({0, 0.45, 0}, {1, 0.1, 0.6}));
+    result.shape.add_part("top", box_shapes::box({0, 0.35, 0}, {1, 0.1, 0.6}));
     result.shape.add_part("peg", box_shapes::box({0.4, height_of_peg, 0}, {0.02, 0.02, 0.02}));
     Structure_options options;
     options.abstraction.abstractor = Bounding_box_abstraction();
@@ -185,7 +183,7 @@ TEST_CASE("What does not hold is told with the parts where it does not")
     structure(result.graph).frame.mirror_x = true;
     return result;
   };
-  const Model high = stand(0.39), low = stand(0.11);
+  const Model high = stand(0.29), low = stand(0.11);
   Correspondence same;
   same.pairs = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
   const Shape_blend blend = blend_of(high, low, same);
@@ -299,7 +297,6 @@ TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mir
     INFO("t = " << t << " " << (blend.check(t).faults.empty() ? "" : blend.check(t).faults[0]));
     CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
     CHECK(blend.check(t).quality.gap <= Shape_blend::contact_tolerance);
-    CHECK(blend.check(t).quality.ground <= Shape_blend::ground_tolerance);
   }
 }
 
@@ -388,10 +385,6 @@ TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
     CHECK(task.end <= 1);
     if (task.source != Blend_task::no_part) ++from[task.source];
     if (task.target != Blend_task::no_part) ++to[task.target];
-    for (std::size_t part : task.other_sources)
-      ++from[part];
-    for (std::size_t part : task.other_targets)
-      ++to[part];
     CHECK((task.type == Blend_task_type::SHRINK) == (task.target == Blend_task::no_part));
     CHECK((task.type == Blend_task_type::GROW) == (task.source == Blend_task::no_part));
   }

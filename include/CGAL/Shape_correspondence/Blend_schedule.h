@@ -22,25 +22,25 @@ namespace Shape_correspondence {
 /// What may happen to a part during a blend.
 enum class Blend_task_type {
   MORPH,   ///< a part becomes another
-  SPLIT,   ///< a piece of a part becomes another part, or parts become more
-  MERGE,   ///< a part, or a piece of it, becomes a piece of another, or parts become fewer
-  SHRINK,  ///< a part without counterpart draws back into what carries it
+  SPLIT,   ///< a piece of a part becomes another part
+  MERGE,   ///< a part, or a piece of it, becomes a piece of another
+  SHRINK,  ///< a part without counterpart, or without a map onto it, shrinks to where it is held
   GROW,    ///< the inverse of `SHRINK`
-  EXCHANGE ///< a part without counterpart becomes another in the same place
+  EXCHANGE ///< such a part becomes another in the same place
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Why the surface of a part has no map onto that of its counterpart.
 enum class Blend_obstacle {
-  NONE,  ///< it has one
+  NONE,  ///< it has one, or no counterpart
   TORN,  ///< it would be torn or folded
-  UNLIKE ///< it would have to turn, to change its proportions, to travel or to be cut up too much; or, of a part that
-         ///< shrinks or grows, what carries it would
+  UNLIKE ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to be
+         ///< cut up too much
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// What happens to one part, or to several together, and when. Where there is an obstacle to a map, surfaces become
-/// each other by distance fields, those of several parts as one, or the parts shrink and their counterparts grow.
+/// What happens to one part, or a piece of one, and when. Where there is an obstacle to a map, the part shrinks, and
+/// its counterpart grows.
 struct Blend_task
 {
   static constexpr std::size_t no_part = std::size_t(-1); ///< index of a part where there is none
@@ -48,8 +48,6 @@ struct Blend_task
   Blend_task_type type = Blend_task_type::MORPH;  ///< what happens
   std::size_t source = no_part;                   ///< index of the source part, if there is one
   std::size_t target = no_part;                   ///< index of the target part, if there is one
-  std::vector<std::size_t> other_sources;         ///< further source parts, if several become one surface
-  std::vector<std::size_t> other_targets;         ///< further target parts
   double begin = 0;                               ///< time of the blend, in [0, 1], at which it begins
   double end = 1;                                 ///< time of the blend, in [0, 1], at which it ends
   Blend_obstacle obstacle = Blend_obstacle::NONE; ///< to a map, if there is one
@@ -70,8 +68,6 @@ struct Blend_quality
   double gap = 0;       ///< by how much the gap of parts that touch at both ends is wider than is due, at most
   double apart = 0;     ///< by how much wider gaps than at the ends it takes to join all parts
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
-  double ground = 0;    ///< how far a part that stands on the ground at both ends is off its height there, at most
-  double area = 0;      ///< by what fraction the surface is larger than at the end where it is larger
   double torn = 0;      ///< share of the surface that is folded over, or stretched far more than its part
   double overlap = 0;   ///< share of the surface that is inside closed parts, but not inside them at either end
 };

@@ -35,9 +35,9 @@ struct Blend_surface
   std::string name; ///< `s~t`: of source part s that becomes t; `s~`: of s that vanishes; `~t`: of t that grows
   Blend_task task;  ///< the task that the surface belongs to
   Eigen::Matrix3Xi triangles; ///< one triangle in each column: indices into the points of the surface
-  double begin = 0;           ///< the surface exists at times t with `begin` < t < `end`
-  double end = 1;             ///< see `begin`
-  int side = 0;               ///< of the blend, whose materials it has: 0, the source, or 1, the target
+  double begin = 0; ///< the surface exists at times t with `begin` <= t < `end`; what grows is a point at first
+  double end = 1;   ///< see `begin`
+  int side = 0;     ///< of the blend, whose materials it has: 0, the source, or 1, the target
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -48,25 +48,18 @@ struct Blend_surface
 /// - *Stage*: every shape stands on the ground with the middle of its box, or its mirror plane, above the origin, in
 ///   the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
-///   and rotation; the axes of boxes are paired for the least rotation. Then matched parts are moved and
-///   stretched along the axes as little as it takes to keep the contacts that both ends have; mirror images stay that,
-///   what stands on the ground stands, and the whole is as high as is due between the ends.
-/// - *Matched parts* morph in their boxes: along their curves and sheets, with rotation-minimising frames, unless boxes
-///   change less. A part that corresponds to many is cut into closed pieces, one for each. Where there is no such map,
-///   as a surface would be torn on the way, or would have to turn, to change its proportions, to travel or
-///   to be cut up too much (`Blend_obstacle`), parts become their counterparts by *distance fields*, several together
-///   as one: surfaces in between are level sets of the mean of both fields, with the volume that is due. If these would
-///   fall apart, or the ends have little in common, a surface that would be torn is replaced by the other one in its
-///   box half-way.
-/// - *Unmatched parts*, and those that become their counterparts in neither way, keep their shape. Those that touch
-///   each other move as one body, which holds on to the matched parts that it touches. They shrink to where they are
-///   held, or grow from there, in groups, one after the other, each quickly, so that old and new parts are hardly seen
-///   together. Two parts without counterpart that are alike in place and size become each other
-///   (`Blend_task_type::EXCHANGE`).
+///   and rotation; the axes of boxes are paired for the least rotation. So parts that touch at both ends touch on the
+///   way, but for what `check()` reports. The whole stands, and is as high as is due between the ends.
+/// - *Matched parts* morph in their boxes, by a map in coordinates relative to their cross-sections. A part that
+///   corresponds to many is cut into closed pieces, one for each.
+/// - *Unmatched parts* have no counterpart, or no map onto it: a surface would be torn on the way, or would have to
+///   turn, to change its proportions, to travel or to be cut up too much (`Blend_obstacle`). They keep their shape.
+///   Those that touch each other move as one body, stretched along the axes by factors between 0.7 and 1.4, which
+///   holds on to the matched parts that it touches, stands, and becomes wider or narrower with the whole. They shrink
+///   to where they are held, or grow from there, in groups, one after the other, each quickly: old parts go as what
+///   takes their place comes. Two that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
-///   part becomes, also where the correspondence has only one of the two, and both move alike.
-///
-/// Parts that close gaps are stretched by factors between 0.7 and 1.4 only; `check()` reports gaps that remain.
+///   part becomes, also where the correspondence has only one of the two.
 ///
 /// The schedule with the best `Blend_quality` is used, that is the least sum of its measures,
 /// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
@@ -78,7 +71,6 @@ public:
   // Fractions of the shape's height
   static constexpr double contact_tolerance = 0.005;  ///< of `Blend_quality::gap`
   static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, above that of the ends
-  static constexpr double ground_tolerance = 0.005;   ///< of `Blend_quality::ground`
   static constexpr double apart_tolerance = 0.02;     ///< of `Blend_quality::apart`
   static constexpr double travel_tolerance = 0.1;     ///< of `Blend_quality::travel`
   static constexpr double rotation_tolerance = 0.5;   ///< of `Blend_quality::rotation`, in radians
@@ -87,7 +79,6 @@ public:
   static constexpr double hull_tolerance = 0.2;     ///< of `Blend_quality::hull`
   static constexpr double support_tolerance = 0.4;  ///< of `Blend_quality::support`
   static constexpr double gone_tolerance = 0.4;     ///< of `Blend_quality::gone`
-  static constexpr double area_tolerance = 0.3;     ///< of `Blend_quality::area`
   static constexpr double volume_tolerance = 0.3;   ///< of `Blend_quality::volume`
   static constexpr double torn_tolerance = 0.02;    ///< of `Blend_quality::torn`
   static constexpr double overlap_tolerance = 0.03; ///< of `Blend_quality::overlap`

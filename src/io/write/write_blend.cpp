@@ -30,13 +30,6 @@ const char* obstacle_name(Blend_obstacle obstacle)
   return names[int(obstacle)];
 }
 
-/// Adds the names of parts, if there are any.
-void add_names(Json& line, const char* key, const Structural_graph& graph, const std::vector<std::size_t>& parts)
-{
-  for (std::size_t part : parts)
-    line[key].push_back(structure(graph).parts[part].name);
-}
-
 Json quality_json(const Blend_quality& quality)
 {
   Json result;
@@ -139,8 +132,6 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
     Json line = {{"task", task_name(task.type)}, {"begin", task.begin}, {"end", task.end}};
     if (task.source != Blend_task::no_part) line["source"] = structure(source).parts[task.source].name;
     if (task.target != Blend_task::no_part) line["target"] = structure(target).parts[task.target].name;
-    add_names(line, "other_sources", source, task.other_sources);
-    add_names(line, "other_targets", target, task.other_targets);
     if (task.obstacle != Blend_obstacle::NONE) line["obstacle"] = obstacle_name(task.obstacle);
     result["tasks"].push_back(line);
   }

@@ -201,7 +201,8 @@ void write_blend_frame(std::ostream& out, const Shape_blend& blend, double t, Gl
   const Eigen::Matrix3d turn = turn_of(blend);
   std::vector<int> nodes;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    if (t <= surfaces[s].begin || t >= surfaces[s].end) continue;
+    const bool is_nothing = surfaces[s].task.type == Blend_task_type::GROW && t == surfaces[s].begin;
+    if (t < surfaces[s].begin || t >= surfaces[s].end || is_nothing) continue;
     nodes.push_back(add_surface(glb, turn, surfaces[s], painter.surface(s, t), points[s]));
     glb.set_node_extras(nodes.back(), parts_of(surfaces[s].task.source, surfaces[s].task.target));
   }

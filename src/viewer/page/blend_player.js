@@ -10,8 +10,7 @@ const secondsOfBlend = 4;
 
 /** The parts of a task. */
 function taskName(task) {
-  const end = (name, others = []) => name && [name, ...others].join(', ');
-  return [end(task.source, task.other_sources), end(task.target, task.other_targets)].filter(Boolean).join(' → ');
+  return [task.source, task.target].filter(Boolean).join(' → ');
 }
 
 export class BlendPlayer {
@@ -54,7 +53,7 @@ export class BlendPlayer {
     for (const task of blend.tasks) {
       const reason = task.task === 'exchange' ? ': none has a counterpart, and they are in the same place'
         : task.obstacle === 'unlike' ? ': too unlike for a map onto its counterpart'
-          : task.obstacle ? `: by distance fields, as a surface would be ${task.obstacle}` : '';
+          : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '';
       element('span', `${task.task}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
       bar.className = task.task;

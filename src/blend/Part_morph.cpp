@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Map_morph.h"
+#include "blend/Part_morph.h"
 
 #include "map/Charted_mesh.h"
 
@@ -10,7 +10,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-Map_morph::Map_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target) : Part_morph(charts)
+Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target) : charts_(charts)
 {
   constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
   constexpr double shortest = 0.1;     // share of the time, so that what has a short way does not take it in an instant
@@ -27,14 +27,13 @@ Map_morph::Map_morph(const Pair_charts& charts, const Part_mesh& source, const P
   second.lay(0, first.coordinates[1], first.offsets[0], first.triangles);
   const double both = first.reach() + second.reach();
   first.end = second.begin = both > 0 ? std::clamp(first.reach() / both, shortest, 1 - shortest) : 1;
-  changes_ = {first.end};
 }
 
-double Map_morph::turned_share(int surface) const
+double Part_morph::turned_share(int surface) const
 {
   constexpr double turned = 0.5; // cosine
   const Moving_surface& mesh = surfaces_[std::size_t(surface)];
-  const Point extents = (chart(0).half_extents() + chart(1).half_extents()) / 2;
+  const Point extents = (charts_.source.half_extents() + charts_.target.half_extents()) / 2;
   double sum = 0, all = 0;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const auto normal = [&](const Points& at) -> Point {
@@ -49,7 +48,7 @@ double Map_morph::turned_share(int surface) const
   return all > 0 ? sum / all : 0;
 }
 
-Points Map_morph::points(int surface, double t) const
+Points Part_morph::points(int surface, double t) const
 {
   constexpr double instant = 1e-12; // the least time for a motion
   const Part_chart chart = chart_at(t);
@@ -65,28 +64,27 @@ Points Map_morph::points(int surface, double t) const
   return result;
 }
 
-Point Map_morph::coordinates(int end, const Point& p) const
+Point Part_morph::coordinates(int end, const Point& p) const
 {
-  return outlines_[std::size_t(end)].relative(Part_morph::coordinates(end, p));
+  return outlines_[std::size_t(end)].relative((end == 0 ? charts_.source : charts_.target).coordinates(p));
 }
 
-Point Map_morph::place(const Point& coordinates, double t) const
+Point Part_morph::place(const Point& coordinates, double t) const
 {
-  const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
-  return Part_morph::place(outline.absolute(coordinates), t);
+  return chart_at(t)(Chart_outline::between(outlines_[0], outlines_[1], t).absolute(coordinates));
 }
 
-double Map_morph::Moving_surface::reach() const
+double Part_morph::Moving_surface::reach() const
 {
   return std::sqrt((coordinates[1] - coordinates[0]).colwise().squaredNorm().maxCoeff());
 }
 
-Map_morph::Moving_surface::Moving_surface(const Charted_mesh& mesh)
+Part_morph::Moving_surface::Moving_surface(const Charted_mesh& mesh)
     : triangles(mesh.triangles), coordinates{mesh.coordinates, mesh.coordinates}, offsets{mesh.offsets, mesh.offsets}
 {}
 
-void Map_morph::Moving_surface::lay(std::size_t when, const Points& onto, const Points& onto_offsets,
-                                    const Eigen::Matrix3Xi& onto_triangles)
+void Part_morph::Moving_surface::lay(std::size_t when, const Points& onto, const Points& onto_offsets,
+                                     const Eigen::Matrix3Xi& onto_triangles)
 {
   const contacts::Triangle_tree tree = tree_of(onto, onto_triangles);
   for (Eigen::Index i = 0; i < coordinates[when].cols(); ++i) {
