@@ -453,4 +453,21 @@ TEST_CASE("In a blend a colour goes over into the other, and a texture stays on 
   reds = reds_in_between(document_of(frame.str()));
   REQUIRE(reds[name + "~" + name].size() == 1);
   CHECK(*reds[name + "~" + name].begin() == Approx(0.5).margin(0.3)); // at half of its task
+
+  // There is one surface of a part at any time, also at that when the target's takes over
+  Segmented_shape blunt("blunt");
+  for (Shape_part part : shape.parts()) {
+    part.mesh.points.row(2).array() += (part.mesh.points.row(0).array() > 0.75).cast<double>() * 0.1;
+    blunt.add_part(part.name, part.mesh);
+  }
+  const Structural_graph blunt_graph = graph_of(blunt);
+  const Shape_blend other_blend(graph, shape, blunt_graph, blunt, correspondence);
+  const std::vector<Blend_surface> surfaces = other_blend.surfaces();
+  const auto second = std::find_if(surfaces.begin(), surfaces.end(), [](const Blend_surface& surface) {
+    return surface.side == 1 && surface.begin > 0 && surface.begin < 1;
+  });
+  REQUIRE(second != surfaces.end());
+  std::ostringstream at_change;
+  IO::write_blend_frame_glb(at_change, other_blend, {painted(shape, before), painted(blunt, after)}, second->begin);
+  CHECK(document_of(at_change.str())["meshes"].size() == shape.parts().size());
 }
