@@ -273,7 +273,8 @@ TEST_CASE("Groups of one height change at one time, whatever the order of parts;
     with_knobs.add_part("other", box({0.2, 0.6 + second_height / 2, -0.1}, {0.1, second_height, 0.1}));
     const Model source(plain), target(with_knobs);
     std::set<std::pair<double, double>> result;
-    for (const Blend_task& task : blend_of(source, target, {{"foot", "foot"}, {"base", "base"}}).schedules()[0].tasks)
+    const Shape_blend blend = blend_of(source, target, {{"foot", "foot"}, {"base", "base"}});
+    for (const Blend_task& task : blend.schedules()[0].tasks)
       if (task.type == Blend_task_type::GROW) result.emplace(task.begin, task.end);
     return result;
   };
