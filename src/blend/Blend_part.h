@@ -33,12 +33,12 @@ struct Blend_part
   Blend_task task;
   std::shared_ptr<const Part_morph> morph; ///< of a matched part
   Part_mesh mesh;                          ///< of another one, which shrinks or grows
-  std::size_t group = 0;                   ///< of the latter, those that come or go at one time
   double needless_turn = 0;                ///< of a matched part, beyond the least one, in radians
   std::vector<Tree> trees;                 ///< by surface, at its end
   std::vector<Rest_surface> rests;         ///< by surface
   double size = 0;                         ///< the longer diagonal of the boxes of its surfaces
 
+  bool is_matched() const { return bool(morph); }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
   /// Of an unmatched part: its number at that end.
@@ -68,6 +68,11 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
 /// \param unlike gets the pairs that correspond but do not morph
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
                                       Unlike_pairs& unlike);
+
+/// The parts that are not matched, those of the source first.
+/// \param unlike pairs that correspond but do not morph
+std::vector<Blend_part> unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
+                                        const std::vector<Blend_part>& matched);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -9,7 +9,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -111,12 +113,20 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
 {
   Unlike_pairs unlike;
   parts = matched_parts(stage, correspondence, unlike);
-  contacts = contacts_to_keep(stage, parts, options.contact_tolerance);
-  chains = add_unmatched_parts(stage, unlike, parts);
+  for (Blend_part& part : unmatched_parts(stage, unlike, parts))
+    parts.push_back(std::move(part));
+  touches = internal::touches(stage, parts, options.contact_tolerance);
   for (std::size_t end : {0u, 1u}) {
     looks.emplace_back(parts, int(end));
     if (is_symmetric) end_asymmetry[end] = end_asymmetry_of(stage.meshes[end]);
   }
+  layouts = blend_layouts(stage, unlike.all, *this);
+}
+
+const Blend_layout& Blend_structure::layout(const std::string& schedule) const
+{
+  const auto is_of = [&](const Blend_layout& layout) { return layout.name == schedule; };
+  return *std::find_if(layouts.begin(), layouts.end(), is_of);
 }
 
 Points Blend_structure::to_world(const Points& points, double done) const

@@ -3,14 +3,15 @@
 
 #pragma once
 
+#include "blend/Blend_layout.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
-#include "blend/Unmatched_chain.h"
-#include "blend/contacts_to_keep.h"
+#include "blend/touches.h"
 
 #include <array>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -45,8 +46,8 @@ struct End_look
   Overlaps overlaps;
 };
 
-/// What a blend is made of, whatever its schedule: its parts, the contacts that are to be kept, and what both shapes
-/// have at large. Lengths are over the height, on the stage; arrays are by end.
+/// What a blend is made of: its parts, which of them touch, what both shapes have at large, and the layouts of all
+/// schedules. Lengths are over the height, on the stage; arrays are by end.
 class Blend_structure
 {
 public:
@@ -55,13 +56,15 @@ public:
 
   std::array<Segmented_shape, 2> shapes; ///< in the world, moved onto the stage
   std::vector<Blend_part> parts;
-  std::vector<Unmatched_chain> chains;          ///< of the parts that are not matched
-  std::vector<Kept_contact> contacts;           ///< of those that are
+  std::vector<Touch> touches;
   bool is_symmetric = false;                    ///< both shapes have the mirror plane x = 0
   std::array<contacts::Box, 2> boxes;           ///< of the shapes
   std::array<double, 2> end_asymmetry = {0, 0}; ///< `Blend_quality::asymmetry`
   std::array<double, 2> widest_gap;             ///< that it takes to join all parts
   std::vector<End_look> looks;                  ///< by end
+  std::vector<Blend_layout> layouts;            ///< by schedule
+
+  const Blend_layout& layout(const std::string& schedule) const;
 
   /// From the stage to the world when a share of the change of size is done: sizes change by equal factors in equal
   /// times.

@@ -3,14 +3,11 @@
 
 #include "blend/Unmatched_chain.h"
 
-#include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
-#include "blend/unlike_pairs.h"
+#include "blend/Blend_structure.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
 #include <utility>
@@ -18,173 +15,109 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Finds the chains of the parts of an end that become no part.
+/// Finds chains: what bodies have at an end, and other parts that touch each other.
 class Chain_finder
 {
 public:
-  /// \param parts those that are matched
-  Chain_finder(const Blend_stage& stage, int end, const std::vector<Blend_part>& parts)
-      : stage_(stage), end_(end), parts_(parts), joined_(stage.meshes[std::size_t(end)].size())
+  Chain_finder(const Blend_stage& stage, const Blend_structure& blend, const Exchanged_bodies& bodies)
+      : stage_(stage), parts_(blend.parts), bodies_(bodies), joined_(blend.parts.size())
   {
-    for (std::size_t part = 0; part < joined_.size(); ++part)
-      stays_.push_back(!parts_of(parts, end, part).empty());
-    for (const Contact& contact : contacts())
-      if (!stays_[contact.parts[0]] && !stays_[contact.parts[1]]) joined_.unite(contact.parts[0], contact.parts[1]);
+    std::map<std::pair<std::size_t, int>, std::size_t> first; // part of a body at an end
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+      if (const std::size_t body = bodies.of(part); body != bodies.none)
+        joined_.unite(part, first.try_emplace({body, parts_[part].end()}, part).first->second);
+    for (const Touch& touch : blend.touches)
+      if (is_loose(touch.parts[0]) && is_loose(touch.parts[1])) joined_.unite(touch.parts[0], touch.parts[1]);
   }
 
-  /// By the number of a chain, its parts.
-  std::map<std::size_t, std::vector<std::size_t>> chains() const
+  /// The chains of a body, first that of the source; or, if it is none, all the others.
+  std::vector<Unmatched_chain> chains(std::size_t body) const
   {
-    std::map<std::size_t, std::vector<std::size_t>> result;
-    for (std::size_t part = 0; part < stays_.size(); ++part)
-      if (!stays_[part]) result[joined_[part]].push_back(part);
-    return result;
-  }
-
-  /// Where a chain touches matched parts.
-  std::vector<Anchor> anchors(std::size_t chain) const
-  {
-    std::vector<Anchor> result;
-    for (const Contact& contact : contacts())
-      for (std::size_t i : {0u, 1u}) {
-        const std::size_t carrier = contact.parts[1 - i];
-        if (stays_[contact.parts[i]] || !stays_[carrier] || joined_[contact.parts[i]] != chain) continue;
-        for (const Point& at : stage_.places_of(end_, contact))
-          result.push_back(anchor(at, parts_of(parts_, end_, carrier)));
-      }
+    std::map<std::pair<int, std::size_t>, Unmatched_chain> found; // by end and set
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (parts_[part].is_matched() || bodies_.of(part) != body) continue;
+      Unmatched_chain& chain = found[{parts_[part].end(), joined_[part]}];
+      chain.parts.push_back(part);
+      chain.box.extend(parts_[part].trees[0].box());
+    }
+    std::vector<Unmatched_chain> result;
+    for (auto& [key, chain] : found) {
+      chain.end = key.first;
+      chain.body = body;
+      if (chain.is_body()) chain.other_box = bodies_.boxes(body)[std::size_t(1 - chain.end)];
+      chain.anchors = anchors(chain, key.second);
+      chain.root = root_of(chain);
+      result.push_back(std::move(chain));
+    }
     return result;
   }
 
 private:
-  const std::vector<Contact>& contacts() const { return structure(stage_.graphs[std::size_t(end_)]).contacts; }
+  bool is_loose(std::size_t part) const { return !parts_[part].is_matched() && bodies_.of(part) == bodies_.none; }
+
+  /// Where a chain touches matched parts and bodies that are placed before it.
+  std::vector<Anchor> anchors(const Unmatched_chain& chain, std::size_t set) const
+  {
+    std::vector<Anchor> result;
+    for (const Contact& contact : structure(stage_.graphs[std::size_t(chain.end)]).contacts)
+      for (std::size_t i : {0u, 1u}) {
+        const std::size_t part = parts_of(parts_, chain.end, contact.parts[i]).front();
+        const auto carriers = parts_of(parts_, chain.end, contact.parts[1 - i]);
+        if (parts_[part].is_matched() || joined_[part] != set) continue;
+        if (parts_[carriers[0]].is_matched() || bodies_.of(carriers[0]) < chain.body)
+          for (const Point& at : stage_.places_of(chain.end, contact))
+            result.push_back(anchor(at, chain.end, carriers));
+      }
+    return result;
+  }
 
   /// On the surface of the nearest of the pieces of a part.
-  Anchor anchor(const Point& place, const std::vector<std::size_t>& pieces) const
+  Anchor anchor(const Point& place, int end, const std::vector<std::size_t>& pieces) const
   {
     Anchor result;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t piece : pieces) {
-      const Blend_part& part = parts_[piece];
       std::size_t triangle = 0;
-      const Point at = part.trees[std::size_t(part.end_surface(end_))].nearest(place, triangle);
+      const Point at = parts_[piece].end_tree(end).nearest(place, triangle);
       const double distance = (at - place).norm();
-      if (distance < least) least = distance, result = {at, piece, part.morph->coordinates(end_, at)};
+      if (distance < least) least = distance, result.at = at, result.part = piece;
     }
+    const Blend_part& part = parts_[result.part];
+    result.body = bodies_.of(result.part);
+    if (part.is_matched()) result.coordinates = part.morph->coordinates(end, result.at);
     return result;
   }
 
+  /// Where a chain is held: the middle of its anchors, or of its foot if it has none.
+  static Point root_of(const Unmatched_chain& chain)
+  {
+    if (chain.anchors.empty()) return {chain.box.center().x(), chain.box.min().y(), chain.box.center().z()};
+    Point sum = Point::Zero();
+    for (const Anchor& anchor : chain.anchors)
+      sum += anchor.at;
+    return sum / double(chain.anchors.size());
+  }
+
   const Blend_stage& stage_;
-  int end_;
   const std::vector<Blend_part>& parts_;
-  std::vector<char> stays_;
-  Disjoint_sets joined_; ///< chains of parts that go
+  const Exchanged_bodies& bodies_;
+  Disjoint_sets joined_; ///< parts of one chain
 };
-
-/// Groups of parts that come and go at one time, so that each takes the place of the other: chains and those that they
-/// correspond to, mirror images, what takes up one place, and what stands.
-class Change_groups
-{
-public:
-  Change_groups(const Blend_stage& stage, const Part_pairs& unlike)
-      : stage_(stage), sources_(stage.meshes[0].size()), sets_(sources_ + stage.meshes[1].size())
-  {
-    for (const auto& [s, t] : unlike)
-      sets_.unite(s, sources_ + t);
-  }
-
-  void add(int end, const std::vector<std::size_t>& chain, bool stands)
-  {
-    const std::size_t first = number_of(end, chain[0]);
-    if (stands && standing_ == Blend_task::no_part) standing_ = first;
-    if (stands) sets_.unite(first, standing_);
-    for (std::size_t part : chain) {
-      const std::size_t image = stage_.images[std::size_t(end)][part];
-      sets_.unite(first, number_of(end, part));
-      if (image != Mirror_images::none) sets_.unite(number_of(end, part), number_of(end, image));
-      going_[std::size_t(end)].push_back(part);
-    }
-  }
-
-  /// To be called when all are added.
-  void find()
-  {
-    for (std::size_t source : going_[0])
-      for (std::size_t target : going_[1])
-        if (are_in_one_place(stage_, source, target)) sets_.unite(source, sources_ + target);
-  }
-
-  std::size_t operator()(const Blend_part& part) { return sets_[number_of(part.end(), part.given())]; }
-
-private:
-  std::size_t number_of(int end, std::size_t part) const { return end == 0 ? part : sources_ + part; }
-
-  const Blend_stage& stage_;
-  std::size_t sources_;
-  std::size_t standing_ = Blend_task::no_part;    ///< one that stands
-  Disjoint_sets sets_;                            ///< of the parts of the source, then those of the target
-  std::array<std::vector<std::size_t>, 2> going_; ///< by end
-};
-
-Blend_obstacle obstacle_of(int end, std::size_t given, const Unlike_pairs& unlike)
-{
-  Blend_obstacle result = Blend_obstacle::NONE;
-  for (const auto& pair : unlike.all) {
-    if ((end == 0 ? pair.first : pair.second) != given) continue;
-    if (unlike.torn.count(pair) > 0) return Blend_obstacle::TORN;
-    result = Blend_obstacle::UNLIKE;
-  }
-  return result;
-}
-
-Blend_part unmatched_part(const Blend_stage& stage, int end, std::size_t given, const Unlike_pairs& unlike)
-{
-  const auto e = std::size_t(end);
-  Blend_part result;
-  const std::string& name = structure(stage.graphs[e]).parts[given].name;
-  result.name = end == 0 ? name + '~' : '~' + name;
-  result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
-  result.task.obstacle = obstacle_of(end, given, unlike);
-  (end == 0 ? result.task.source : result.task.target) = given;
-  result.mesh = stage.meshes[e][given];
-  result.set_ends();
-  return result;
-}
-
-/// Where a chain is held: the middle of its anchors, or of its foot if it has none.
-Point root_of(const Unmatched_chain& chain)
-{
-  if (chain.anchors.empty()) return {chain.box.center().x(), chain.box.min().y(), chain.box.center().z()};
-  Point sum = Point::Zero();
-  for (const Anchor& anchor : chain.anchors)
-    sum += anchor.at;
-  return sum / double(chain.anchors.size());
-}
 
 } // namespace
 
-std::vector<Unmatched_chain> add_unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
-                                                 std::vector<Blend_part>& parts)
+std::vector<Unmatched_chain> unmatched_chains(const Blend_stage& stage, const Blend_structure& blend,
+                                              const Exchanged_bodies& bodies)
 {
-  const std::size_t matched = parts.size();
+  const Chain_finder finder(stage, blend, bodies);
   std::vector<Unmatched_chain> result;
-  Change_groups groups(stage, unlike.all);
-  for (int end : {0, 1}) {
-    const Chain_finder finder(stage, end, parts);
-    for (const auto& [number, given] : finder.chains()) {
-      Unmatched_chain chain{end, {}, finder.anchors(number), {}, {}};
-      for (std::size_t part : given) {
-        chain.parts.push_back(parts.size());
-        parts.push_back(unmatched_part(stage, end, part, unlike));
-        chain.box.extend(parts.back().trees[0].box());
-      }
-      chain.root = root_of(chain);
-      groups.add(end, given, chain.stands());
+  const auto add = [&](std::size_t body) {
+    for (Unmatched_chain& chain : finder.chains(body))
       result.push_back(std::move(chain));
-    }
-  }
-  groups.find();
-  for (std::size_t i = matched; i < parts.size(); ++i)
-    parts[i].group = groups(parts[i]);
+  };
+  for (std::size_t body = 0; body < bodies.size(); ++body)
+    add(body);
+  add(bodies.none);
   return result;
 }
 

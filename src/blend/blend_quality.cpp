@@ -211,7 +211,8 @@ private:
   Worst_parts gap() const
   {
     Worst_parts worst;
-    for (const Kept_contact& contact : blend().contacts) {
+    for (const Touch& contact : blend().touches) {
+      if (!contact.is_kept()) continue;
       const auto [a, b] = contact.parts;
       const double allowed = contact.allowed_gap(shape_.time());
       worst.improve(std::max(0., std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed), a, b);
@@ -337,14 +338,6 @@ Blend_check check(const In_between_shape& shape)
 {
   const Shape_measure measure(shape);
   return {measure.quality(), measure.faults()};
-}
-
-double cost_of(const Blend_quality& quality, const Blend_structure& blend)
-{
-  double result = 0;
-  for (const Blend_measure& measure : blend_measures())
-    result += over_tolerance(measure, quality, blend);
-  return result;
 }
 
 } // namespace internal

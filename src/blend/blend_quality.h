@@ -13,7 +13,4 @@ Blend_quality quality(const In_between_shape& shape);
 /// The measures of a shape, and which tolerances it exceeds.
 Blend_check check(const In_between_shape& shape);
 
-/// By how much a shape with the quality is over a tolerance, where that is 1: 0 at best.
-double cost_of(const Blend_quality& quality, const Blend_structure& blend);
-
 } // namespace CGAL::Shape_correspondence::internal

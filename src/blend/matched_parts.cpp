@@ -8,13 +8,14 @@
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
 
+#include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -119,7 +120,42 @@ Part_pairs paired_parts(const Blend_stage& stage, const Correspondence& correspo
   return result;
 }
 
+Blend_obstacle obstacle_of(int end, std::size_t given, const Unlike_pairs& unlike)
+{
+  Blend_obstacle result = Blend_obstacle::NONE;
+  for (const auto& pair : unlike.all) {
+    if ((end == 0 ? pair.first : pair.second) != given) continue;
+    if (unlike.torn.count(pair) > 0) return Blend_obstacle::TORN;
+    result = Blend_obstacle::UNLIKE;
+  }
+  return result;
+}
+
+Blend_part unmatched_part(const Blend_stage& stage, int end, std::size_t given, const Unlike_pairs& unlike)
+{
+  const auto e = std::size_t(end);
+  Blend_part result;
+  const std::string& name = structure(stage.graphs[e]).parts[given].name;
+  result.name = end == 0 ? name + '~' : '~' + name;
+  result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
+  result.task.obstacle = obstacle_of(end, given, unlike);
+  (end == 0 ? result.task.source : result.task.target) = given;
+  result.mesh = stage.meshes[e][given];
+  result.set_ends();
+  return result;
+}
+
 } // namespace
+
+std::vector<Blend_part> unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
+                                        const std::vector<Blend_part>& matched)
+{
+  std::vector<Blend_part> result;
+  for (int end : {0, 1})
+    for (std::size_t part = 0; part < stage.meshes[std::size_t(end)].size(); ++part)
+      if (parts_of(matched, end, part).empty()) result.push_back(unmatched_part(stage, end, part, unlike));
+  return result;
+}
 
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
                                       Unlike_pairs& unlike)

@@ -11,12 +11,12 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-Task_times times_of(const Blend_schedule& schedule);
+/// The times of tasks in which parts that are not matched come and go, those of one group at one time.
+/// \param groups by part
+Task_times times_in_turn(const std::vector<Blend_part>& parts, const std::vector<std::size_t>& groups,
+                         bool from_the_ground);
 
-/// The schedules that there are, in which all of the time is used.
-std::vector<Blend_schedule> plausible_schedules(const std::vector<Blend_part>& parts);
-
-/// Judges schedules by samples of their in-between shapes, and sorts them, the best one first.
-void rank(std::vector<Blend_schedule>& schedules, const Blend_structure& blend, const Blend_options& options);
+/// The schedules of all layouts, judged by samples of their in-between shapes, the best one first.
+std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -42,13 +42,6 @@ Point relative_place(const Part_chart& chart, const contacts::Box& whole)
   return (chart(Point::Zero()) - whole.min()).cwiseQuotient(sizes);
 }
 
-/// How far the middle of the one chart is from where it is due, that of the other, in the boxes of the shapes.
-double travel(const std::array<Part_chart, 2>& charts, const Blend_stage& stage)
-{
-  const Point way = relative_place(charts[1], stage.boxes[1]) - relative_place(charts[0], stage.boxes[0]);
-  return way.cwiseProduct((stage.boxes[0].sizes() + stage.boxes[1].sizes()) / 2).norm();
-}
-
 /// How much has to happen to a part, or a piece, to become another.
 struct Difference
 {
@@ -56,19 +49,21 @@ struct Difference
   {
     const Points a = samples(charts[0]), b = samples(charts[1]);
     const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
-    size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
+    const double size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
     turns = turn(boxes);
     changes = change(boxes) - turns;
-    travels = travel(charts, stage);
+    is_elsewhere = is_far(relative_place(charts[1], stage.boxes[1]) - relative_place(charts[0], stage.boxes[0]), size,
+                          stage.boxes);
   }
 
   bool is_too_much() const
   {
     constexpr double most_turn = 0.6; // radians
-    return travels > 0.25 + size / 8 || turns > most_turn || changes > most_change;
+    return is_elsewhere || turns > most_turn || changes > most_change;
   }
 
-  double size, turns, changes, travels;
+  double turns, changes;
+  bool is_elsewhere;
 };
 
 /// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
@@ -82,8 +77,6 @@ contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_
   return {low.array() - around, high.array() + around};
 }
 
-constexpr double same_place = 0.4; // of the smaller box
-
 /// The overlap of boxes over the smaller one.
 double overlap(const contacts::Box& a, const contacts::Box& b)
 {
@@ -92,9 +85,15 @@ double overlap(const contacts::Box& a, const contacts::Box& b)
 
 } // namespace
 
-bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t target)
+bool is_far(const Point& way, double size, const std::array<contacts::Box, 2>& wholes)
 {
-  return overlap(relative_box(stage, 0, source), relative_box(stage, 1, target)) > same_place;
+  constexpr double farthest = 0.25, farther = 1. / 8; // in all, and for its size
+  return way.cwiseProduct((wholes[0].sizes() + wholes[1].sizes()) / 2).norm() > farthest + farther * size;
+}
+
+double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target)
+{
+  return overlap(relative_box(stage, 0, source), relative_box(stage, 1, target));
 }
 
 Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired)

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "map/matched_members.h"
+#include "shape/Triangle_tree.h"
 
+#include <array>
 #include <cstddef>
 #include <set>
 
@@ -33,7 +35,14 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, P
 /// neither has a counterpart.
 Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired);
 
-/// Whether two parts take up the same place in the boxes around the shapes.
-bool are_in_one_place(const Blend_stage& stage, std::size_t source, std::size_t target);
+/// Whether a way from one place to another, each from 0 to 1 in the box around its shape, is too far to travel.
+/// \param size the length of what travels
+/// \param wholes the boxes around the shapes
+bool is_far(const Point& way, double size, const std::array<contacts::Box, 2>& wholes);
+
+/// How much of the place of the smaller one of two parts is that of the other, in the boxes around the shapes: what is
+/// more than `same_place` is in one place.
+double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target);
+constexpr double same_place = 0.4;
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -78,9 +78,8 @@ void print_schedules(const Shape_blend& blend)
       rows.back().push_back(short_number(schedule.quality.*measure.value));
   }
   write_table(std::cout, rows);
-  std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated "
-               "(for a schedule that is already worse in the middle, only that one); lengths are fractions of the "
-               "height:\n";
+  std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated; "
+               "lengths are fractions of the height:\n";
   constexpr int width = 11;
   for (const Blend_measure& measure : blend_measures())
     std::cout << "  " << std::left << std::setw(width) << measure.name << measure.meaning << '\n';

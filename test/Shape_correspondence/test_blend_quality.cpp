@@ -89,7 +89,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   internal::Blend_structure blend(inputs, same_parts(3), {});
   constexpr std::size_t base = 0, column = 1, top = 2;
   const auto checked = [&](std::size_t part, const std::function<void(Points&)>& harm) {
-    internal::In_between_shape shape(blend, internal::Task_times(3, std::array<double, 2>{0., 1.}), 0.5);
+    internal::In_between_shape shape(blend, blend.layouts[0], 0.5);
     harm(shape.moving_points(part));
     return internal::check(shape);
   };
@@ -111,7 +111,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   // Too high and too low, too wide and too narrow, too much and too little
   CHECK(is_said(faults(top, shifted({0, 0.3, 0})), "higher or lower than is due by 30 %"));
   const auto lowered = [&] {
-    internal::In_between_shape shape(blend, internal::Task_times(3, std::array<double, 2>{0., 1.}), 0.5);
+    internal::In_between_shape shape(blend, blend.layouts[0], 0.5);
     for (std::size_t part : {base, column, top})
       shape.moving_points(part).row(1) *= 0.7;
     return internal::check(shape).faults;
@@ -141,14 +141,8 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   CHECK(is_told(faults(top, shifted({0, -0.88, 0})), "gone into other parts", "top~top"));
   blend.parts[column].needless_turn = 1;
   CHECK(is_told(faults(column, [](Points&) {}), "more than it has to", "column~column"));
-  // What is worse costs more, and every measure has a tolerance, a name and a meaning
-  const Blend_quality good = checked(column, [](Points&) {}).quality;
-  for (const Blend_measure& measure : blend_measures()) {
-    Blend_quality bad = good;
-    bad.*measure.value += measure.tolerance;
-    CHECK(internal::cost_of(bad, blend) == Approx(internal::cost_of(good, blend) + 1));
+  for (const Blend_measure& measure : blend_measures())
     CHECK(std::string(measure.meaning).size() > std::string(measure.name).size());
-  }
 }
 
 TEST_CASE("Parts turn by the least rotation between their boxes")
@@ -182,7 +176,7 @@ TEST_CASE("What is not symmetric any more is told, with the part")
                                                        internal::Blend_input{model.graph, model.shape, 0}};
   const internal::Blend_structure blend(inputs, same_parts(4), {});
   const auto faults = [&](std::size_t part, double by) {
-    internal::In_between_shape shape(blend, internal::Task_times(4, std::array<double, 2>{0., 1.}), 0.5);
+    internal::In_between_shape shape(blend, blend.layouts[0], 0.5);
     shape.moving_points(part).row(0).array() += by;
     return internal::check(shape).faults;
   };

@@ -185,9 +185,10 @@ TEST_CASE("Unmatched parts shrink to where they are held")
   const internal::Blend_structure blend(
       {internal::Blend_input{source.graph, source.shape, 0}, internal::Blend_input{target.graph, target.shape, 0}},
       same, {});
-  REQUIRE(blend.chains.size() == 2);
+  const std::vector<internal::Unmatched_chain>& chains = blend.layouts[0].chains;
+  REQUIRE(chains.size() == 2);
   constexpr double remaining = 0.4;
-  for (const internal::Unmatched_chain& chain : blend.chains) {
+  for (const internal::Unmatched_chain& chain : chains) {
     const internal::Blend_part& part = blend.parts[chain.parts.at(0)];
     const internal::contacts::Box whole = internal::box_of(part.mesh.points),
                                   less = internal::box_of(chain.shrunk(part.mesh.points, remaining));
@@ -241,12 +242,12 @@ TEST_CASE("What takes up one place, or is needed to stand, changes at one time")
     pedestal.add_part(x < 0 ? "pear" : "apple", box({x, 1.01, 0}, {0.02, 0.02, 0.02}));
   const Model source(legged), target(pedestal);
   const Shape_blend blend = blend_of(source, target, {{"top", "top"}});
-  std::set<double> come, go; // when parts are there, and when they begin to go
+  std::set<std::pair<double, double>> come, go; // when
   for (const Blend_task& task : blend.schedules()[0].tasks) {
     if (task.type == Blend_task_type::MORPH) continue;
     CHECK((task.end <= 0.5 || task.begin >= 0.5)); // half-way, all are whole
-    if (task.type == Blend_task_type::GROW) come.insert(task.end);
-    if (task.type == Blend_task_type::SHRINK) go.insert(task.begin);
+    if (task.type == Blend_task_type::GROW) come.emplace(task.begin, task.end);
+    if (task.type == Blend_task_type::SHRINK) go.emplace(task.begin, task.end);
   }
   CHECK(come == go);
   CHECK(go.size() == 2); // the supports, and what stands on the top

@@ -73,7 +73,7 @@ TEST_CASE("A part whose surface would be torn on its way goes as its counterpart
     CHECK(task.obstacle == Blend_obstacle::NONE);
 }
 
-TEST_CASE("A column grows out of the top and carries its foot down before the four legs have gone up")
+TEST_CASE("Four legs are exchanged for a column with its foot in an instant: the shape stands before and after")
 {
   std::vector<Named_box> legged = {{"top", {0, 0.95, 0}, {1, 0.1, 1}}};
   for (double x : {-0.45, 0.45})
@@ -91,7 +91,7 @@ TEST_CASE("A column grows out of the top and carries its foot down before the fo
     const bool corresponds = task.source != 0 && task.target != 2; // the foot has no counterpart
     CHECK(task.obstacle == (corresponds ? Blend_obstacle::UNLIKE : Blend_obstacle::NONE));
   }
-  for (double t : {0.2, 0.405, 0.415, 0.43, 0.45, 0.46, 0.48, 0.495, 0.75}) {
+  for (double t : {0.2, 0.445, 0.45, 0.5, 0.75}) {
     INFO(t);
     CHECK(blend.check(t).quality.height < 0.01);
     CHECK(blend.check(t).quality.apart <= Shape_blend::apart_tolerance);
@@ -105,8 +105,8 @@ TEST_CASE("A column grows out of the top and carries its foot down before the fo
     }
     CHECK(std::min(foot, leg) < 0.01);                               // it stands
     if (foot < 1) CHECK(foot == Approx(column - 0.05).margin(0.06)); // and the foot hangs at the column
-    CHECK((leg < 1) == (t < 0.49));
-    CHECK((column < 1) == (t > 0.41));
+    CHECK((leg < 1) == (t < 0.45));
+    CHECK((column < 1) == (t >= 0.45));
   }
 }
 

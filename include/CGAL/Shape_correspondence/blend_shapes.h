@@ -26,6 +26,7 @@ namespace Shape_correspondence {
 
 namespace internal {
 class Blend_structure;
+struct Blend_layout;
 }
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -54,15 +55,18 @@ struct Blend_surface
 ///   corresponds to many is cut into closed pieces, one for each.
 /// - *Unmatched parts* have no counterpart, or no map onto it: a surface would be torn on the way, or would have to
 ///   turn, to change its proportions, to travel or to be cut up too much (`Blend_obstacle`). They keep their shape.
-///   Those that touch each other move as one body, stretched along the axes by factors between 0.7 and 1.4, which
-///   holds on to the matched parts that it touches, stands, and becomes wider or narrower with the whole. They shrink
-///   to where they are held, or grow from there, in groups, one after the other, each quickly: old parts go as what
-///   takes their place comes. Two that are alike in place and size become each other (`Blend_task_type::EXCHANGE`).
+///   Two that are alike in place and size become each other (`Blend_task_type::EXCHANGE`). Sets of them that correspond
+///   and are alike in place and size, such as four legs and a star base, are exchanged as *bodies*, each in the box
+///   between its ends; what else touches each other moves as one. Both hold on to the matched parts and bodies that
+///   they touch, stretched along the axes by factors between 0.7 and 1.4, and stand. They shrink to where they are
+///   held, or grow from there, in groups, one after the other, each quickly: old parts go as what takes their place
+///   comes.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///
-/// The schedule with the best `Blend_quality` is used, that is the least sum of its measures,
-/// each divided by its tolerance. `check()` returns which tolerances are exceeded. Deterministic.
+/// A *schedule* exchanges bodies one after the other, from the ground up or from the top down, or has no bodies, so
+/// that all that touches changes at one time, chain by chain. From the ground up is best unless its `Blend_quality` is
+/// worse than that without bodies. `check()` returns which tolerances are exceeded. Deterministic.
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
@@ -125,6 +129,8 @@ public:
   std::vector<Points> points(double t) const;
 
 private:
+  const internal::Blend_layout& layout() const;
+
   std::shared_ptr<const internal::Blend_structure> blend_;
   std::vector<Blend_schedule> schedules_;
 };

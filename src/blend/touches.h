@@ -1,0 +1,33 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "blend/Blend_part.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// Two parts of a blend that touch at an end, or at both.
+struct Touch
+{
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  std::array<std::size_t, 2> parts;
+  std::array<double, 2> gaps = {none, none}; ///< between the surfaces, by end; `none` where they do not touch
+
+  bool is_at(std::size_t end) const { return gaps[end] < none; }
+  bool is_kept() const { return is_at(0) && is_at(1); }
+  /// How wide the gap of what touches at both ends may be at `t`.
+  double allowed_gap(double t) const { return (1 - t) * gaps[0] + t * gaps[1]; }
+};
+
+/// What touches, as the graphs have it: of pieces of a part, those that are near.
+/// \param tolerance what is nearer than this touches
+std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance);
+
+} // namespace CGAL::Shape_correspondence::internal
