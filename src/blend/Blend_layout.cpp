@@ -35,7 +35,8 @@ std::vector<std::size_t> change_groups(const Blend_stage& stage, const Part_pair
       going[std::size_t(chain.end)].push_back(part);
     }
   }
-  for (const Unmatched_chain& chain : chains)
+  for (const Unmatched_chain& chain : chains) {
+    if (chain.is_body()) continue;
     for (std::size_t part : chain.parts) {
       double most = same_place;
       std::size_t best = part;
@@ -44,8 +45,9 @@ std::vector<std::size_t> change_groups(const Blend_stage& stage, const Part_pair
         const double shared = shared_place(stage, parts[s].given(), parts[t].given());
         if (shared > most) most = shared, best = other;
       }
-      if (!chain.is_body()) sets.unite(part, best);
+      sets.unite(part, best);
     }
+  }
   std::vector<std::size_t> result;
   for (std::size_t part = 0; part < parts.size(); ++part)
     result.push_back(sets[part]);

@@ -12,7 +12,6 @@
 namespace CGAL::Shape_correspondence::internal {
 
 class Blend_structure;
-struct Unlike_pairs;
 
 /// When each part's task begins and ends.
 using Task_times = std::vector<std::array<double, 2>>;
