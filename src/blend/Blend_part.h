@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -34,11 +35,15 @@ struct Blend_part
   std::shared_ptr<const Part_morph> morph; ///< of a matched part
   Part_mesh mesh;                          ///< of another one, which shrinks or grows
   double needless_turn = 0;                ///< of a matched part, beyond the least one, in radians
+  double difference = 0;                   ///< how much happens to a matched part
+  bool is_loose = false;                   ///< whether that is much
   std::vector<Tree> trees;                 ///< by surface, at its end
   std::vector<Rest_surface> rests;         ///< by surface
   double size = 0;                         ///< the longer diagonal of the boxes of its surfaces
 
   bool is_matched() const { return bool(morph); }
+  /// Whether it is matched, but its surface is exchanged on the way.
+  bool is_exchanged() const { return morph && !morph->is_map(); }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
   /// Of an unmatched part: its number at that end.
@@ -73,6 +78,13 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
 /// \param unlike pairs that correspond but do not morph
 std::vector<Blend_part> unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
                                         const std::vector<Blend_part>& matched);
+
+/// Whether a box is in the middle between left and right.
+inline bool is_central(const contacts::Box& box)
+{
+  constexpr double near = 1e-3; // of the height
+  return std::abs(box.center().x()) < near;
+}
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -3,6 +3,8 @@
 
 #include "blend/Blend_structure.h"
 
+#include "blend/apart_pairs.h"
+#include "blend/change_groups.h"
 #include "blend/surface_components.h"
 #include "blend/unlike_pairs.h"
 #include "shape/convex_hull.h"
@@ -112,21 +114,19 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
       heights_(stage.heights(options.size))
 {
   Unlike_pairs unlike;
-  parts = matched_parts(stage, correspondence, unlike);
-  for (Blend_part& part : unmatched_parts(stage, unlike, parts))
-    parts.push_back(std::move(part));
-  touches = internal::touches(stage, parts, options.contact_tolerance);
+  do {
+    parts = matched_parts(stage, correspondence, unlike);
+    for (Blend_part& part : unmatched_parts(stage, unlike, parts))
+      parts.push_back(std::move(part));
+    touches = internal::touches(stage, parts, options.contact_tolerance);
+    holds = kept_holds(parts, touches);
+    chains = unmatched_chains(stage, parts, touches);
+    groups = change_groups(stage, unlike.all, parts, chains);
+  } while (take_apart_pairs(stage, *this, unlike));
   for (std::size_t end : {0u, 1u}) {
     looks.emplace_back(parts, int(end));
     if (is_symmetric) end_asymmetry[end] = end_asymmetry_of(stage.meshes[end]);
   }
-  layouts = blend_layouts(stage, unlike.all, *this);
-}
-
-const Blend_layout& Blend_structure::layout(const std::string& schedule) const
-{
-  const auto is_of = [&](const Blend_layout& layout) { return layout.name == schedule; };
-  return *std::find_if(layouts.begin(), layouts.end(), is_of);
 }
 
 Points Blend_structure::to_world(const Points& points, double done) const

@@ -3,18 +3,20 @@
 
 #pragma once
 
-#include "blend/Blend_layout.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
+#include "blend/Unmatched_chain.h"
 #include "blend/touches.h"
 
 #include <array>
 #include <cstddef>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// When each part's task begins and ends.
+using Task_times = std::vector<std::array<double, 2>>;
 
 /// By two parts, the share of the first one's surface that is inside the second one.
 using Overlaps = std::map<std::array<std::size_t, 2>, double>;
@@ -46,8 +48,8 @@ struct End_look
   Overlaps overlaps;
 };
 
-/// What a blend is made of: its parts, which of them touch, what both shapes have at large, and the layouts of all
-/// schedules. Lengths are over the height, on the stage; arrays are by end.
+/// What a blend is made of: its parts, which of them touch and go together, and what both shapes have at large. Lengths
+/// are over the height, on the stage; arrays are by end.
 class Blend_structure
 {
 public:
@@ -57,14 +59,14 @@ public:
   std::array<Segmented_shape, 2> shapes; ///< in the world, moved onto the stage
   std::vector<Blend_part> parts;
   std::vector<Touch> touches;
+  std::vector<Touch> holds; ///< of matched parts, see `kept_holds()`
+  std::vector<Unmatched_chain> chains;
+  std::vector<std::size_t> groups;              ///< by part: parts of one group come and go at one time
   bool is_symmetric = false;                    ///< both shapes have the mirror plane x = 0
   std::array<contacts::Box, 2> boxes;           ///< of the shapes
   std::array<double, 2> end_asymmetry = {0, 0}; ///< `Blend_quality::asymmetry`
   std::array<double, 2> widest_gap;             ///< that it takes to join all parts
   std::vector<End_look> looks;                  ///< by end
-  std::vector<Blend_layout> layouts;            ///< by schedule
-
-  const Blend_layout& layout(const std::string& schedule) const;
 
   /// From the stage to the world when a share of the change of size is done: sizes change by equal factors in equal
   /// times.

@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence::internal {
 ///
 /// *Layout*: matched parts go straight and evenly from where they are at the one end to where they are at the other.
 /// Unmatched ones hold on to these and to each other, stand if they did, and become wider or narrower as the box around
-/// the whole, or around their body. Then the whole is stretched so that it is as high as is due.
+/// the whole. Then the whole is stretched so that it is as high as is due.
 class In_between_shape
 {
 public:
@@ -24,7 +24,7 @@ public:
 
   static constexpr double nothing = 1e-6; ///< of a surface: less has no area in floating-point numbers
 
-  In_between_shape(const Blend_structure& blend, const Blend_layout& layout, double t);
+  In_between_shape(const Blend_structure& blend, const Task_times& times, double t);
 
   const Blend_structure& blend() const { return blend_; }
   const Blend_part& part(std::size_t part) const { return blend_.parts[part]; }
@@ -47,18 +47,15 @@ public:
   Trees trees() const;
 
 private:
-  double done(const Unmatched_chain& chain) const;
-  Eigen::Affine3d natural_motion(const Unmatched_chain& chain) const;
-  Point held_at(const Unmatched_chain& chain, const Anchor& anchor, const Trees& matched) const;
-  void place(const Unmatched_chain& chain, const Trees& matched);
+  void close_gaps(Trees& trees);
+  void place(const Unmatched_chain& chain, const Task_times& times, const Trees& matched);
   void fill_the_height();
 
   const Blend_structure& blend_;
-  const Blend_layout& layout_;
   double t_;
   std::vector<Points> points_; ///< by part
+  std::vector<Point> shifts_;  ///< by part, of a matched one
   std::vector<int> surface_;
-  std::vector<Eigen::Affine3d> motions_;                  ///< by chain, from its end
   Eigen::Affine3d stretch_ = Eigen::Affine3d::Identity(); ///< of the whole
 };
 

@@ -7,21 +7,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
 
-Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target) : charts_(charts)
+Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool is_map)
+    : is_map_(is_map), charts_(charts)
 {
   constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
-  constexpr double shortest = 0.1;     // share of the time, so that what has a short way does not take it in an instant
-  for (int end : {0, 1}) {
+  constexpr double any_edge = std::numeric_limits<double>::infinity();
+  for (std::size_t end : {0u, 1u}) {
+    const Part_mesh& given = end == 0 ? source : target;
     Part_chart& chart = end == 0 ? charts_.source : charts_.target;
-    Charted_mesh mesh = finely_charted(end == 0 ? source : target, chart, longest_edge);
-    outlines_.emplace_back(chart.is_sheet(), mesh.coordinates);
+    const bool has_outline = is_map || chart.is_sheet();
+    Charted_mesh mesh = is_map ? finely_charted(given, chart, longest_edge)
+                               : charted_mesh(given, chart, has_outline ? longest_edge : any_edge);
+    if (has_outline) outlines_[end] = Chart_outline(chart.is_sheet(), mesh.coordinates);
     for (Eigen::Index i = 0; i < mesh.coordinates.cols(); ++i)
-      mesh.coordinates.col(i) = outlines_.back().relative(mesh.coordinates.col(i));
+      mesh.coordinates.col(i) = outlines_[end].relative(mesh.coordinates.col(i));
     surfaces_.emplace_back(mesh);
   }
+  if (is_map)
+    lay();
+  else
+    surfaces_[0].end = surfaces_[1].begin = exchange;
+}
+
+/// Lays the surfaces on each other.
+void Part_morph::lay()
+{
+  constexpr double shortest = 0.1; // share of the time, so that what has a short way does not take it in an instant
   Moving_surface &first = surfaces_[0], &second = surfaces_[1];
   first.lay(1, second.coordinates[1], second.offsets[1], second.triangles);
   second.lay(0, first.coordinates[1], first.offsets[0], first.triangles);
@@ -52,7 +67,7 @@ Points Part_morph::points(int surface, double t) const
 {
   constexpr double instant = 1e-12; // the least time for a motion
   const Part_chart chart = chart_at(t);
-  const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
+  const Chart_outline outline = outline_at(t);
   const Moving_surface& mesh = surfaces_[std::size_t(surface)];
   const double moved = std::clamp((t - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
   Points result(3, mesh.coordinates[0].cols());
@@ -71,7 +86,7 @@ Point Part_morph::coordinates(int end, const Point& p) const
 
 Point Part_morph::place(const Point& coordinates, double t) const
 {
-  return chart_at(t)(Chart_outline::between(outlines_[0], outlines_[1], t).absolute(coordinates));
+  return chart_at(t)(outline_at(t).absolute(coordinates));
 }
 
 double Part_morph::Moving_surface::reach() const

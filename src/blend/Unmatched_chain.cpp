@@ -3,8 +3,8 @@
 
 #include "blend/Unmatched_chain.h"
 
+#include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
-#include "blend/Blend_structure.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
@@ -15,27 +15,23 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Finds chains: what bodies have at an end, and other parts that touch each other.
+/// Finds chains.
 class Chain_finder
 {
 public:
-  Chain_finder(const Blend_stage& stage, const Blend_structure& blend, const Exchanged_bodies& bodies)
-      : stage_(stage), parts_(blend.parts), bodies_(bodies), joined_(blend.parts.size())
+  Chain_finder(const Blend_stage& stage, const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
+      : stage_(stage), parts_(parts), joined_(parts.size())
   {
-    std::map<std::pair<std::size_t, int>, std::size_t> first; // part of a body at an end
-    for (std::size_t part = 0; part < parts_.size(); ++part)
-      if (const std::size_t body = bodies.of(part); body != bodies.none)
-        joined_.unite(part, first.try_emplace({body, parts_[part].end()}, part).first->second);
-    for (const Touch& touch : blend.touches)
-      if (is_loose(touch.parts[0]) && is_loose(touch.parts[1])) joined_.unite(touch.parts[0], touch.parts[1]);
+    for (const Touch& touch : touches)
+      if (!parts[touch.parts[0]].is_matched() && !parts[touch.parts[1]].is_matched())
+        joined_.unite(touch.parts[0], touch.parts[1]);
   }
 
-  /// The chains of a body, first that of the source; or, if it is none, all the others.
-  std::vector<Unmatched_chain> chains(std::size_t body) const
+  std::vector<Unmatched_chain> chains() const
   {
     std::map<std::pair<int, std::size_t>, Unmatched_chain> found; // by end and set
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-      if (parts_[part].is_matched() || bodies_.of(part) != body) continue;
+      if (parts_[part].is_matched()) continue;
       Unmatched_chain& chain = found[{parts_[part].end(), joined_[part]}];
       chain.parts.push_back(part);
       chain.box.extend(parts_[part].trees[0].box());
@@ -43,9 +39,7 @@ public:
     std::vector<Unmatched_chain> result;
     for (auto& [key, chain] : found) {
       chain.end = key.first;
-      chain.body = body;
-      if (chain.is_body()) chain.other_box = bodies_.boxes(body)[std::size_t(1 - chain.end)];
-      chain.anchors = anchors(chain, key.second);
+      chain.anchors = anchors(chain.end, key.second);
       chain.root = root_of(chain);
       result.push_back(std::move(chain));
     }
@@ -53,20 +47,17 @@ public:
   }
 
 private:
-  bool is_loose(std::size_t part) const { return !parts_[part].is_matched() && bodies_.of(part) == bodies_.none; }
-
-  /// Where a chain touches matched parts and bodies that are placed before it.
-  std::vector<Anchor> anchors(const Unmatched_chain& chain, std::size_t set) const
+  /// Where a set of parts touches matched parts.
+  std::vector<Anchor> anchors(int end, std::size_t set) const
   {
     std::vector<Anchor> result;
-    for (const Contact& contact : structure(stage_.graphs[std::size_t(chain.end)]).contacts)
+    for (const Contact& contact : structure(stage_.graphs[std::size_t(end)]).contacts)
       for (std::size_t i : {0u, 1u}) {
-        const std::size_t part = parts_of(parts_, chain.end, contact.parts[i]).front();
-        const auto carriers = parts_of(parts_, chain.end, contact.parts[1 - i]);
-        if (parts_[part].is_matched() || joined_[part] != set) continue;
-        if (parts_[carriers[0]].is_matched() || bodies_.of(carriers[0]) < chain.body)
-          for (const Point& at : stage_.places_of(chain.end, contact))
-            result.push_back(anchor(at, chain.end, carriers));
+        const std::size_t part = parts_of(parts_, end, contact.parts[i]).front();
+        const auto carriers = parts_of(parts_, end, contact.parts[1 - i]);
+        if (parts_[part].is_matched() || joined_[part] != set || !parts_[carriers[0]].is_matched()) continue;
+        for (const Point& at : stage_.places_of(end, contact))
+          result.push_back(anchor(at, end, carriers));
       }
     return result;
   }
@@ -82,9 +73,7 @@ private:
       const double distance = (at - place).norm();
       if (distance < least) least = distance, result.at = at, result.part = piece;
     }
-    const Blend_part& part = parts_[result.part];
-    result.body = bodies_.of(result.part);
-    if (part.is_matched()) result.coordinates = part.morph->coordinates(end, result.at);
+    result.coordinates = parts_[result.part].morph->coordinates(end, result.at);
     return result;
   }
 
@@ -100,25 +89,15 @@ private:
 
   const Blend_stage& stage_;
   const std::vector<Blend_part>& parts_;
-  const Exchanged_bodies& bodies_;
   Disjoint_sets joined_; ///< parts of one chain
 };
 
 } // namespace
 
-std::vector<Unmatched_chain> unmatched_chains(const Blend_stage& stage, const Blend_structure& blend,
-                                              const Exchanged_bodies& bodies)
+std::vector<Unmatched_chain> unmatched_chains(const Blend_stage& stage, const std::vector<Blend_part>& parts,
+                                              const std::vector<Touch>& touches)
 {
-  const Chain_finder finder(stage, blend, bodies);
-  std::vector<Unmatched_chain> result;
-  const auto add = [&](std::size_t body) {
-    for (Unmatched_chain& chain : finder.chains(body))
-      result.push_back(std::move(chain));
-  };
-  for (std::size_t body = 0; body < bodies.size(); ++body)
-    add(body);
-  add(bodies.none);
-  return result;
+  return Chain_finder(stage, parts, touches).chains();
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,7 +3,8 @@
 
 #pragma once
 
-#include "blend/Exchanged_bodies.h"
+#include "blend/Blend_part.h"
+#include "blend/touches.h"
 
 #include <cstddef>
 #include <vector>
@@ -12,28 +13,24 @@ namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-/// Where a chain touches what it is held by: a matched part, or a body that is placed before.
+/// Where a chain touches a matched part.
 struct Anchor
 {
   Point at;
-  std::size_t body = Exchanged_bodies::none;
-  std::size_t part = 0;              ///< if it is no body, the matched part
-  Point coordinates = Point::Zero(); ///< of that, there
+  std::size_t part = 0;
+  Point coordinates = Point::Zero(); ///< of the part, there
 };
 
-/// Unmatched parts of an end that hold together: they go with what they touch, and come or go as one. What a body has
-/// at an end is a chain.
+/// Unmatched parts of an end that touch each other: they go with the matched parts that they touch, and come or go as
+/// one.
 struct Unmatched_chain
 {
   int end = 0;
-  std::size_t body = Exchanged_bodies::none; ///< if it is one
-  std::vector<std::size_t> parts;            ///< of the blend
+  std::vector<std::size_t> parts; ///< of the blend
   std::vector<Anchor> anchors;
   contacts::Box box;
-  contacts::Box other_box;    ///< of a body, at the other end
   Point root = Point::Zero(); ///< what it shrinks to, and grows from
 
-  bool is_body() const { return body != Exchanged_bodies::none; }
   bool stands() const { return box.min().y() <= Blend_part::on_ground; }
   /// Points of it when a share of it remains, in [0, 1].
   Points shrunk(const Points& points, double remaining) const
@@ -42,9 +39,8 @@ struct Unmatched_chain
   }
 };
 
-/// The chains of the parts that are not matched: first, in order, of each body that of the source and that of the
-/// target, then the others.
-std::vector<Unmatched_chain> unmatched_chains(const Blend_stage& stage, const Blend_structure& blend,
-                                              const Exchanged_bodies& bodies);
+/// The chains of the parts that are not matched.
+std::vector<Unmatched_chain> unmatched_chains(const Blend_stage& stage, const std::vector<Blend_part>& parts,
+                                              const std::vector<Touch>& touches);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -59,7 +59,7 @@ public:
   }
 
   /// \param torn gets the pairs that have no map, with their mirror images, which become no parts
-  std::vector<Blend_part> parts(Torn_pairs& torn) const
+  std::vector<Blend_part> parts(Pair_set& torn) const
   {
     std::vector<Blend_part> result;
     for (const Piece_pair& pair : pairs_) {
@@ -96,9 +96,16 @@ private:
     const Part_mesh first = piece_of(source.points, source.triangles, from, pair.source_piece);
     const Part_mesh second = piece_of(target.points, target.triangles, to, pair.target_piece);
     const Pair_charts boxes = pair_boxes({&first.points, &second.points}, {from.axes(), to.axes()});
-    const auto morph = std::make_shared<const Part_morph>(boxes, first, second);
-    if (is_torn(*morph)) return result;
+    auto morph = std::make_shared<const Part_morph>(boxes, first, second, true);
+    const bool has_map = !is_torn(*morph);
+    if (!has_map) {
+      if (uses_[0][pair.source] > 1 && uses_[1][pair.target] > 1) return result;
+      morph = std::make_shared<const Part_morph>(boxes, first, second, false);
+    }
+    const Difference difference(piece_charts(pair, stage_.charted[0], stage_.charted[1]), is_whole(pair), stage_);
     result.morph = morph;
+    result.difference = difference.sum();
+    result.is_loose = !has_map || !difference.is_little();
     result.needless_turn = needless_turn(boxes);
     result.set_ends();
     return result;
@@ -126,6 +133,7 @@ Blend_obstacle obstacle_of(int end, std::size_t given, const Unlike_pairs& unlik
   for (const auto& pair : unlike.all) {
     if ((end == 0 ? pair.first : pair.second) != given) continue;
     if (unlike.torn.count(pair) > 0) return Blend_obstacle::TORN;
+    if (unlike.apart.count(pair) > 0) return Blend_obstacle::APART;
     result = Blend_obstacle::UNLIKE;
   }
   return result;
@@ -166,7 +174,7 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
   do { // with a pair that is torn go all others of its parts
     known = unlike.torn.size();
     Part_pairs like = given;
-    unlike.all = take_unlike_pairs(stage, unlike.torn, like);
+    take_unlike_pairs(stage, unlike, like);
     result = Matched_part_maker(stage, with_leftovers(stage, unlike, like), given).parts(unlike.torn);
   } while (unlike.torn.size() > known);
   return result;

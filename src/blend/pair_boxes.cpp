@@ -21,19 +21,30 @@ Point extents_along(const Points& surface, const Eigen::Matrix3d& axes)
 
 double angle_of(const Eigen::Matrix3d& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.)); }
 
-/// Charts with the longest axis of both boxes as the first and the shortest as the last one.
+/// Whether both boxes are as long along one axis as along another: what is in them may be round.
+bool are_square(const std::array<Point, 2>& extents, int axis, int other)
+{
+  constexpr double alike = 1.15; // how many times as long, at most
+  return std::all_of(extents.begin(), extents.end(),
+                     [&](const Point& e) { return e[axis] < alike * e[other] && e[other] < alike * e[axis]; });
+}
+
+/// Charts with the longest axis of both boxes as the first and the shortest as the last one; but those of round things
+/// that are no plates, such as shades of lamps, along the axis that they turn about.
 Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, std::array<Eigen::Matrix3d, 2> axes)
 {
   constexpr double flat = 0.3; // the shortest extent over the middle one
-  const Point extents = extents_along(*surfaces[0], axes[0]) + extents_along(*surfaces[1], axes[1]);
+  const std::array<Point, 2> extents = {extents_along(*surfaces[0], axes[0]), extents_along(*surfaces[1], axes[1])};
+  const Point sum = extents[0] + extents[1];
   std::array<int, 3> order = {0, 1, 2};
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return quantized(extents[a]) > quantized(extents[b]); });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return quantized(sum[a]) > quantized(sum[b]); });
+  const bool are_plates = sum[order[2]] < flat * sum[order[1]];
+  if (!are_plates && are_square(extents, order[0], order[1]))
+    std::rotate(order.begin(), order.begin() + 2, order.end());
   Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 3; ++i)
     turn(order[std::size_t(i)], i) = 1;
   if (turn.determinant() < 0) turn.col(2) *= -1;
-  const bool are_plates = extents[order[2]] < flat * extents[order[1]];
   const auto chart = [&](std::size_t end) {
     const Eigen::Matrix3d turned = axes[end] * turn;
     return are_plates ? Part_chart::plate(*surfaces[end], turned) : Part_chart::box(*surfaces[end], turned);

@@ -25,12 +25,12 @@ Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
   return result;
 }
 
-/// Rates a layout by shapes in between, the worst of each measure.
-Blend_quality quality_of(const Blend_structure& blend, const Blend_layout& layout, int samples)
+/// Rates a schedule by shapes in between, the worst of each measure.
+Blend_quality quality_of(const Blend_structure& blend, const Task_times& times, int samples)
 {
   std::vector<Blend_quality> qualities(static_cast<std::size_t>(samples));
   for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
-    qualities[i] = quality(In_between_shape(blend, layout, double(i + 1) / (samples + 1)));
+    qualities[i] = quality(In_between_shape(blend, times, double(i + 1) / (samples + 1)));
   });
   return std::accumulate(qualities.begin(), qualities.end(), Blend_quality(), worst);
 }
@@ -39,6 +39,7 @@ Blend_quality quality_of(const Blend_structure& blend, const Blend_layout& layou
 struct Timed_group
 {
   std::array<bool, 2> is_at = {false, false}; ///< by end
+  bool is_fixed = false;                      ///< with matched parts, whose surfaces are exchanged
   double height = 0, size = 0;                ///< sums over its parts, of heights times sizes and of sizes
   std::array<double, 2> times = {0, 0};
 
@@ -51,6 +52,7 @@ Timed_groups timed_groups(const std::vector<Blend_part>& parts, const std::vecto
 {
   Timed_groups result;
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].is_exchanged()) result[groups[i]].is_fixed = true;
     if (parts[i].is_matched()) continue;
     Timed_group& group = result[groups[i]];
     group.is_at[std::size_t(parts[i].end())] = true;
@@ -61,105 +63,90 @@ Timed_groups timed_groups(const std::vector<Blend_part>& parts, const std::vecto
 }
 
 /// One group after the other, each so quickly that old and new parts are hardly seen together: first those that go,
-/// then those that are exchanged, then those that come; of these, from the ground up or from
-/// the top down. Exchanges alone are in the middle of the time.
+/// then those that are exchanged, then those that come; of these, from the ground up or from the top down. Parts that
+/// are exchanged in place have one time, and others with them.
 void put_in_turn(Timed_groups& groups, bool from_the_ground)
 {
-  constexpr double first = 0.15, last = 0.75, longest = 0.08, exchange = 0.004;
-  using Order = std::map<Steps, std::vector<std::size_t>>; // by height: what is as high changes at one time
-  std::array<Order, 3> kinds;
-  for (const auto& [number, group] : groups) {
+  constexpr double longest = 0.08, exchange = 0.004;
+  constexpr std::array<double, 4> bounds = {0.15, 0.35, 0.55, 0.75}; // of the times of each kind
+  std::array<std::map<Steps, std::vector<Timed_group*>>, 3> kinds;   // by height: what is as high changes at one time
+  for (auto& [number, group] : groups) {
+    group.times = {Part_morph::exchange - exchange, Part_morph::exchange};
+    if (group.is_fixed) continue;
     const Steps height = quantized(group.height / group.size);
-    const std::size_t kind = group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2;
-    kinds[kind][from_the_ground ? height : -height].push_back(number);
+    kinds[group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2][from_the_ground ? height : -height].push_back(&group);
   }
-  const bool has_exchanges = !kinds[1].empty();
-  std::size_t steps = 0;
-  for (const Order& kind : kinds)
-    steps += std::max(kind.size(), std::size_t(has_exchanges));
-  const double step = (last - first) / double(std::max<std::size_t>(steps, 1));
-  double begin = first;
-  for (const Order& kind : kinds) {
-    double middle = begin + step / 2;
-    for (const auto& [height, numbers] : kind) {
-      for (std::size_t number : numbers) {
-        Timed_group& group = groups[number];
-        const double length = std::min(group.is_exchange() ? exchange : longest, step);
-        double start = group.is_exchange() ? middle - length : middle - length / 2;
-        if (start < 0.5 && start + length > 0.5) start = middle < 0.5 ? 0.5 - length : 0.5; // half-way, all are whole
-        group.times = {start, start + length};
-      }
+  for (std::size_t kind : {0u, 1u, 2u}) {
+    const double step = (bounds[kind + 1] - bounds[kind]) / double(std::max<std::size_t>(kinds[kind].size(), 1));
+    double middle = bounds[kind] + step / 2;
+    for (const auto& [height, changing] : kinds[kind]) {
+      const double length = std::min(kind == 1 ? exchange : longest, step);
+      double start = kind == 1 ? middle - length : middle - length / 2;
+      if (start < 0.5 && start + length > 0.5) start = middle < 0.5 ? 0.5 - length : 0.5; // half-way, all are whole
+      for (Timed_group* group : changing)
+        group->times = {start, start + length};
       middle += step;
     }
-    begin += step * double(std::max(kind.size(), std::size_t(has_exchanges)));
   }
 }
 
-Blend_schedule schedule_of(const Blend_layout& layout, const std::vector<Blend_part>& parts)
+Blend_schedule schedule_of(const std::string& name, const Blend_structure& blend, const Task_times& times)
 {
-  Blend_schedule result{layout.name, {}, {}};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    result.tasks.push_back(parts[i].task);
-    result.tasks.back().begin = layout.times[i][0];
-    result.tasks.back().end = layout.times[i][1];
+  Blend_schedule result{name, {}, {}};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    result.tasks.push_back(blend.parts[i].task);
+    result.tasks.back().begin = times[i][0];
+    result.tasks.back().end = times[i][1];
   }
   return result;
 }
 
-/// The largest share of the parts, by their sizes, that comes or goes at one time.
-double largest_change(const Blend_schedule& schedule, const std::vector<Blend_part>& parts)
+/// How many measures are over their tolerance.
+std::ptrdiff_t number_of_faults(const Blend_quality& quality)
 {
-  std::map<Steps, double> changes;
-  double all = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    all += parts[i].size * (parts[i].is_matched() ? 2 : 1);
-    if (!parts[i].is_matched()) changes[quantized(schedule.tasks[i].begin)] += parts[i].size;
-  }
-  double result = 0;
-  for (const auto& [time, change] : changes)
-    result = std::max(result, change / all);
-  return result;
-}
-
-/// Whether shapes are as good as others by all measures but the volume, which all have that change at once.
-bool is_as_good(const Blend_quality& quality, const Blend_quality& other)
-{
-  constexpr double much = 1.1;
-  for (const Blend_measure& measure : blend_measures())
-    if (measure.value != &Blend_quality::volume &&
-        quality.*measure.value > std::max(measure.tolerance, much * other.*measure.value))
-      return false;
-  return true;
+  const auto& measures = blend_measures();
+  return std::count_if(measures.begin(), measures.end(),
+                       [&](const Blend_measure& measure) { return quality.*measure.value > measure.tolerance; });
 }
 
 } // namespace
 
-Task_times times_in_turn(const std::vector<Blend_part>& parts, const std::vector<std::size_t>& groups,
-                         bool from_the_ground)
+const std::vector<std::string>& schedule_names()
 {
-  Timed_groups timed = timed_groups(parts, groups);
+  static const std::vector<std::string> names = {"from the ground up", "from the top down"};
+  return names;
+}
+
+Task_times times_in_turn(const Blend_structure& blend, bool from_the_ground)
+{
+  Timed_groups timed = timed_groups(blend.parts, blend.groups);
   put_in_turn(timed, from_the_ground);
   Task_times result;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    result.push_back(parts[i].is_matched() ? std::array{0., 1.} : timed.at(groups[i]).times);
+  for (std::size_t i = 0; i < blend.parts.size(); ++i)
+    result.push_back(blend.parts[i].is_matched() ? std::array{0., 1.} : timed.at(blend.groups[i]).times);
+  return result;
+}
+
+Task_times times_of(const Blend_schedule& schedule)
+{
+  Task_times result;
+  for (const Blend_task& task : schedule.tasks)
+    result.push_back({task.begin, task.end});
   return result;
 }
 
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options)
 {
-  constexpr double less = 0.1; // of the parts
   std::vector<Blend_schedule> result;
-  for (const Blend_layout& layout : blend.layouts)
-    result.push_back(schedule_of(layout, blend.parts));
-  std::rotate(result.begin(), result.end() - 1, result.end()); // without bodies
+  for (const std::string& name : schedule_names())
+    result.push_back(schedule_of(name, blend, times_in_turn(blend, result.empty())));
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (options.progress && !options.progress(double(i) / double(result.size()))) return result;
-    result[i].quality = quality_of(blend, blend.layout(result[i].name), options.samples);
+    result[i].quality = quality_of(blend, times_of(result[i]), options.samples);
   }
-  Blend_schedule &in_chains = result[0], &from_the_ground = result[1];
-  const double change = largest_change(from_the_ground, blend.parts);
-  if (change < largest_change(in_chains, blend.parts) - less && is_as_good(from_the_ground.quality, in_chains.quality))
-    std::swap(in_chains, from_the_ground);
+  std::stable_sort(result.begin(), result.end(), [](const Blend_schedule& a, const Blend_schedule& b) {
+    return number_of_faults(a.quality) < number_of_faults(b.quality);
+  });
   return result;
 }
 

@@ -7,16 +7,19 @@
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The times of tasks in which parts that are not matched come and go, those of one group at one time.
-/// \param groups by part
-Task_times times_in_turn(const std::vector<Blend_part>& parts, const std::vector<std::size_t>& groups,
-                         bool from_the_ground);
+/// The names of all schedules.
+const std::vector<std::string>& schedule_names();
 
-/// The schedules of all layouts, judged by samples of their in-between shapes, the best one first.
+/// The times of tasks in which unmatched parts come and go, those of one group at one time.
+Task_times times_in_turn(const Blend_structure& blend, bool from_the_ground);
+Task_times times_of(const Blend_schedule& schedule);
+
+/// All schedules, judged by samples of their in-between shapes, the best one first.
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -19,8 +19,6 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double most_change = 1.2; // of the extents
-
 /// Points all over the spine and the sides of a chart.
 Points samples(const Part_chart& chart)
 {
@@ -42,30 +40,6 @@ Point relative_place(const Part_chart& chart, const contacts::Box& whole)
   return (chart(Point::Zero()) - whole.min()).cwiseQuotient(sizes);
 }
 
-/// How much has to happen to a part, or a piece, to become another.
-struct Difference
-{
-  Difference(const std::array<Part_chart, 2>& charts, const Blend_stage& stage)
-  {
-    const Points a = samples(charts[0]), b = samples(charts[1]);
-    const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
-    const double size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
-    turns = turn(boxes);
-    changes = change(boxes) - turns;
-    is_elsewhere = is_far(relative_place(charts[1], stage.boxes[1]) - relative_place(charts[0], stage.boxes[0]), size,
-                          stage.boxes);
-  }
-
-  bool is_too_much() const
-  {
-    constexpr double most_turn = 0.6; // radians
-    return is_elsewhere || turns > most_turn || changes > most_change;
-  }
-
-  double turns, changes;
-  bool is_elsewhere;
-};
-
 /// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
 contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_t part)
 {
@@ -83,12 +57,53 @@ double overlap(const contacts::Box& a, const contacts::Box& b)
   return a.intersects(b) ? a.intersection(b).volume() / std::min(a.volume(), b.volume()) : 0;
 }
 
+/// How much extents change, in logarithms, summed.
+double change_of_extents(const Point& from, const Point& to)
+{
+  constexpr double thin = 0.05; // of the height: among thin parts, how many times as thick is hardly seen
+  return ((from.array() + thin) / (to.array() + thin)).log().abs().sum();
+}
+
+/// The box around parts of an end.
+Part_chart chart_around(const Blend_stage& stage, std::size_t end, const std::vector<std::size_t>& parts)
+{
+  contacts::Box box;
+  for (std::size_t part : parts)
+    box.extend(box_of(stage.meshes[end][part].points));
+  Points corners(3, 2);
+  corners << box.min(), box.max();
+  return Part_chart::box(corners, Eigen::Matrix3d::Identity());
+}
+
+/// By source part, whether it is in a set of one part and all those that it corresponds to, which together are much
+/// like it, as the slats of a seat and a seat are.
+std::vector<char> parts_alike_together(const Blend_stage& stage, const Part_pairs& paired)
+{
+  std::vector<char> result(stage.meshes[0].size(), 0);
+  for (const Connected_parts& set : connected_parts(paired, stage.meshes[0].size(), stage.meshes[1].size())) {
+    if (set.source.size() > 1 && set.target.size() > 1) continue;
+    const Difference difference({chart_around(stage, 0, set.source), chart_around(stage, 1, set.target)}, true, stage);
+    for (std::size_t part : set.source)
+      result[part] = difference.change <= Difference::little_change && !difference.is_too_much();
+  }
+  return result;
+}
+
 } // namespace
 
-bool is_far(const Point& way, double size, const std::array<contacts::Box, 2>& wholes)
+Difference::Difference(const std::array<Part_chart, 2>& charts, bool are_whole, const Blend_stage& stage)
 {
-  constexpr double farthest = 0.25, farther = 1. / 8; // in all, and for its size
-  return way.cwiseProduct((wholes[0].sizes() + wholes[1].sizes()) / 2).norm() > farthest + farther * size;
+  const Points a = samples(charts[0]), b = samples(charts[1]);
+  const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
+  turn = internal::turn(boxes);
+  const Point growth = stage.boxes[1].sizes().cwiseQuotient(stage.boxes[0].sizes());
+  const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
+              with_the_whole = (boxes.source.axes().transpose().cwiseAbs() * growth).cwiseProduct(from);
+  change = change_of_extents(from, to);
+  if (are_whole) change = std::min(change, change_of_extents(with_the_whole, to));
+  size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
+  const Point relative = relative_place(charts[1], stage.boxes[1]) - relative_place(charts[0], stage.boxes[0]);
+  way = relative.cwiseProduct((stage.boxes[0].sizes() + stage.boxes[1].sizes()) / 2).norm();
 }
 
 double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target)
@@ -110,11 +125,11 @@ Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, 
     for (std::size_t t = 0; t < is_used[1].size(); ++t) {
       const std::pair pair(s, t);
       const bool correspond = std::binary_search(unlike.all.begin(), unlike.all.end(), pair);
-      if (is_used[0][s] || is_used[1][t] || unlike.torn.count(pair) > 0) continue;
+      if (is_used[0][s] || is_used[1][t] || unlike.torn.count(pair) > 0 || unlike.apart.count(pair) > 0) continue;
       if (!correspond && (has_counterpart[0][s] || has_counterpart[1][t])) continue;
       const double shared = overlap(relative_box(stage, 0, s), relative_box(stage, 1, t));
       if (shared <= same_place) continue;
-      if (!Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, stage).is_too_much())
+      if (Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, true, stage).is_little())
         alike.emplace_back(-quantized(shared), pair);
     }
   std::sort(alike.begin(), alike.end());
@@ -127,7 +142,7 @@ Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, 
   return paired;
 }
 
-Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired)
+void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pairs& paired)
 {
   const std::size_t sources = stage.meshes[0].size();
   Disjoint_sets sets(sources + stage.meshes[1].size()); // of parts that pairs connect, mirror images together
@@ -138,19 +153,23 @@ Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, P
     sets.unite(s, source_image);
     sets.unite(sources + t, sources + target_image);
   }
+  const std::vector<char> are_alike_together = parts_alike_together(stage, paired);
   std::vector<char> is_unlike(sets.size(), 0); // by set, whether a pair in it is: a part is divided as a whole
-  for (const auto& [s, t] : torn)
-    is_unlike[sets[s]] = 1;
+  for (const Pair_set* known : {&unlike.torn, &unlike.apart})
+    for (const auto& [s, t] : *known)
+      is_unlike[sets[s]] = 1;
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
     if (known) continue;
-    known = Difference(piece_charts(piece, stage.charted[0], stage.charted[1]), stage).is_too_much();
+    const Difference difference(piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece), stage);
+    const bool is_one =
+        is_whole(piece) || (are_alike_together[piece.source] && difference.turn <= Difference::little_turn);
+    known = is_one ? difference.is_too_much() : !difference.is_little();
   }
   const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
                                                   [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });
-  Part_pairs result(first_unlike, paired.end());
+  unlike.all.assign(first_unlike, paired.end());
   paired.erase(first_unlike, paired.end());
-  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

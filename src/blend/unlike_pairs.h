@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "map/Piece_pair.h"
 #include "map/matched_members.h"
-#include "shape/Triangle_tree.h"
 
 #include <array>
 #include <cstddef>
@@ -14,31 +14,45 @@ namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-/// Pairs of parts whose surfaces have no map onto each other, or pieces of theirs.
-using Torn_pairs = std::set<Part_pairs::value_type>;
+using Pair_set = std::set<Part_pairs::value_type>;
 
 /// The pairs that correspond but do not morph.
 struct Unlike_pairs
 {
   Part_pairs all;
-  Torn_pairs torn; ///< and leftover ones that would be
+  Pair_set torn;  ///< of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map
+  Pair_set apart; ///< those that would come off what they touch
+};
+
+/// How much has to happen to a part, or a piece, to become another. Lengths are over the height.
+struct Difference
+{
+  /// \param are_whole of whole parts, or of their shares of the whole if these differ less, the extents are compared
+  Difference(const std::array<Part_chart, 2>& charts, bool are_whole, const Blend_stage& stage);
+
+  static constexpr double little_turn = 0.6, little_change = 1.2;
+
+  /// Whether pieces of parts may morph.
+  bool is_little() const { return turn <= little_turn && change <= little_change && way <= 0.25 + size / 8; }
+  /// Whether even whole parts, or pieces of parts that are alike together, may not.
+  bool is_too_much() const { return turn > 0.8 || change > 1.8 || way > 0.4 + size / 2; }
+  double sum() const { return turn + change + way; }
+
+  double turn;   ///< in radians
+  double change; ///< of the extents, in logarithms, summed
+  double way;    ///< of its middle, in the box around the whole
+  double size;   ///< its longest extent
 };
 
 /// Takes out the pairs whose parts, or pieces of them, would have to turn, to change their proportions or to travel
 /// much to become each other: legs cut up for a star base, slats across spindles. With a pair of pieces go all
 /// others of its parts, as a part is divided as a whole, and their mirror images.
-/// \param torn pairs of pieces that are taken out, too
-/// \return the pairs that were taken out
-Part_pairs take_unlike_pairs(const Blend_stage& stage, const Torn_pairs& torn, Part_pairs& paired);
+/// \param unlike gets the pairs; those that are torn or apart are taken out, too
+void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pairs& paired);
 
 /// Pairs, and those of parts that are in none of them, alike in place and size: both correspond, but to others, too, or
 /// neither has a counterpart.
 Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired);
-
-/// Whether a way from one place to another, each from 0 to 1 in the box around its shape, is too far to travel.
-/// \param size the length of what travels
-/// \param wholes the boxes around the shapes
-bool is_far(const Point& way, double size, const std::array<contacts::Box, 2>& wholes);
 
 /// How much of the place of the smaller one of two parts is that of the other, in the boxes around the shapes: what is
 /// more than `same_place` is in one place.

@@ -100,6 +100,7 @@ double Chart_outline::radius(const Section& section, const Eigen::Vector2d& dire
 
 Point Chart_outline::relative(const Point& k) const
 {
+  if (sections_.empty()) return k;
   const Section at = section(k);
   Point result = k;
   const Eigen::Vector2d off = k.segment<2>(first()) - at.middle;
@@ -109,6 +110,7 @@ Point Chart_outline::relative(const Point& k) const
 
 Point Chart_outline::absolute(const Point& q) const
 {
+  if (sections_.empty()) return q;
   const Section at = section(q);
   Point result = q;
   const Eigen::Vector2d off = q.segment<2>(first());

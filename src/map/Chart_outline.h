@@ -15,6 +15,8 @@ namespace CGAL::Shape_correspondence::internal {
 class Chart_outline
 {
 public:
+  /// None: coordinates stay what they are.
+  Chart_outline() = default;
   /// \param coordinates of points all over the surface
   Chart_outline(bool is_sheet, const Points& coordinates);
 
@@ -22,7 +24,7 @@ public:
   Point relative(const Point& k) const;
   Point absolute(const Point& q) const;
 
-  /// \pre both are of sheets or both of curves
+  /// \pre both are of sheets, or both of curves, or none
   static Chart_outline between(const Chart_outline& a, const Chart_outline& b, double t);
 
 private:
@@ -40,7 +42,7 @@ private:
   static double radius(const Section& section, const Eigen::Vector2d& direction);
   int first() const { return is_sheet_ ? 0 : 1; } ///< of the two coordinates that the outline is in
 
-  bool is_sheet_;
+  bool is_sheet_ = false;
   std::vector<Section> sections_; ///< by station
 };
 

@@ -28,6 +28,8 @@ struct Piece_pair
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< from coordinates of the source's piece to the target's
 };
 
+inline bool is_whole(const Piece_pair& pair) { return is_whole(pair.source_piece) && is_whole(pair.target_piece); }
+
 /// How the charts of two parts are laid on each other.
 enum class Pair_kind {
   SAME,       ///< two curves or two sheets: along both

@@ -13,14 +13,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-namespace {
-
-/// Parts of both shapes that pairs connect.
-struct Connected_parts
-{
-  std::vector<std::size_t> source, target;
-};
-
 std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_t sources, std::size_t targets)
 {
   Disjoint_sets connected(sources + targets);
@@ -33,6 +25,8 @@ std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_
     if (!sets.source.empty() && !sets.target.empty()) result.push_back(std::move(sets));
   return result;
 }
+
+namespace {
 
 /// Relative places of parts: their middles in the box around all of them.
 Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)

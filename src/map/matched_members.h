@@ -7,7 +7,19 @@
 
 #include <CGAL/Shape_correspondence/Part_correspondence.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace CGAL::Shape_correspondence::internal {
+
+/// Parts of both shapes that pairs connect.
+struct Connected_parts
+{
+  std::vector<std::size_t> source, target;
+};
+
+/// \param sources,targets the numbers of parts
+std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_t sources, std::size_t targets);
 
 /// Which part becomes which. Where one part corresponds to several, it becomes all of them, or all of them become it,
 /// as the pairs say. Of sets of several parts on either side, a method may have paired every part with every other:

@@ -30,16 +30,21 @@ struct Box_model
   Structural_graph graph;
 };
 
-inline Box_model model_of(const std::vector<Named_box>& boxes, double scale = 1)
+inline Box_model model_of(const Segmented_shape& shape)
 {
-  Box_model result{Segmented_shape("boxes"), {}};
-  for (const Named_box& box : boxes)
-    result.shape.add_part(box.name, box_shapes::box(scale * box.middle, scale * box.size));
   Structure_options options;
   options.abstraction.abstractor = Bounding_box_abstraction();
-  result.graph = build_structural_graph(result.shape, options);
+  Box_model result{shape, build_structural_graph(shape, options)};
   structure(result.graph).frame.mirror_x = structure(result.graph).frame.mirror_z = false;
   return result;
+}
+
+inline Box_model model_of(const std::vector<Named_box>& boxes, double scale = 1)
+{
+  Segmented_shape shape("boxes");
+  for (const Named_box& box : boxes)
+    shape.add_part(box.name, box_shapes::box(scale * box.middle, scale * box.size));
+  return model_of(shape);
 }
 
 inline Correspondence same_parts(std::size_t count)

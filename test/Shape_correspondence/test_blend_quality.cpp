@@ -3,6 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend/blend_quality.h"
+#include "blend/schedules.h"
 #include "box_models.h"
 #include "model_files.h"
 
@@ -89,7 +90,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   internal::Blend_structure blend(inputs, same_parts(3), {});
   constexpr std::size_t base = 0, column = 1, top = 2;
   const auto checked = [&](std::size_t part, const std::function<void(Points&)>& harm) {
-    internal::In_between_shape shape(blend, blend.layouts[0], 0.5);
+    internal::In_between_shape shape(blend, internal::times_in_turn(blend, true), 0.5);
     harm(shape.moving_points(part));
     return internal::check(shape);
   };
@@ -111,7 +112,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   // Too high and too low, too wide and too narrow, too much and too little
   CHECK(is_said(faults(top, shifted({0, 0.3, 0})), "higher or lower than is due by 30 %"));
   const auto lowered = [&] {
-    internal::In_between_shape shape(blend, blend.layouts[0], 0.5);
+    internal::In_between_shape shape(blend, internal::times_in_turn(blend, true), 0.5);
     for (std::size_t part : {base, column, top})
       shape.moving_points(part).row(1) *= 0.7;
     return internal::check(shape).faults;
@@ -176,7 +177,7 @@ TEST_CASE("What is not symmetric any more is told, with the part")
                                                        internal::Blend_input{model.graph, model.shape, 0}};
   const internal::Blend_structure blend(inputs, same_parts(4), {});
   const auto faults = [&](std::size_t part, double by) {
-    internal::In_between_shape shape(blend, blend.layouts[0], 0.5);
+    internal::In_between_shape shape(blend, internal::times_in_turn(blend, true), 0.5);
     shape.moving_points(part).row(0).array() += by;
     return internal::check(shape).faults;
   };
@@ -302,7 +303,7 @@ TEST_CASE("A schedule may be chosen; blends by different ones differ, and the be
   const std::vector<Shape_blend> different = all.different_blends();
   REQUIRE(different.size() > 1);
   CHECK(different[0].schedules()[0].name == all.schedules()[0].name);
-  const Segmented_shape first = different[0](0.5), second = different[1](0.5);
+  const Segmented_shape first = different[0](0.65), second = different[1](0.65);
   CHECK(first.parts().back().name != second.parts().back().name); // the shelf or the lamp comes first
   // Nothing that moves, shrinks or grows: all are the same
   CHECK(blend_of(source, source, same_parts(3), options).different_blends().size() == 1);

@@ -167,10 +167,9 @@ TEST_CASE("What one part becomes, its mirror image becomes the mirror image of; 
   CHECK(blend.check(0.5).quality.asymmetry <= blend.check(0).quality.asymmetry + Shape_blend::symmetry_tolerance);
 }
 
-TEST_CASE("What does not hold is told with the parts where it does not")
+TEST_CASE("A part that would be in the air between the ends does not morph")
 {
-  // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only. Plates that
-  // are farther apart would make it come and go.
+  // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only
   const auto stand = [](double height_of_peg) {
     Model result{Segmented_shape("stand"), {}};
     result.shape.add_part("base", box_shapes::box({0, 0.05, 0}, {1, 0.1, 0.6}));
@@ -188,16 +187,10 @@ TEST_CASE("What does not hold is told with the parts where it does not")
   same.pairs = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
   const Shape_blend blend = blend_of(high, low, same);
   CHECK(blend.check(0).quality.asymmetry < 0.02);
-  CHECK(blend.check(0).faults.empty());
-  CHECK(blend.check(1).faults.empty());
-  const std::vector<std::string> faults = blend.check(0.5).faults;
-  // Half-way, the peg is between both plates, and it must not be stretched from the one to the other
-  CHECK(blend.check(0.5).quality.apart > Shape_blend::apart_tolerance);
-  CHECK(std::any_of(faults.begin(), faults.end(), [](const std::string& fault) {
-    return fault.find("farther from all others") != std::string::npos;
-  }));
-  for (const std::string& fault : faults)
-    CHECK(fault.find("thinner") == std::string::npos);
+  for (const Blend_task& task : blend.schedules()[0].tasks)
+    CHECK((task.obstacle == Blend_obstacle::APART) == (task.source == 3 || task.target == 3));
+  for (double t : {0., 0.2, 0.5, 0.8, 1.})
+    CHECK(blend.check(t).faults.empty());
 }
 
 TEST_CASE("Contacts of mirror images are kept alike, though one of them is just too wide to count as touching")
@@ -256,7 +249,7 @@ TEST_CASE("Parts on the mirror plane keep contacts on both of its sides, wheneve
   const Shape_blend blend = blend_of(wide, narrow, same);
   for (const Blend_schedule& schedule : blend.schedules()) {
     INFO(schedule.name);
-    CHECK(schedule.quality.gap < Shape_blend::contact_tolerance);
+    CHECK(schedule.quality.gap < 0.015); // as the cheeks are stretched together with what is between them
     CHECK(schedule.quality.asymmetry < 0.001);
   }
 }

@@ -32,10 +32,11 @@ enum class Blend_task_type {
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Why the surface of a part has no map onto that of its counterpart.
 enum class Blend_obstacle {
-  NONE,  ///< it has one, or no counterpart
-  TORN,  ///< it would be torn or folded
-  UNLIKE ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to be
-         ///< cut up too much
+  NONE,   ///< it has one, or no counterpart
+  TORN,   ///< it would be torn or folded
+  UNLIKE, ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to
+          ///< be cut up too much
+  APART   ///< it would come off what it touches
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

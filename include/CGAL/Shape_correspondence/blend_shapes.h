@@ -26,7 +26,6 @@ namespace Shape_correspondence {
 
 namespace internal {
 class Blend_structure;
-struct Blend_layout;
 }
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -49,24 +48,24 @@ struct Blend_surface
 /// - *Stage*: every shape stands on the ground with the middle of its box, or its mirror plane, above the origin, in
 ///   the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
-///   and rotation; the axes of boxes are paired for the least rotation. So parts that touch at both ends touch on the
-///   way, but for what `check()` reports. The whole stands, and is as high as is due between the ends.
-/// - *Matched parts* morph in their boxes, by a map in coordinates relative to their cross-sections. A part that
-///   corresponds to many is cut into closed pieces, one for each.
-/// - *Unmatched parts* have no counterpart, or no map onto it: a surface would be torn on the way, or would have to
-///   turn, to change its proportions, to travel or to be cut up too much (`Blend_obstacle`). They keep their shape.
-///   Two that are alike in place and size become each other (`Blend_task_type::EXCHANGE`). Sets of them that correspond
-///   and are alike in place and size, such as four legs and a star base, are exchanged as *bodies*, each in the box
-///   between its ends; what else touches each other moves as one. Both hold on to the matched parts and bodies that
-///   they touch, stretched along the axes by factors between 0.7 and 1.4, and stand. They shrink to where they are
-///   held, or grow from there, in groups, one after the other, each quickly: old parts go as what takes their place
-///   comes.
+///   and rotation; the axes of boxes are paired for the least rotation. Where the gap between two that touch at both
+///   ends would open, the smaller one is moved to the larger one. The whole stands, and is as high as is due between
+///   the ends.
+/// - *Matched parts* morph in their boxes, by a map in coordinates relative to their cross-sections. Where the surface
+///   would be torn, it is stretched with its box instead, and the target's is exchanged for it just before half-way. A
+///   part that corresponds to many is cut into closed pieces, one for each.
+/// - *Unmatched parts* have no counterpart, or would have to turn, to change their proportions, to travel or to be cut
+///   up too much to become it, or would come off what they touch (`Blend_obstacle`). They keep their shape. Two that
+///   are alike in place and size become each other (`Blend_task_type::EXCHANGE`). What touches each other moves as one,
+///   holds on to the matched parts that it touches, stretched along the axes by factors between 0.7 and 1.4, or 0.4 and
+///   2.5 where it joins such parts, and stands. Unmatched parts shrink to where they are held, or grow from there, in
+///   groups, one after the other, each quickly: old parts go as what takes their place comes.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///
-/// A *schedule* exchanges bodies one after the other, from the ground up or from the top down, or has no bodies, so
-/// that all that touches changes at one time, chain by chain. From the ground up is best unless its `Blend_quality` is
-/// worse than that without bodies. `check()` returns which tolerances are exceeded. Deterministic.
+/// In a *schedule*, the groups of unmatched parts change from the ground up or from the top down; the better one is that
+/// with fewer measures of `Blend_quality` over their tolerances, from the ground up if these are as many. `check()`
+/// returns which tolerances are exceeded. Deterministic.
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
@@ -129,8 +128,6 @@ public:
   std::vector<Points> points(double t) const;
 
 private:
-  const internal::Blend_layout& layout() const;
-
   std::shared_ptr<const internal::Blend_structure> blend_;
   std::vector<Blend_schedule> schedules_;
 };

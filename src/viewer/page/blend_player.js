@@ -52,8 +52,9 @@ export class BlendPlayer {
     bars.className = 'bars';
     for (const task of blend.tasks) {
       const reason = task.task === 'exchange' ? ': none has a counterpart, and they are in the same place'
-        : task.obstacle === 'unlike' ? ': too unlike for a map onto its counterpart'
-          : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '';
+        : task.obstacle === 'unlike' ? ': too unlike its counterpart'
+          : task.obstacle === 'apart' ? ': it would come off what it touches'
+            : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '';
       element('span', `${task.task}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
       bar.className = task.task;

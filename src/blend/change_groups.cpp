@@ -1,21 +1,17 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Blend_layout.h"
+#include "blend/change_groups.h"
 
+#include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
-#include "blend/Blend_structure.h"
-#include "blend/schedules.h"
 #include "blend/unlike_pairs.h"
 
 #include <array>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
-namespace {
 
-/// By part, its group, which comes and goes at one time, so that each takes the place of the other: chains and those
-/// that they correspond to, mirror images, what stands, and what takes up most of the place of a part in no body.
 std::vector<std::size_t> change_groups(const Blend_stage& stage, const Part_pairs& unlike,
                                        const std::vector<Blend_part>& parts, const std::vector<Unmatched_chain>& chains)
 {
@@ -35,8 +31,7 @@ std::vector<std::size_t> change_groups(const Blend_stage& stage, const Part_pair
       going[std::size_t(chain.end)].push_back(part);
     }
   }
-  for (const Unmatched_chain& chain : chains) {
-    if (chain.is_body()) continue;
+  for (const Unmatched_chain& chain : chains)
     for (std::size_t part : chain.parts) {
       double most = same_place;
       std::size_t best = part;
@@ -47,36 +42,23 @@ std::vector<std::size_t> change_groups(const Blend_stage& stage, const Part_pair
       }
       sets.unite(part, best);
     }
+  constexpr double inside = 0.8;               // of a part's box
+  std::size_t exchanged = Blend_task::no_part; // the first of the parts that are exchanged in place
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].is_exchanged()) continue;
+    if (exchanged == Blend_task::no_part) exchanged = i;
+    sets.unite(i, exchanged);
+    const std::array<std::size_t, 2> given = {parts[i].task.source, parts[i].task.target};
+    for (std::size_t end : {0u, 1u})
+      for (std::size_t part : going[end]) {
+        const auto [s, t] =
+            end == 0 ? std::pair(parts[part].given(), given[1]) : std::pair(given[0], parts[part].given());
+        if (shared_place(stage, s, t) > inside) sets.unite(part, i);
+      }
   }
   std::vector<std::size_t> result;
   for (std::size_t part = 0; part < parts.size(); ++part)
     result.push_back(sets[part]);
-  return result;
-}
-
-} // namespace
-
-const std::vector<std::string>& layout_names()
-{
-  static const std::vector<std::string> names = {"from the ground up", "from the top down", "chain by chain"};
-  return names;
-}
-
-std::vector<Blend_layout> blend_layouts(const Blend_stage& stage, const Part_pairs& unlike,
-                                        const Blend_structure& blend)
-{
-  std::vector<Blend_layout> result;
-  for (std::size_t i = 0; i < layout_names().size(); ++i) {
-    const bool has_bodies = i < 2, is_from_the_ground = i != 1;
-    Exchanged_bodies bodies(blend, has_bodies ? unlike : Part_pairs());
-    Blend_layout layout{layout_names()[i], {}, {}};
-    do {
-      layout.chains = unmatched_chains(stage, blend, bodies);
-      const auto groups = change_groups(stage, unlike, blend.parts, layout.chains);
-      layout.times = times_in_turn(blend.parts, groups, is_from_the_ground);
-    } while (unite_open_bodies(blend, layout, bodies));
-    result.push_back(std::move(layout));
-  }
   return result;
 }
 
