@@ -173,8 +173,9 @@ bool take_apart_pairs(const Blend_stage& stage, const Blend_structure& blend, Un
     if (part == Blend_task::no_part) continue;
     Part_pairs both = {{parts[part].task.source, parts[part].task.target}};
     add_mirrored(both, stage.images[0], stage.images[1]);
+    const std::size_t known = unlike.apart.size();
     unlike.apart.insert(both.begin(), both.end());
-    return true;
+    return unlike.apart.size() > known;
   }
   return false;
 }

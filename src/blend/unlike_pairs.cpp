@@ -96,7 +96,10 @@ Difference::Difference(const std::array<Part_chart, 2>& charts, bool are_whole, 
   const Points a = samples(charts[0]), b = samples(charts[1]);
   const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
   turn = internal::turn(boxes);
-  const Point growth = stage.boxes[1].sizes().cwiseQuotient(stage.boxes[0].sizes());
+  const auto extents = [&](std::size_t end) -> Point {
+    return stage.boxes[end].sizes().cwiseMax(Part_chart::least_half_extent);
+  };
+  const Point growth = extents(1).cwiseQuotient(extents(0));
   const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
               with_the_whole = (boxes.source.axes().transpose().cwiseAbs() * growth).cwiseProduct(from);
   change = change_of_extents(from, to);

@@ -30,9 +30,9 @@ enum class Blend_task_type {
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// Why the surface of a part has no map onto that of its counterpart.
+/// Why a part does not become its counterpart.
 enum class Blend_obstacle {
-  NONE,   ///< it has one, or no counterpart
+  NONE,   ///< it does, or has no counterpart
   TORN,   ///< it would be torn or folded
   UNLIKE, ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to
           ///< be cut up too much
@@ -40,7 +40,7 @@ enum class Blend_obstacle {
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// What happens to one part, or a piece of one, and when. Where there is an obstacle to a map, the part shrinks, and
+/// What happens to one part, or a piece of one, and when. Where there is an obstacle, the part shrinks, and
 /// its counterpart grows.
 struct Blend_task
 {
@@ -51,7 +51,7 @@ struct Blend_task
   std::size_t target = no_part;                   ///< index of the target part, if there is one
   double begin = 0;                               ///< time of the blend, in [0, 1], at which it begins
   double end = 1;                                 ///< time of the blend, in [0, 1], at which it ends
-  Blend_obstacle obstacle = Blend_obstacle::NONE; ///< to a map, if there is one
+  Blend_obstacle obstacle = Blend_obstacle::NONE; ///< if there is one
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
