@@ -101,7 +101,7 @@ Points In_between_shape::points(std::size_t number, int surface) const
 void In_between_shape::close_gaps(Trees& trees)
 {
   for (const Touch& hold : blend_.holds) {
-    const auto [moved, carrier] = hold.parts;
+    const std::size_t moved = hold.parts[0], carrier = hold.parts[1];
     contacts::Closest_pair closest;
     trees[moved]->improve_closest(*trees[carrier], closest);
     const double gap = std::sqrt(closest.squared), excess = gap - hold.allowed_gap(t_);
