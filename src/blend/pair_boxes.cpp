@@ -89,11 +89,4 @@ double needless_turn(const Pair_charts& charts)
   return turn(charts) - least;
 }
 
-double change(const Pair_charts& charts)
-{
-  constexpr double thin = 0.05; // of the height: among thin parts, how many times as thick is hardly seen
-  const Point from = charts.source.half_extents().array() + thin, to = charts.target.half_extents().array() + thin;
-  return turn(charts) + from.cwiseQuotient(to).array().log().abs().sum();
-}
-
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,10 +18,6 @@ Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
 /// \param own_axes of the surfaces, rotations
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes);
 
-/// How much one chart has to change to become the other: the angle by which it turns, in radians, and how many times
-/// as long its extents become.
-double change(const Pair_charts& charts);
-
 /// The angle by which the one turns to become the other, in radians, and by how much that is more than the least one
 /// over the symmetries of boxes.
 double turn(const Pair_charts& charts);

@@ -103,7 +103,6 @@ TEST_CASE("The axes of boxes are paired for the least rotation; a box has its ow
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitZ()).toRotationMatrix();
   slanted.points = turn * slanted.points;
   CHECK(internal::turn(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
-  CHECK(internal::change(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
 }
 
 TEST_CASE("Coordinates relative to outlines: a round one and one with corners are the same disc")

@@ -63,9 +63,9 @@ struct Blend_surface
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///
-/// In a *schedule*, the groups of unmatched parts change from the ground up or from the top down; the better one is that
-/// with fewer measures of `Blend_quality` over their tolerances, from the ground up if these are as many. `check()`
-/// returns which tolerances are exceeded. Deterministic.
+/// In a *schedule*, the groups of unmatched parts change from the ground up or from the top down; the better one is
+/// that with fewer measures of `Blend_quality` over their tolerances, from the ground up if these are as many.
+/// `check()` returns which tolerances are exceeded. Deterministic.
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
