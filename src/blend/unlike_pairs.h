@@ -30,12 +30,19 @@ struct Difference
   /// \param are_whole of whole parts, or of their shares of the whole if these differ less, the extents are compared
   Difference(const std::array<Part_chart, 2>& charts, bool are_whole, const Blend_stage& stage);
 
-  static constexpr double little_turn = 0.6, little_change = 1.2;
+  static constexpr double little_turn = 0.6, little_change = 1.2, little_way = 0.25, little_way_by_size = 1. / 8;
+  static constexpr double most_turn = 0.8, most_change = 1.8, most_way = 0.4, most_way_by_size = 0.5;
 
   /// Whether pieces of parts may morph.
-  bool is_little() const { return turn <= little_turn && change <= little_change && way <= 0.25 + size / 8; }
+  bool is_little() const
+  {
+    return turn <= little_turn && change <= little_change && way <= little_way + little_way_by_size * size;
+  }
   /// Whether even whole parts, or pieces of parts that are alike together, may not.
-  bool is_too_much() const { return turn > 0.8 || change > 1.8 || way > 0.4 + size / 2; }
+  bool is_too_much() const
+  {
+    return turn > most_turn || change > most_change || way > most_way + most_way_by_size * size;
+  }
   double sum() const { return turn + change + way; }
 
   double turn;   ///< in radians
