@@ -35,15 +35,11 @@ struct Blend_part
   std::shared_ptr<const Part_morph> morph; ///< of a matched part
   Part_mesh mesh;                          ///< of another one, which shrinks or grows
   double needless_turn = 0;                ///< of a matched part, beyond the least one, in radians
-  double difference = 0;                   ///< how much happens to a matched part
-  bool is_loose = false;                   ///< whether that is much
   std::vector<Tree> trees;                 ///< by surface, at its end
   std::vector<Rest_surface> rests;         ///< by surface
   double size = 0;                         ///< the longer diagonal of the boxes of its surfaces
 
   bool is_matched() const { return bool(morph); }
-  /// Whether it is matched, but its surface is exchanged on the way.
-  bool is_exchanged() const { return morph && !morph->is_map(); }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
   /// Of an unmatched part: its number at that end.

@@ -3,7 +3,6 @@
 
 #include "blend/Blend_structure.h"
 
-#include "blend/apart_pairs.h"
 #include "blend/change_groups.h"
 #include "blend/surface_components.h"
 #include "blend/unlike_pairs.h"
@@ -114,15 +113,16 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
       heights_(stage.heights(options.size))
 {
   Unlike_pairs unlike;
-  do {
-    parts = matched_parts(stage, correspondence, unlike);
-    for (Blend_part& part : unmatched_parts(stage, unlike, parts))
-      parts.push_back(std::move(part));
-    touches = internal::touches(stage, parts, options.contact_tolerance);
-    holds = kept_holds(parts, touches);
-    chains = unmatched_chains(stage, parts, touches);
-    groups = change_groups(stage, unlike.all, parts, chains);
-  } while (take_apart_pairs(stage, *this, unlike));
+  parts = matched_parts(stage, correspondence, unlike);
+  for (Blend_part& part : unmatched_parts(stage, unlike, parts))
+    parts.push_back(std::move(part));
+  touches = internal::touches(stage, parts, options.contact_tolerance);
+  for (int end : {0, 1})
+    warps.emplace_back(stage, parts, unlike.all, end);
+  chains = unmatched_chains(stage, parts, touches);
+  for (const Unmatched_chain& chain : chains)
+    lattices.emplace_back(warps[std::size_t(chain.end)], chain.box);
+  groups = change_groups(stage, unlike.all, parts, chains);
   for (std::size_t end : {0u, 1u}) {
     looks.emplace_back(parts, int(end));
     if (is_symmetric) end_asymmetry[end] = end_asymmetry_of(stage.meshes[end]);

@@ -5,6 +5,7 @@
 
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
+#include "blend/Space_warp.h"
 #include "blend/Unmatched_chain.h"
 #include "blend/touches.h"
 
@@ -59,8 +60,9 @@ public:
   std::array<Segmented_shape, 2> shapes; ///< in the world, moved onto the stage
   std::vector<Blend_part> parts;
   std::vector<Touch> touches;
-  std::vector<Touch> holds; ///< of matched parts, see `kept_holds()`
+  std::vector<Space_warp> warps; ///< by end
   std::vector<Unmatched_chain> chains;
+  std::vector<Warp_lattice> lattices;           ///< by chain
   std::vector<std::size_t> groups;              ///< by part: parts of one group come and go at one time
   bool is_symmetric = false;                    ///< both shapes have the mirror plane x = 0
   std::array<contacts::Box, 2> boxes;           ///< of the shapes

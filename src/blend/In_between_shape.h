@@ -47,14 +47,12 @@ public:
   Trees trees() const;
 
 private:
-  void close_gaps(Trees& trees);
-  void place(const Unmatched_chain& chain, const Task_times& times, const Trees& matched);
+  void place_chains(const Task_times& times);
   void fill_the_height();
 
   const Blend_structure& blend_;
   double t_;
   std::vector<Points> points_; ///< by part
-  std::vector<Point> shifts_;  ///< by part, of a matched one
   std::vector<int> surface_;
   Eigen::Affine3d stretch_ = Eigen::Affine3d::Identity(); ///< of the whole
 };

@@ -7,30 +7,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
 
-Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool is_map)
-    : is_map_(is_map), charts_(charts)
+Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target) : charts_(charts)
 {
   constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
-  constexpr double any_edge = std::numeric_limits<double>::infinity();
   for (std::size_t end : {0u, 1u}) {
     const Part_mesh& given = end == 0 ? source : target;
     Part_chart& chart = end == 0 ? charts_.source : charts_.target;
-    const bool has_outline = is_map || chart.is_sheet();
-    Charted_mesh mesh = is_map ? finely_charted(given, chart, longest_edge)
-                               : charted_mesh(given, chart, has_outline ? longest_edge : any_edge);
-    if (has_outline) outlines_[end] = Chart_outline(chart.is_sheet(), mesh.coordinates);
+    Charted_mesh mesh = finely_charted(given, chart, longest_edge);
+    outlines_[end] = Chart_outline(chart.is_sheet(), mesh.coordinates);
     for (Eigen::Index i = 0; i < mesh.coordinates.cols(); ++i)
       mesh.coordinates.col(i) = outlines_[end].relative(mesh.coordinates.col(i));
     surfaces_.emplace_back(mesh);
   }
-  if (is_map)
-    lay();
-  else
-    surfaces_[0].end = surfaces_[1].begin = exchange;
+  lay();
 }
 
 /// Lays the surfaces on each other.

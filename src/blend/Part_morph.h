@@ -18,19 +18,15 @@ struct Charted_mesh;
 /// How the surface of a part becomes that of its counterpart. There is one surface at any time, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
 ///
-/// If there is a *map*, the source's surface, in coordinates of its chart relative to the part's outline there, moves
-/// to the nearest places of the target's; then that takes over where the first has come to, and what the first could
-/// not reach grows out of it, so nothing jumps. Else the surfaces are stretched with the box between those of both
-/// ends, those of plates have the same outline, too, and the target's is exchanged for the source's on the way.
+/// The source's surface, in coordinates of its chart relative to the part's outline there, moves to the nearest places
+/// of the target's; then that takes over where the first has come to, and what the first could not reach grows out of
+/// it, so nothing jumps.
 class Part_morph
 {
 public:
-  static constexpr double exchange = 0.45; ///< when surfaces without a map are exchanged: half-way, all are new
-
   /// \param charts of both ends, between which the surfaces are on the way
-  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool is_map);
+  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target);
 
-  bool is_map() const { return is_map_; }
   /// When the target's surface takes over from the source's.
   double change() const { return surfaces_[0].end; }
   /// The surface that there is at `t`: 0, the source's, or 1.
@@ -65,7 +61,6 @@ private:
   Part_chart chart_at(double t) const { return Part_chart::between(charts_.source, charts_.target, t); }
   Chart_outline outline_at(double t) const { return Chart_outline::between(outlines_[0], outlines_[1], t); }
 
-  bool is_map_;
   Pair_charts charts_;
   std::array<Chart_outline, 2> outlines_; ///< by end
   std::vector<Moving_surface> surfaces_;  ///< by end

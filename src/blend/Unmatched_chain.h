@@ -13,21 +13,11 @@ namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-/// Where a chain touches a matched part.
-struct Anchor
-{
-  Point at;
-  std::size_t part = 0;
-  Point coordinates = Point::Zero(); ///< of the part, there
-};
-
-/// Unmatched parts of an end that touch each other: they go with the matched parts that they touch, and come or go as
-/// one.
+/// Unmatched parts of an end that touch each other: they come or go as one.
 struct Unmatched_chain
 {
   int end = 0;
   std::vector<std::size_t> parts; ///< of the blend
-  std::vector<Anchor> anchors;
   contacts::Box box;
   Point root = Point::Zero(); ///< what it shrinks to, and grows from
 

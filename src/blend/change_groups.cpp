@@ -42,20 +42,6 @@ std::vector<std::size_t> change_groups(const Blend_stage& stage, const Part_pair
       }
       sets.unite(part, best);
     }
-  constexpr double inside = 0.8;               // of a part's box
-  std::size_t exchanged = Blend_task::no_part; // the first of the parts that are exchanged in place
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!parts[i].is_exchanged()) continue;
-    if (exchanged == Blend_task::no_part) exchanged = i;
-    sets.unite(i, exchanged);
-    const std::array<std::size_t, 2> given = {parts[i].task.source, parts[i].task.target};
-    for (std::size_t end : {0u, 1u})
-      for (std::size_t part : going[end]) {
-        const auto [s, t] =
-            end == 0 ? std::pair(parts[part].given(), given[1]) : std::pair(given[0], parts[part].given());
-        if (shared_place(stage, s, t) > inside) sets.unite(part, i);
-      }
-  }
   std::vector<std::size_t> result;
   for (std::size_t part = 0; part < parts.size(); ++part)
     result.push_back(sets[part]);

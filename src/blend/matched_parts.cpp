@@ -96,16 +96,9 @@ private:
     const Part_mesh first = piece_of(source.points, source.triangles, from, pair.source_piece);
     const Part_mesh second = piece_of(target.points, target.triangles, to, pair.target_piece);
     const Pair_charts boxes = pair_boxes({&first.points, &second.points}, {from.axes(), to.axes()});
-    auto morph = std::make_shared<const Part_morph>(boxes, first, second, true);
-    const bool has_map = !is_torn(*morph);
-    if (!has_map) {
-      if (uses_[0][pair.source] > 1 && uses_[1][pair.target] > 1) return result;
-      morph = std::make_shared<const Part_morph>(boxes, first, second, false);
-    }
-    const Difference difference(piece_charts(pair, stage_.charted[0], stage_.charted[1]), is_whole(pair), stage_);
+    const auto morph = std::make_shared<const Part_morph>(boxes, first, second);
+    if (is_torn(*morph)) return result;
     result.morph = morph;
-    result.difference = difference.sum();
-    result.is_loose = !has_map || !difference.is_little();
     result.needless_turn = needless_turn(boxes);
     result.set_ends();
     return result;
@@ -133,7 +126,6 @@ Blend_obstacle obstacle_of(int end, std::size_t given, const Unlike_pairs& unlik
   for (const auto& pair : unlike.all) {
     if ((end == 0 ? pair.first : pair.second) != given) continue;
     if (unlike.torn.count(pair) > 0) return Blend_obstacle::TORN;
-    if (unlike.apart.count(pair) > 0) return Blend_obstacle::APART;
     result = Blend_obstacle::UNLIKE;
   }
   return result;

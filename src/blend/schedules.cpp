@@ -39,7 +39,6 @@ Blend_quality quality_of(const Blend_structure& blend, const Task_times& times, 
 struct Timed_group
 {
   std::array<bool, 2> is_at = {false, false}; ///< by end
-  bool is_fixed = false;                      ///< with matched parts, whose surfaces are exchanged
   double height = 0, size = 0;                ///< sums over its parts, of heights times sizes and of sizes
   std::array<double, 2> times = {0, 0};
 
@@ -52,7 +51,6 @@ Timed_groups timed_groups(const std::vector<Blend_part>& parts, const std::vecto
 {
   Timed_groups result;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].is_exchanged()) result[groups[i]].is_fixed = true;
     if (parts[i].is_matched()) continue;
     Timed_group& group = result[groups[i]];
     group.is_at[std::size_t(parts[i].end())] = true;
@@ -63,16 +61,13 @@ Timed_groups timed_groups(const std::vector<Blend_part>& parts, const std::vecto
 }
 
 /// One group after the other, each so quickly that old and new parts are hardly seen together: first those that go,
-/// then those that are exchanged, then those that come; of these, from the ground up or from the top down. Parts that
-/// are exchanged in place have one time, and others with them.
+/// then those that are exchanged, then those that come; of these, from the ground up or from the top down.
 void put_in_turn(Timed_groups& groups, bool from_the_ground)
 {
   constexpr double longest = 0.08, exchange = 0.004;
   constexpr std::array<double, 4> bounds = {0.15, 0.35, 0.55, 0.75}; // of the times of each kind
   std::array<std::map<Steps, std::vector<Timed_group*>>, 3> kinds;   // by height: what is as high changes at one time
   for (auto& [number, group] : groups) {
-    group.times = {Part_morph::exchange - exchange, Part_morph::exchange};
-    if (group.is_fixed) continue;
     const Steps height = quantized(group.height / group.size);
     kinds[group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2][from_the_ground ? height : -height].push_back(&group);
   }

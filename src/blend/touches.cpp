@@ -3,7 +3,6 @@
 
 #include "blend/touches.h"
 
-#include "base/quantized.h"
 #include "blend/Blend_stage.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -11,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -35,28 +32,6 @@ std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_par
   std::vector<Touch> result;
   for (const auto& [pair, touch] : found)
     result.push_back(touch);
-  return result;
-}
-
-std::vector<Touch> kept_holds(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
-{
-  std::vector<std::pair<Steps, std::size_t>> order; // the largest first
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    if (parts[part].is_matched()) order.emplace_back(-quantized(parts[part].size), part);
-  std::sort(order.begin(), order.end());
-  std::vector<std::size_t> rank(parts.size(), order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    rank[order[i].second] = i;
-  std::vector<std::optional<Touch>> holds(order.size()); // by rank
-  for (Touch touch : touches) {
-    if (!touch.is_kept()) continue;
-    if (rank[touch.parts[0]] < rank[touch.parts[1]]) std::swap(touch.parts[0], touch.parts[1]);
-    std::optional<Touch>& known = holds[rank[touch.parts[0]]];
-    if (!known || rank[touch.parts[1]] < rank[known->parts[1]]) known = touch;
-  }
-  std::vector<Touch> result;
-  for (const std::optional<Touch>& hold : holds)
-    if (hold) result.push_back(*hold);
   return result;
 }
 

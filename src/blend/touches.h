@@ -30,8 +30,4 @@ struct Touch
 /// \param tolerance what is nearer than this touches
 std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance);
 
-/// How matched parts hang together: of each that touches larger ones at both ends, the touch with the largest of these.
-/// First in a touch is the smaller part; larger ones come before what they carry.
-std::vector<Touch> kept_holds(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches);
-
 } // namespace CGAL::Shape_correspondence::internal

@@ -64,29 +64,26 @@ double change_of_extents(const Point& from, const Point& to)
   return ((from.array() + thin) / (to.array() + thin)).log().abs().sum();
 }
 
-/// The box around parts of an end.
-Part_chart chart_around(const Blend_stage& stage, std::size_t end, const std::vector<std::size_t>& parts)
+Part_chart chart_of(const contacts::Box& box)
 {
-  contacts::Box box;
-  for (std::size_t part : parts)
-    box.extend(box_of(stage.meshes[end][part].points));
   Points corners(3, 2);
   corners << box.min(), box.max();
   return Part_chart::box(corners, Eigen::Matrix3d::Identity());
 }
 
-/// By source part, whether it is in a set of one part and all those that it corresponds to, which together are much
-/// like it, as the slats of a seat and a seat are.
-std::vector<char> parts_alike_together(const Blend_stage& stage, const Part_pairs& paired)
+/// Minus how much of their place two parts share, and the parts.
+using Placed_pair = std::pair<Steps, Part_pairs::value_type>;
+
+/// Whether one of two parts is nearly as much in the place of another.
+bool has_rival(const Placed_pair& placed, const std::vector<Placed_pair>& all)
 {
-  std::vector<char> result(stage.meshes[0].size(), 0);
-  for (const Connected_parts& set : connected_parts(paired, stage.meshes[0].size(), stage.meshes[1].size())) {
-    if (set.source.size() > 1 && set.target.size() > 1) continue;
-    const Difference difference({chart_around(stage, 0, set.source), chart_around(stage, 1, set.target)}, true, stage);
-    for (std::size_t part : set.source)
-      result[part] = difference.change <= Difference::little_change && !difference.is_too_much();
-  }
-  return result;
+  constexpr double nearly = 0.8; // of the shared place
+  const auto share = [](const Placed_pair& of) { return -double(of.first); };
+  return std::any_of(all.begin(), all.end(), [&](const Placed_pair& other) {
+    const bool has_source = other.second.first == placed.second.first,
+               has_target = other.second.second == placed.second.second;
+    return has_source != has_target && share(other) >= nearly * share(placed);
+  });
 }
 
 } // namespace
@@ -109,6 +106,28 @@ Difference::Difference(const std::array<Part_chart, 2>& charts, bool are_whole, 
   way = relative.cwiseProduct((stage.boxes[0].sizes() + stage.boxes[1].sizes()) / 2).norm();
 }
 
+Difference::Difference(const std::array<contacts::Box, 2>& boxes, const Blend_stage& stage)
+    : Difference(std::array<Part_chart, 2>{chart_of(boxes[0]), chart_of(boxes[1])}, true, stage)
+{}
+
+bool Difference::keeps_shape() const
+{
+  constexpr double most_turn = 0.6, most_change = 1.2;
+  return turn <= most_turn && change <= most_change;
+}
+
+bool Difference::is_little() const
+{
+  constexpr double most_way = 0.25, by_size = 1. / 8;
+  return keeps_shape() && way <= most_way + by_size * size;
+}
+
+bool Difference::stays_near() const
+{
+  constexpr double most_way = 0.4, by_size = 0.5;
+  return way <= most_way + by_size * size;
+}
+
 double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target)
 {
   return overlap(relative_box(stage, 0, source), relative_box(stage, 1, target));
@@ -123,12 +142,12 @@ Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, 
     is_used[0][s] = is_used[1][t] = 1;
   for (const auto& [s, t] : unlike.all)
     has_counterpart[0][s] = has_counterpart[1][t] = 1;
-  std::vector<std::pair<Steps, Part_pairs::value_type>> alike; // by how little they overlap
+  std::vector<Placed_pair> alike;
   for (std::size_t s = 0; s < is_used[0].size(); ++s)
     for (std::size_t t = 0; t < is_used[1].size(); ++t) {
       const std::pair pair(s, t);
       const bool correspond = std::binary_search(unlike.all.begin(), unlike.all.end(), pair);
-      if (is_used[0][s] || is_used[1][t] || unlike.torn.count(pair) > 0 || unlike.apart.count(pair) > 0) continue;
+      if (is_used[0][s] || is_used[1][t] || unlike.torn.count(pair) > 0) continue;
       if (!correspond && (has_counterpart[0][s] || has_counterpart[1][t])) continue;
       const double shared = overlap(relative_box(stage, 0, s), relative_box(stage, 1, t));
       if (shared <= same_place) continue;
@@ -136,8 +155,9 @@ Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, 
         alike.emplace_back(-quantized(shared), pair);
     }
   std::sort(alike.begin(), alike.end());
-  for (const auto& [cost, pair] : alike) {
-    if (is_used[0][pair.first] || is_used[1][pair.second]) continue;
+  for (const Placed_pair& placed : alike) {
+    const auto& pair = placed.second;
+    if (is_used[0][pair.first] || is_used[1][pair.second] || has_rival(placed, alike)) continue;
     is_used[0][pair.first] = is_used[1][pair.second] = 1;
     paired.push_back(pair);
   }
@@ -156,18 +176,13 @@ void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pair
     sets.unite(s, source_image);
     sets.unite(sources + t, sources + target_image);
   }
-  const std::vector<char> are_alike_together = parts_alike_together(stage, paired);
   std::vector<char> is_unlike(sets.size(), 0); // by set, whether a pair in it is: a part is divided as a whole
-  for (const Pair_set* known : {&unlike.torn, &unlike.apart})
-    for (const auto& [s, t] : *known)
-      is_unlike[sets[s]] = 1;
+  for (const auto& [s, t] : unlike.torn)
+    is_unlike[sets[s]] = 1;
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
     if (known) continue;
-    const Difference difference(piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece), stage);
-    const bool is_one =
-        is_whole(piece) || (are_alike_together[piece.source] && difference.turn <= Difference::little_turn);
-    known = is_one ? difference.is_too_much() : !difference.is_little();
+    known = !Difference(piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece), stage).is_little();
   }
   const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
                                                   [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });

@@ -5,10 +5,12 @@
 
 #include "map/Piece_pair.h"
 #include "map/matched_members.h"
+#include "shape/Triangle_tree.h"
 
 #include <array>
 #include <cstddef>
 #include <set>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -20,30 +22,24 @@ using Pair_set = std::set<Part_pairs::value_type>;
 struct Unlike_pairs
 {
   Part_pairs all;
-  Pair_set torn;  ///< of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map
-  Pair_set apart; ///< those that would come off what they touch
+  Pair_set torn; ///< of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map
 };
 
-/// How much has to happen to a part, or a piece, to become another. Lengths are over the height.
+/// How much has to happen to a part, a piece, or the box around several parts to become another. Lengths are over the
+/// height.
 struct Difference
 {
   /// \param are_whole of whole parts, or of their shares of the whole if these differ less, the extents are compared
   Difference(const std::array<Part_chart, 2>& charts, bool are_whole, const Blend_stage& stage);
+  /// Of the boxes around parts.
+  Difference(const std::array<contacts::Box, 2>& boxes, const Blend_stage& stage);
 
-  static constexpr double little_turn = 0.6, little_change = 1.2, little_way = 0.25, little_way_by_size = 1. / 8;
-  static constexpr double most_turn = 0.8, most_change = 1.8, most_way = 0.4, most_way_by_size = 0.5;
-
-  /// Whether pieces of parts may morph.
-  bool is_little() const
-  {
-    return turn <= little_turn && change <= little_change && way <= little_way + little_way_by_size * size;
-  }
-  /// Whether even whole parts, or pieces of parts that are alike together, may not.
-  bool is_too_much() const
-  {
-    return turn > most_turn || change > most_change || way > most_way + most_way_by_size * size;
-  }
-  double sum() const { return turn + change + way; }
+  /// Whether the shape stays much the same.
+  bool keeps_shape() const;
+  /// Whether that and the place do, so that the one may morph to the other.
+  bool is_little() const;
+  /// Whether the place is in the same region.
+  bool stays_near() const;
 
   double turn;   ///< in radians
   double change; ///< of the extents, in logarithms, summed
@@ -54,11 +50,11 @@ struct Difference
 /// Takes out the pairs whose parts, or pieces of them, would have to turn, to change their proportions or to travel
 /// much to become each other: legs cut up for a star base, slats across spindles. With a pair of pieces go all
 /// others of its parts, as a part is divided as a whole, and their mirror images.
-/// \param unlike gets the pairs; those that are torn or apart are taken out, too
+/// \param unlike gets the pairs; those that are torn are taken out, too
 void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pairs& paired);
 
 /// Pairs, and those of parts that are in none of them, alike in place and size: both correspond, but to others, too, or
-/// neither has a counterpart.
+/// neither has a counterpart. None of both is as much in the place of another.
 Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired);
 
 /// How much of the place of the smaller one of two parts is that of the other, in the boxes around the shapes: what is

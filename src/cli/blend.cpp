@@ -28,9 +28,9 @@ const char* const blend_help =
 
 Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
 ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way, by a
-map between the two surfaces; where there is none, both are stretched, and the new one takes the place of the old one.
-Parts without counterpart, or too unlike it, keep their shape and hold on to what they touch: the old ones shrink quickly
-as the new ones grow. Parts in contact stay in contact. The first frame is the source, the last one the target.
+map between the two surfaces. Parts without counterpart, or too unlike it, move with the space around them, which the
+others bend, so that they hold on to what they touch: new ones take the place of old ones. The first frame is the
+source, the last one the target.
 
 With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
 plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
@@ -211,8 +211,7 @@ void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, con
        {std::pair(Blend_obstacle::TORN, "surfaces would be torn"),
         std::pair(Blend_obstacle::UNLIKE,
                   "they would have to turn, to change their proportions, to travel or to be cut "
-                  "up too much to become their counterparts"),
-        std::pair(Blend_obstacle::APART, "they would come off what they touch")}) {
+                  "up too much to become their counterparts")}) {
     std::string names, others;
     for (const Blend_task& task : tasks) {
       if (task.obstacle != reason) continue;

@@ -128,7 +128,7 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
       CHECK(blend.check(t).quality.support <= Shape_blend::support_tolerance);
       CHECK(blend.check(t).quality.gone <= 1.2 * Shape_blend::gone_tolerance); // seats rise where backs go
       CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
-      CHECK(blend.check(t).quality.volume <= 2.5 * Shape_blend::volume_tolerance); // a cushion comes at once
+      CHECK(blend.check(t).quality.volume <= 5 * Shape_blend::volume_tolerance); // a cushion is thick where a back was
     }
   }
 }
@@ -167,7 +167,7 @@ TEST_CASE("What one part becomes, its mirror image becomes the mirror image of; 
   CHECK(blend.check(0.5).quality.asymmetry <= blend.check(0).quality.asymmetry + Shape_blend::symmetry_tolerance);
 }
 
-TEST_CASE("A part that would be in the air between the ends does not morph")
+TEST_CASE("A part that is in the air between the ends is told")
 {
   // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only
   const auto stand = [](double height_of_peg) {
@@ -187,10 +187,12 @@ TEST_CASE("A part that would be in the air between the ends does not morph")
   same.pairs = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
   const Shape_blend blend = blend_of(high, low, same);
   CHECK(blend.check(0).quality.asymmetry < 0.02);
-  for (const Blend_task& task : blend.schedules()[0].tasks)
-    CHECK((task.obstacle == Blend_obstacle::APART) == (task.source == 3 || task.target == 3));
-  for (double t : {0., 0.2, 0.5, 0.8, 1.})
+  for (double t : {0., 1.})
     CHECK(blend.check(t).faults.empty());
+  const std::vector<std::string> faults = blend.check(0.5).faults;
+  CHECK(std::any_of(faults.begin(), faults.end(), [](const std::string& fault) {
+    return fault.find("farther from all others") != std::string::npos;
+  }));
 }
 
 TEST_CASE("Contacts of mirror images are kept alike, though one of them is just too wide to count as touching")

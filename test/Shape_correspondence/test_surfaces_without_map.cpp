@@ -76,7 +76,7 @@ TEST_CASE("Of parts without counterpart, two alike in one place become each othe
     CHECK(task.obstacle == Blend_obstacle::NONE);
     if (task.source == 3) CHECK(task.target == 3);
   }
-  winged.push_back({"other", {-0.1, 1.2, 0.28}, {0.8, 0.4, 0.04}}); // not as much in its place
+  winged.push_back({"other", {0.02, 1.2, 0.255}, {0.8, 0.4, 0.04}}); // not as much in its place
   const std::vector<Blend_task> tasks = blend_of(model_of(armed), model_of(winged), same_parts(3)).schedules()[0].tasks;
   CHECK(std::count_if(tasks.begin(), tasks.end(),
                       [](const Blend_task& task) { return task.type == Blend_task_type::EXCHANGE; }) == 1);

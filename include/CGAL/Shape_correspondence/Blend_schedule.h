@@ -32,11 +32,10 @@ enum class Blend_task_type {
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Why a part does not become its counterpart.
 enum class Blend_obstacle {
-  NONE,   ///< it does, or has no counterpart
-  TORN,   ///< it would be torn or folded
-  UNLIKE, ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to
-          ///< be cut up too much
-  APART   ///< it would come off what it touches
+  NONE,  ///< it does, or has no counterpart
+  TORN,  ///< it would be torn or folded
+  UNLIKE ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to
+         ///< be cut up too much
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

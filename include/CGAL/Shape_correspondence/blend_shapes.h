@@ -48,18 +48,17 @@ struct Blend_surface
 /// - *Stage*: every shape stands on the ground with the middle of its box, or its mirror plane, above the origin, in
 ///   the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
-///   and rotation; the axes of boxes are paired for the least rotation. Where the gap between two that touch at both
-///   ends would open, the smaller one is moved to the larger one. The whole stands, and is as high as is due between
-///   the ends.
-/// - *Matched parts* morph in their boxes, by a map in coordinates relative to their cross-sections. Where the surface
-///   would be torn, it is stretched with its box instead, and the target's is exchanged for it just before half-way. A
-///   part that corresponds to many is cut into closed pieces, one for each.
-/// - *Unmatched parts* have no counterpart, or would have to turn, to change their proportions, to travel or to be cut
-///   up too much to become it, or would come off what they touch (`Blend_obstacle`). They keep their shape. Two that
-///   are alike in place and size become each other (`Blend_task_type::EXCHANGE`). What touches each other moves as one,
-///   holds on to the matched parts that it touches, stretched along the axes by factors between 0.7 and 1.4, or 0.4 and
-///   2.5 where it joins such parts, and stands. Unmatched parts shrink to where they are held, or grow from there, in
-///   groups, one after the other, each quickly: old parts go as what takes their place comes.
+///   and rotation; the axes of boxes are paired for the least rotation. The whole stands, and is as high as is due
+///   between the ends.
+/// - *Matched parts* morph in their boxes, by a map in coordinates relative to their cross-sections. A part that
+///   corresponds to many is cut into closed pieces, one for each.
+/// - *Unmatched parts* have no counterpart, or would be torn on the way to it, or would have to turn, to change their
+///   proportions, to travel or to be cut up too much (`Blend_obstacle`). Two that are alike in place and size become
+///   each other (`Blend_task_type::EXCHANGE`). Unmatched parts ride on a warp of the space around their end, a
+///   smoothing spline: it moves with the surfaces of matched parts, with the boxes of parts that correspond, and with
+///   the box around the whole, and smoothly between these, so that parts hold on to what they touch. They shrink to
+///   where they are held, or grow from there, in groups, one after the other, each quickly: old parts go as what takes
+///   their place comes.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///

@@ -26,7 +26,7 @@ const char* task_name(Blend_task_type type)
 
 const char* obstacle_name(Blend_obstacle obstacle)
 {
-  static constexpr const char* names[] = {"", "torn", "unlike", "apart"};
+  static constexpr const char* names[] = {"", "torn", "unlike"};
   return names[int(obstacle)];
 }
 

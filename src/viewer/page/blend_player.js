@@ -53,8 +53,7 @@ export class BlendPlayer {
     for (const task of blend.tasks) {
       const reason = task.task === 'exchange' ? ': none has a counterpart, and they are in the same place'
         : task.obstacle === 'unlike' ? ': too unlike its counterpart'
-          : task.obstacle === 'apart' ? ': it would come off what it touches'
-            : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '';
+          : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '';
       element('span', `${task.task}: ${taskName(task)}`, bars).title = taskName(task) + reason;
       const bar = element('b', '', element('span', '', bars));
       bar.className = task.task;

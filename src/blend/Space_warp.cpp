@@ -1,0 +1,250 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/Space_warp.h"
+
+#include "blend/Blend_stage.h"
+#include "blend/mirror_images.h"
+#include "blend/unlike_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// The corners of a box, or more points evenly in its upper and lower face. A flat box is made thicker, as points in a
+/// plane define no motion of space.
+Points box_points(const contacts::Box& box, int cells)
+{
+  constexpr double thin = 0.01; // of the height
+  const Point sizes = box.sizes().cwiseMax(thin);
+  Points result(3, 2 * (cells + 1) * (cells + 1));
+  Eigen::Index at = 0;
+  for (int i = 0; i <= cells; ++i)
+    for (int j = 0; j <= cells; ++j)
+      for (int level : {0, 1})
+        result.col(at++) = box.min() + Point(double(i) / cells, level, double(j) / cells).cwiseProduct(sizes);
+  return result;
+}
+
+/// Points of a surface, each as far as can be from those before.
+Points spread_points(const Points& surface, Eigen::Index count)
+{
+  Points result(3, std::min(count, surface.cols()));
+  Eigen::RowVectorXd distances = (surface.colwise() - surface.rowwise().mean()).colwise().squaredNorm();
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    Eigen::Index farthest = 0;
+    distances.maxCoeff(&farthest);
+    result.col(i) = surface.col(farthest);
+    const Eigen::RowVectorXd to_it = (surface.colwise() - result.col(i)).colwise().squaredNorm();
+    distances = i == 0 ? to_it : Eigen::RowVectorXd(distances.cwiseMin(to_it));
+  }
+  return result;
+}
+
+contacts::Box box_around(const Blend_stage& stage, std::size_t end, const std::vector<std::size_t>& parts)
+{
+  contacts::Box result;
+  for (std::size_t part : parts)
+    result.extend(box_of(stage.meshes[end][part].points));
+  return result;
+}
+
+} // namespace
+
+Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike,
+                       int end)
+    : end_(end)
+{
+  add_whole(stage.boxes);
+  add_surfaces(stage, parts);
+  add_sets(stage, unlike);
+  for (int axis = 0; axis < 3; ++axis)
+    solvers_[std::size_t(axis)].compute(system(axis));
+}
+
+void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, const std::array<double, 3>& smoothing)
+{
+  const Points at = box_points(boxes[std::size_t(end_)], cells),
+               at_other_end = box_points(boxes[std::size_t(1 - end_)], cells);
+  for (Eigen::Index i = 0; i < at.cols(); ++i)
+    controls_.push_back({at.col(i), at_other_end.col(i), smoothing, at.col(i)});
+}
+
+/// What stands on the ground stays there.
+void Space_warp::add_whole(const std::array<contacts::Box, 2>& boxes)
+{
+  constexpr double on_ground = 0.02, elsewhere = 0.3; // of the height
+  constexpr int cells = 2;                            // the ground is held in its middle, too
+  add_box(boxes, cells, {elsewhere, elsewhere, elsewhere});
+  for (Control& control : controls_)
+    if (control.at.y() <= boxes[std::size_t(end_)].min().y()) control.smoothing[1] = on_ground;
+}
+
+/// Adds a point on a matched part, or on the nearest of its pieces.
+void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near)
+{
+  constexpr double smoothing = 0.005; // of the height
+  Control control{near, near, {smoothing, smoothing, smoothing}};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t piece : parts_of(parts, end_, given)) {
+    std::size_t triangle = 0;
+    const Point at = parts[piece].end_tree(end_).nearest(near, triangle);
+    const double distance = (at - near).norm();
+    if (distance < least) least = distance, control.at = at, control.part = piece;
+  }
+  const Part_morph& morph = *parts[control.part].morph;
+  control.coordinates = morph.coordinates(end_, control.at);
+  control.start = morph.place(control.coordinates, end_);
+  controls_.push_back(control);
+}
+
+/// Points of matched parts and, so that the warp between symmetric shapes is symmetric, of their mirror images.
+void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
+{
+  constexpr Eigen::Index all = 400, least = 16, most = 48;
+  const auto end = std::size_t(end_);
+  const auto matched = std::count_if(parts.begin(), parts.end(), [](const Blend_part& p) { return p.is_matched(); });
+  const Eigen::Index count = std::clamp(all / std::max<Eigen::Index>(matched, 1), least, most);
+  for (const Blend_part& part : parts) {
+    if (!part.is_matched()) continue;
+    const std::size_t given = end_ == 0 ? part.task.source : part.task.target, image = stage.images[end][given];
+    const bool has_image = image != Mirror_images::none && parts[parts_of(parts, end_, image)[0]].is_matched();
+    const Points points = spread_points(part.end_points(end_), has_image ? count / 2 : count);
+    for (const auto& at : points.colwise()) {
+      add_surface_point(parts, given, at);
+      if (has_image) add_surface_point(parts, image, mirrored(at));
+    }
+  }
+}
+
+/// Adds the boxes of parts that correspond but do not morph.
+void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
+{
+  constexpr std::array<double, 3> alike = {0.05, 0.3, 0.05}, other = {0.1, 0.5, 0.1}; // smoothing, over the height
+  for (const Connected_parts& set : connected_parts(unlike, stage.meshes[0].size(), stage.meshes[1].size())) {
+    const std::array<contacts::Box, 2> boxes = {box_around(stage, 0, set.source), box_around(stage, 1, set.target)};
+    const Difference difference(boxes, stage);
+    if (difference.stays_near()) add_box(boxes, 1, difference.keeps_shape() ? alike : other);
+  }
+}
+
+Eigen::MatrixXd Space_warp::kernels(const Points& points, int axis) const
+{
+  constexpr double across = 0.35; // how much distances along the other axes count
+  Point metric = Point::Constant(across);
+  metric[axis] = 1;
+  const Points scaled = metric.asDiagonal() * points;
+  const auto n = Eigen::Index(controls_.size());
+  Eigen::MatrixXd result(points.cols(), n + 4);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Point control = metric.cwiseProduct(controls_[std::size_t(i)].at);
+    result.col(i) = -(scaled.colwise() - control).colwise().norm().transpose();
+  }
+  result.col(n).setOnes();
+  result.rightCols(3) = points.transpose();
+  return result;
+}
+
+Eigen::MatrixXd Space_warp::system(int axis) const
+{
+  const auto n = Eigen::Index(controls_.size());
+  Points at(3, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    at.col(i) = controls_[std::size_t(i)].at;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n + 4, n + 4);
+  result.topRows(n) = kernels(at, axis);
+  for (Eigen::Index i = 0; i < n; ++i)
+    result(i, i) += controls_[std::size_t(i)].smoothing[std::size_t(axis)];
+  result.bottomLeftCorner(4, n) = result.topRightCorner(n, 4).transpose();
+  return result;
+}
+
+Space_warp::Weights Space_warp::weights(const Points& points) const
+{
+  return {kernels(points, 0), kernels(points, 1), kernels(points, 2)};
+}
+
+Eigen::MatrixX3d Space_warp::motion(const std::vector<Blend_part>& parts, double t) const
+{
+  const double done = end_ == 0 ? t : 1 - t;
+  const auto n = Eigen::Index(controls_.size());
+  Eigen::MatrixX3d due = Eigen::MatrixX3d::Zero(n + 4, 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Control& control = controls_[std::size_t(i)];
+    const bool is_free = control.part == Blend_task::no_part;
+    const Point to = is_free ? (1 - done) * control.start + done * control.at_other_end
+                             : parts[control.part].morph->place(control.coordinates, t);
+    due.row(i) = (to - control.start).transpose();
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    due.col(axis) = solvers_[std::size_t(axis)].solve(due.col(axis)).eval();
+  return due;
+}
+
+Points Space_warp::displacements(const Weights& weights, const Eigen::MatrixX3d& motion) const
+{
+  Points result(3, weights[0].rows());
+  for (int axis = 0; axis < 3; ++axis)
+    result.row(axis) = (weights[std::size_t(axis)] * motion.col(axis)).transpose();
+  return result;
+}
+
+Warp_lattice::Warp_lattice(const Space_warp& warp, const contacts::Box& box) : box_(box)
+{
+  constexpr double side = 0.12; // of the height
+  constexpr int most = 8;
+  for (int axis = 0; axis < 3; ++axis)
+    cells_[std::size_t(axis)] = std::clamp(int(std::ceil(box.sizes()[axis] / side)), 1, most);
+  weights_ = warp.weights(nodes());
+}
+
+Points Warp_lattice::nodes() const
+{
+  Points result(3, (cells_[0] + 1) * (cells_[1] + 1) * (cells_[2] + 1));
+  Eigen::Index at = 0;
+  for (int i = 0; i <= cells_[0]; ++i)
+    for (int j = 0; j <= cells_[1]; ++j)
+      for (int k = 0; k <= cells_[2]; ++k) {
+        const Point share(double(i) / cells_[0], double(j) / cells_[1], double(k) / cells_[2]);
+        result.col(at++) = box_.min() + share.cwiseProduct(box_.sizes());
+      }
+  return result;
+}
+
+Points Warp_lattice::ways(const Space_warp& warp, const Eigen::MatrixX3d& motion) const
+{
+  return warp.displacements(weights_, motion);
+}
+
+Points Warp_lattice::moved(const Points& points, const Points& ways) const
+{
+  constexpr double flat = 1e-6; // of the height: what is thinner is in the first layer of nodes
+  Points result = points;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    std::array<int, 3> cell{};
+    Point share;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int cells = cells_[std::size_t(axis)];
+      const double size = box_.sizes()[axis],
+                   along = (points(axis, i) - box_.min()[axis]) / std::max(size, flat) * cells;
+      cell[std::size_t(axis)] = std::clamp(int(std::floor(along)), 0, cells - 1);
+      share[axis] = along - cell[std::size_t(axis)];
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+      double weight = 1;
+      Eigen::Index node = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const int upper = corner >> axis & 1;
+        weight *= upper ? share[axis] : 1 - share[axis];
+        node = node * (cells_[std::size_t(axis)] + 1) + cell[std::size_t(axis)] + upper;
+      }
+      result.col(i) += weight * ways.col(node);
+    }
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

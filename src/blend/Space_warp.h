@@ -1,0 +1,82 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "blend/Blend_part.h"
+
+#include <Eigen/LU>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+struct Blend_stage;
+
+/// How the space around an end moves on the way to the other end: with the surfaces of matched parts, with the boxes
+/// around parts that correspond but do not morph, with the box around the whole, and smoothly between these. Unmatched
+/// parts ride on it, so that they hold on to what they touch.
+///
+/// Along each axis the motion is a smoothing spline with the kernel -|r|, the smoothest in space, through *controls*.
+/// Distances along the two other axes count less, so that what is straight along an axis stays so.
+class Space_warp
+{
+public:
+  /// \param unlike pairs that correspond but do not morph
+  Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike, int end);
+
+  /// By axis, a row for each point: how it moves with each coefficient of the motion.
+  using Weights = std::array<Eigen::MatrixXd, 3>;
+  Weights weights(const Points& points) const;
+
+  /// By axis, the coefficients of the motion until `t`.
+  Eigen::MatrixX3d motion(const std::vector<Blend_part>& parts, double t) const;
+  /// How points move.
+  Points displacements(const Weights& weights, const Eigen::MatrixX3d& motion) const;
+
+private:
+  /// A point that moves to a known place, as nearly as the smoothing allows.
+  struct Control
+  {
+    Point at, at_other_end;
+    std::array<double, 3> smoothing;        ///< by axis, over the height
+    Point start = Point::Zero();            ///< the same as `at`, as far as a morph is exact
+    std::size_t part = Blend_task::no_part; ///< matched, if it is on one
+    Point coordinates = Point::Zero();      ///< there
+  };
+
+  void add_box(const std::array<contacts::Box, 2>& boxes, int cells, const std::array<double, 3>& smoothing);
+  void add_whole(const std::array<contacts::Box, 2>& boxes);
+  void add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts);
+  void add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near);
+  void add_sets(const Blend_stage& stage, const Part_pairs& unlike);
+  Eigen::MatrixXd kernels(const Points& points, int axis) const;
+  Eigen::MatrixXd system(int axis) const;
+
+  int end_;
+  std::vector<Control> controls_;
+  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< by axis
+};
+
+/// A lattice over a box in which surfaces move with a warp.
+class Warp_lattice
+{
+public:
+  Warp_lattice(const Space_warp& warp, const contacts::Box& box);
+
+  /// How its nodes move.
+  Points ways(const Space_warp& warp, const Eigen::MatrixX3d& motion) const;
+  /// Points of the box when its nodes have moved.
+  Points moved(const Points& points, const Points& ways) const;
+
+private:
+  Points nodes() const;
+
+  contacts::Box box_;
+  std::array<int, 3> cells_;    ///< by axis
+  Space_warp::Weights weights_; ///< of its nodes
+};
+
+} // namespace CGAL::Shape_correspondence::internal
