@@ -104,10 +104,14 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
 /// Points of matched parts and, so that the warp between symmetric shapes is symmetric, of their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  constexpr Eigen::Index all = 400, least = 16, most = 48;
+  constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000; // so that many parts take no longer
   const auto end = std::size_t(end_);
-  const auto matched = std::count_if(parts.begin(), parts.end(), [](const Blend_part& p) { return p.is_matched(); });
-  const Eigen::Index count = std::clamp(all / std::max<Eigen::Index>(matched, 1), least, most);
+  Eigen::Index matched = 0;
+  for (const Blend_part& part : parts)
+    matched += part.is_matched();
+  if (matched == 0) return;
+  const Eigen::Index count =
+      std::min(std::clamp(all / matched, least, most), std::max<Eigen::Index>(too_many / matched, 2));
   for (const Blend_part& part : parts) {
     if (!part.is_matched()) continue;
     const std::size_t given = end_ == 0 ? part.task.source : part.task.target, image = stage.images[end][given];
