@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -74,13 +73,6 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
 /// \param unlike pairs that correspond but do not morph
 std::vector<Blend_part> unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
                                         const std::vector<Blend_part>& matched);
-
-/// Whether a box is in the middle between left and right.
-inline bool is_central(const contacts::Box& box)
-{
-  constexpr double near = 1e-3; // of the height
-  return std::abs(box.center().x()) < near;
-}
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

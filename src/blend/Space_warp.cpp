@@ -14,18 +14,18 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The corners of a box, or more points evenly in its upper and lower face. A flat box is made thicker, as points in a
-/// plane define no motion of space.
+/// The corners of a box, or more points evenly in its upper and lower face. A flat box is made thicker to both sides,
+/// as points in a plane define no motion of space.
 Points box_points(const contacts::Box& box, int cells)
 {
   constexpr double thin = 0.01; // of the height
-  const Point sizes = box.sizes().cwiseMax(thin);
+  const Point sizes = box.sizes().cwiseMax(thin), low = box.center() - sizes / 2;
   Points result(3, 2 * (cells + 1) * (cells + 1));
   Eigen::Index at = 0;
   for (int i = 0; i <= cells; ++i)
     for (int j = 0; j <= cells; ++j)
       for (int level : {0, 1})
-        result.col(at++) = box.min() + Point(double(i) / cells, level, double(j) / cells).cwiseProduct(sizes);
+        result.col(at++) = low + Point(double(i) / cells, level, double(j) / cells).cwiseProduct(sizes);
   return result;
 }
 
@@ -70,10 +70,10 @@ void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, c
   const Points at = box_points(boxes[std::size_t(end_)], cells),
                at_other_end = box_points(boxes[std::size_t(1 - end_)], cells);
   for (Eigen::Index i = 0; i < at.cols(); ++i)
-    controls_.push_back({at.col(i), at_other_end.col(i), smoothing, at.col(i)});
+    controls_.push_back({at.col(i), at_other_end.col(i), smoothing});
 }
 
-/// What stands on the ground stays there.
+/// The ground is held firmly in height, all else of the box around the whole softly.
 void Space_warp::add_whole(const std::array<contacts::Box, 2>& boxes)
 {
   constexpr double on_ground = 0.02, elsewhere = 0.3; // of the height
@@ -97,14 +97,14 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
   }
   const Part_morph& morph = *parts[control.part].morph;
   control.coordinates = morph.coordinates(end_, control.at);
-  control.start = morph.place(control.coordinates, end_);
+  control.at = morph.place(control.coordinates, end_); // the same, as far as the morph is exact there
   controls_.push_back(control);
 }
 
 /// Points of matched parts and, so that the warp between symmetric shapes is symmetric, of their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000; // so that many parts take no longer
+  constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000; // so that hundreds of parts take no longer
   const auto end = std::size_t(end_);
   Eigen::Index matched = 0;
   for (const Blend_part& part : parts)
@@ -179,9 +179,9 @@ Eigen::MatrixX3d Space_warp::motion(const std::vector<Blend_part>& parts, double
   for (Eigen::Index i = 0; i < n; ++i) {
     const Control& control = controls_[std::size_t(i)];
     const bool is_free = control.part == Blend_task::no_part;
-    const Point to = is_free ? (1 - done) * control.start + done * control.at_other_end
+    const Point to = is_free ? (1 - done) * control.at + done * control.at_other_end
                              : parts[control.part].morph->place(control.coordinates, t);
-    due.row(i) = (to - control.start).transpose();
+    due.row(i) = (to - control.at).transpose();
   }
   for (int axis = 0; axis < 3; ++axis)
     due.col(axis) = solvers_[std::size_t(axis)].solve(due.col(axis)).eval();

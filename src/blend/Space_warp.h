@@ -15,9 +15,9 @@ namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-/// How the space around an end moves on the way to the other end: with the surfaces of matched parts, with the boxes
-/// around parts that correspond but do not morph, with the box around the whole, and smoothly between these. Unmatched
-/// parts ride on it, so that they hold on to what they touch.
+/// How the space around one of the shapes moves on the way to the other one: with the surfaces of matched parts, with
+/// the boxes around parts that correspond but do not morph, with the box around the whole, and smoothly between these.
+/// Unmatched parts ride on it, so that they hold on to what they touch.
 ///
 /// Along each axis the motion is a smoothing spline with the kernel -|r|, the smoothest in space, through *controls*.
 /// Distances along the two other axes count less, so that what is straight along an axis stays so.
@@ -40,11 +40,10 @@ private:
   /// A point that moves to a known place, as nearly as the smoothing allows.
   struct Control
   {
-    Point at, at_other_end;
+    Point at, at_other_end;                 ///< the latter of a point of a box
     std::array<double, 3> smoothing;        ///< by axis, over the height
-    Point start = Point::Zero();            ///< the same as `at`, as far as a morph is exact
     std::size_t part = Blend_task::no_part; ///< matched, if it is on one
-    Point coordinates = Point::Zero();      ///< there
+    Point coordinates = Point::Zero();      ///< of the point on that part
   };
 
   void add_box(const std::array<contacts::Box, 2>& boxes, int cells, const std::array<double, 3>& smoothing);

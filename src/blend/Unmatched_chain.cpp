@@ -8,10 +8,10 @@
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -29,30 +29,22 @@ Point point_on(const std::vector<Blend_part>& parts, int end, std::size_t given,
   return result;
 }
 
-/// Where a chain is held: the middle of the places where it touches matched parts, or of its foot if it touches none.
-Point root_of(const Unmatched_chain& chain, const Blend_stage& stage, const std::vector<Blend_part>& parts)
+/// A chain, and where it touches matched parts.
+struct Held_chain
 {
+  Unmatched_chain chain;
+  std::vector<Point> places;
+};
+
+/// The middle of the places where a chain is held, or of its foot if it touches no matched part.
+Point root_of(const Held_chain& held)
+{
+  const contacts::Box& box = held.chain.box;
+  if (held.places.empty()) return {box.center().x(), box.min().y(), box.center().z()};
   Point sum = Point::Zero();
-  double count = 0;
-  const auto is_of_chain = [&](std::size_t given) {
-    const std::size_t part = parts_of(parts, chain.end, given).front();
-    return std::find(chain.parts.begin(), chain.parts.end(), part) != chain.parts.end();
-  };
-  const auto is_matched = [&](std::size_t given) {
-    return parts[parts_of(parts, chain.end, given).front()].is_matched();
-  };
-  for (const Contact& contact : structure(stage.graphs[std::size_t(chain.end)]).contacts) {
-    for (std::size_t i : {0u, 1u}) {
-      const std::size_t held = contact.parts[i], holds = contact.parts[1 - i];
-      if (!is_of_chain(held) || !is_matched(holds)) continue;
-      for (const Point& place : stage.places_of(chain.end, contact)) {
-        sum += point_on(parts, chain.end, holds, place);
-        ++count;
-      }
-    }
-  }
-  if (count > 0) return sum / count;
-  return {chain.box.center().x(), chain.box.min().y(), chain.box.center().z()};
+  for (const Point& place : held.places)
+    sum += place;
+  return sum / double(held.places.size());
 }
 
 } // namespace
@@ -63,18 +55,26 @@ std::vector<Unmatched_chain> unmatched_chains(const Blend_stage& stage, const st
   Disjoint_sets joined(parts.size());
   for (const auto& [pair, gaps] : touches)
     if (!parts[pair[0]].is_matched() && !parts[pair[1]].is_matched()) joined.unite(pair[0], pair[1]);
-  std::map<std::pair<int, std::size_t>, Unmatched_chain> found; // by end and set
+  std::map<std::pair<int, std::size_t>, Held_chain> found; // by end and set
   for (std::size_t part = 0; part < parts.size(); ++part) {
     if (parts[part].is_matched()) continue;
-    Unmatched_chain& chain = found[{parts[part].end(), joined[part]}];
+    Unmatched_chain& chain = found[{parts[part].end(), joined[part]}].chain;
     chain.end = parts[part].end();
     chain.parts.push_back(part);
     chain.box.extend(parts[part].trees[0].box());
   }
+  for (int end : {0, 1})
+    for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts)
+      for (std::size_t i : {0u, 1u}) {
+        const std::size_t part = parts_of(parts, end, contact.parts[i]).front(), holds = contact.parts[1 - i];
+        if (parts[part].is_matched() || !parts[parts_of(parts, end, holds).front()].is_matched()) continue;
+        for (const Point& place : stage.places_of(end, contact))
+          found.at({end, joined[part]}).places.push_back(point_on(parts, end, holds, place));
+      }
   std::vector<Unmatched_chain> result;
-  for (auto& [key, chain] : found) {
-    chain.root = root_of(chain, stage, parts);
-    result.push_back(std::move(chain));
+  for (auto& [key, held] : found) {
+    held.chain.root = root_of(held);
+    result.push_back(std::move(held.chain));
   }
   return result;
 }
