@@ -31,10 +31,8 @@ void Blend_part::set_ends()
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given)
 {
   std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Blend_task& task = parts[i].task;
-    if ((end == 0 ? task.source : task.target) == given) result.push_back(i);
-  }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].given(end) == given) result.push_back(i);
   return result;
 }
 

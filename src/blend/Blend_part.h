@@ -41,8 +41,8 @@ struct Blend_part
   bool is_matched() const { return bool(morph); }
   /// Of an unmatched part: the end that has it.
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
-  /// Of an unmatched part: its number at that end.
-  std::size_t given() const { return end() == 0 ? task.source : task.target; }
+  /// Its number at an end that has it.
+  std::size_t given(int at_end) const { return at_end == 0 ? task.source : task.target; }
   /// Whether an end has it.
   bool is_at(int at_end) const { return morph || end() == at_end; }
 

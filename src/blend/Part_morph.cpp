@@ -3,9 +3,13 @@
 
 #include "blend/Part_morph.h"
 
+#include "blend/smoothed.h"
 #include "map/Charted_mesh.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -22,18 +26,9 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
       mesh.coordinates.col(i) = outlines_[end].relative(mesh.coordinates.col(i));
     surfaces_.emplace_back(mesh);
   }
-  lay();
-}
-
-/// Lays the surfaces on each other.
-void Part_morph::lay()
-{
-  constexpr double shortest = 0.1; // share of the time, so that what has a short way does not take it in an instant
   Moving_surface &first = surfaces_[0], &second = surfaces_[1];
-  first.lay(1, second.coordinates[1], second.offsets[1], second.triangles);
-  second.lay(0, first.coordinates[1], first.offsets[0], first.triangles);
-  const double both = first.reach() + second.reach();
-  first.end = second.begin = both > 0 ? std::clamp(first.reach() / both, shortest, 1 - shortest) : 1;
+  first.lay(1, second, 1);
+  second.lay(0, first, 1);
 }
 
 double Part_morph::turned_share(int surface) const
@@ -55,13 +50,35 @@ double Part_morph::turned_share(int surface) const
   return all > 0 ? sum / all : 0;
 }
 
+double Part_morph::misfit(bool at_change) const
+{
+  const auto places = [&](std::size_t surface) -> const Points& {
+    return surfaces_[surface].coordinates[at_change ? 1 - surface : surface];
+  };
+  double result = 0;
+  for (std::size_t surface : {0u, 1u}) {
+    const Moving_surface &mesh = surfaces_[surface], &other = surfaces_[1 - surface];
+    const contacts::Triangle_tree tree = tree_of(places(1 - surface), other.triangles);
+    double sum = 0, all = 0;
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+      const contacts::Triangle corners = triangle_of(places(surface), mesh.triangles, std::size_t(t));
+      const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+      const Point middle = (corners[0] + corners[1] + corners[2]) / 3;
+      std::size_t nearest = 0;
+      sum += area * (tree.nearest(middle, nearest) - middle).squaredNorm();
+      all += area;
+    }
+    if (all > 0) result = std::max(result, std::sqrt(sum / all));
+  }
+  return result;
+}
+
 Points Part_morph::points(int surface, double t) const
 {
-  constexpr double instant = 1e-12; // the least time for a motion
   const Part_chart chart = chart_at(t);
   const Chart_outline outline = outline_at(t);
   const Moving_surface& mesh = surfaces_[std::size_t(surface)];
-  const double moved = std::clamp((t - mesh.begin) / std::max(mesh.end - mesh.begin, instant), 0., 1.);
+  const double moved = std::clamp(surface == 0 ? t / change : (t - change) / (1 - change), 0., 1.);
   Points result(3, mesh.coordinates[0].cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
     const Point k = outline.absolute((1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i));
@@ -71,34 +88,26 @@ Points Part_morph::points(int surface, double t) const
   return result;
 }
 
-Point Part_morph::coordinates(int end, const Point& p) const
-{
-  return outlines_[std::size_t(end)].relative((end == 0 ? charts_.source : charts_.target).coordinates(p));
-}
-
-Point Part_morph::place(const Point& coordinates, double t) const
-{
-  return chart_at(t)(outline_at(t).absolute(coordinates));
-}
-
-double Part_morph::Moving_surface::reach() const
-{
-  return std::sqrt((coordinates[1] - coordinates[0]).colwise().squaredNorm().maxCoeff());
-}
-
 Part_morph::Moving_surface::Moving_surface(const Charted_mesh& mesh)
-    : triangles(mesh.triangles), coordinates{mesh.coordinates, mesh.coordinates}, offsets{mesh.offsets, mesh.offsets}
+    : triangles(mesh.triangles),
+      normals(chart_normals(mesh)),
+      coordinates{mesh.coordinates, mesh.coordinates},
+      offsets{mesh.offsets, mesh.offsets}
 {}
 
-void Part_morph::Moving_surface::lay(std::size_t when, const Points& onto, const Points& onto_offsets,
-                                     const Eigen::Matrix3Xi& onto_triangles)
+void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto, std::size_t onto_when)
 {
-  const contacts::Triangle_tree tree = tree_of(onto, onto_triangles);
-  for (Eigen::Index i = 0; i < coordinates[when].cols(); ++i) {
-    const Mesh_place place = nearest_place(tree, coordinates[when].col(i));
-    coordinates[when].col(i) = place.of(onto, onto_triangles);
-    offsets[when].col(i) = place.of(onto_offsets, onto_triangles);
+  constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15}; // in coordinates: first at large, then in detail
+  const Points &places = onto.coordinates[onto_when], given = coordinates[when];
+  const Place_finder finder(places, onto.triangles, onto.normals);
+  for (double length : lengths) {
+    Points ways(3, given.cols());
+    for (Eigen::Index i = 0; i < ways.cols(); ++i)
+      ways.col(i) = finder(coordinates[when].col(i), normals.col(i)).of(places, onto.triangles) - given.col(i);
+    coordinates[when] = given + smoothed(ways, given, triangles, length);
   }
+  for (Eigen::Index i = 0; i < given.cols(); ++i)
+    offsets[when].col(i) = finder(coordinates[when].col(i), normals.col(i)).of(onto.offsets[onto_when], onto.triangles);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

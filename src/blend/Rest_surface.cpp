@@ -4,11 +4,11 @@
 #include "blend/Rest_surface.h"
 
 #include "base/eigen_system.h"
+#include "blend/smoothed.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -31,16 +31,6 @@ double squared_longest_edge(const Points& points, const Eigen::Vector3i& corners
 {
   const Point a = points.col(corners[0]), b = points.col(corners[1]), c = points.col(corners[2]);
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-}
-
-/// By point, the first one in the same place.
-std::vector<int> places_of(const Points& points)
-{
-  std::map<std::array<double, 3>, int> first;
-  std::vector<int> result;
-  for (int i = 0; i < int(points.cols()); ++i)
-    result.push_back(first.emplace(std::array<double, 3>{points(0, i), points(1, i), points(2, i)}, i).first->second);
-  return result;
 }
 
 } // namespace
@@ -67,7 +57,7 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
 /// Sets all edges between two triangles, and whether there are no others. Points in one place are one.
 void Rest_surface::find_edges(const Points& points)
 {
-  const std::vector<int> places = places_of(points);
+  const std::vector<int> places = first_in_place(points);
   std::map<std::pair<int, int>, std::vector<int>> sides; // by ends, the triangles
   for (int t = 0; t < int(triangles_.cols()); ++t)
     for (int i = 0; i < 3; ++i) {

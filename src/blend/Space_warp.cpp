@@ -95,9 +95,7 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
     const double distance = (at - near).norm();
     if (distance < least) least = distance, control.at = at, control.part = piece;
   }
-  const Part_morph& morph = *parts[control.part].morph;
-  control.coordinates = morph.coordinates(end_, control.at);
-  control.at = morph.place(control.coordinates, end_); // the same, as far as the morph is exact there
+  control.place = nearest_place(parts[control.part].end_tree(end_), near);
   controls_.push_back(control);
 }
 
@@ -114,7 +112,7 @@ void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_
       std::min(std::clamp(all / matched, least, most), std::max<Eigen::Index>(too_many / matched, 2));
   for (const Blend_part& part : parts) {
     if (!part.is_matched()) continue;
-    const std::size_t given = end_ == 0 ? part.task.source : part.task.target, image = stage.images[end][given];
+    const std::size_t given = part.given(end_), image = stage.images[end][given];
     const bool has_image = image != Mirror_images::none && parts[parts_of(parts, end_, image)[0]].is_matched();
     const Points points = spread_points(part.end_points(end_), has_image ? count / 2 : count);
     for (const auto& at : points.colwise()) {
@@ -174,13 +172,16 @@ Space_warp::Weights Space_warp::weights(const Points& points) const
 Eigen::MatrixX3d Space_warp::motion(const std::vector<Blend_part>& parts, double t) const
 {
   const double done = end_ == 0 ? t : 1 - t;
+  std::vector<Points> surfaces; // by part
+  for (const Blend_part& part : parts)
+    surfaces.push_back(part.is_matched() ? part.points(end_, t) : Points());
   const auto n = Eigen::Index(controls_.size());
   Eigen::MatrixX3d due = Eigen::MatrixX3d::Zero(n + 4, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Control& control = controls_[std::size_t(i)];
     const bool is_free = control.part == Blend_task::no_part;
     const Point to = is_free ? (1 - done) * control.at + done * control.at_other_end
-                             : parts[control.part].morph->place(control.coordinates, t);
+                             : control.place.of(surfaces[control.part], parts[control.part].triangles(end_));
     due.row(i) = (to - control.at).transpose();
   }
   for (int axis = 0; axis < 3; ++axis)

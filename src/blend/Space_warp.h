@@ -4,6 +4,7 @@
 #pragma once
 
 #include "blend/Blend_part.h"
+#include "map/Charted_mesh.h"
 
 #include <Eigen/LU>
 
@@ -43,7 +44,7 @@ private:
     Point at, at_other_end;                 ///< the latter of a point of a box
     std::array<double, 3> smoothing;        ///< by axis, over the height
     std::size_t part = Blend_task::no_part; ///< matched, if it is on one
-    Point coordinates = Point::Zero();      ///< of the point on that part
+    Mesh_place place = {};                  ///< on its surface of this end
   };
 
   void add_box(const std::array<contacts::Box, 2>& boxes, int cells, const std::array<double, 3>& smoothing);

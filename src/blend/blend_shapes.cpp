@@ -114,7 +114,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
           {part.name, task, part.triangles(0), shrinks ? 0 : task.begin, shrinks ? task.end : 1, part.end()});
       continue;
     }
-    const double change = part.morph->change();
+    const double change = Part_morph::change;
     for (int surface : {0, 1})
       result.push_back(
           {part.name, task, part.triangles(surface), surface == 0 ? 0 : change, surface == 0 ? change : 1, surface});

@@ -22,23 +22,26 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Whether a map does not do: the surface is torn or turned over on the way.
+/// Whether a map does not do: the surfaces are not alike, or one is torn or turned over on the way.
 bool is_torn(const Part_morph& morph)
 {
-  constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
-  constexpr double most_turned = 0.12;                          // of either surface
+  constexpr double most_torn = 2 * Shape_blend::torn_tolerance;   // of a part by itself
+  constexpr double most_turned = 0.12;                            // of either surface
+  constexpr double most_misfit = 0.21, most_misfit_of_open = 0.1; // whose both sides and rims are seen
+  constexpr double most_jump = 0.08;                              // where the second surface takes over
   if (std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned) return true;
-  const double change = morph.change();
+  bool are_closed = true;
   for (int surface : {0, 1}) {
     const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
-    for (double t : {0.25, 0.5, 0.75, change}) {
-      if (t != change && morph.surface(t) != surface) continue;
+    are_closed = are_closed && rest.is_closed();
+    for (double t : {0.25, 0.5, 0.75, Part_morph::change}) {
+      if (t != Part_morph::change && morph.surface(t) != surface) continue;
       const Points points = morph.points(surface, t);
       const Surface_extent extent = rest.extent(points);
       if (rest.torn_area(points, extent) > most_torn * extent.area) return true;
     }
   }
-  return false;
+  return morph.misfit(false) > (are_closed ? most_misfit : most_misfit_of_open) || morph.misfit(true) > most_jump;
 }
 
 /// Makes the parts of a blend from pairs of parts.

@@ -51,35 +51,36 @@ Timed_groups timed_groups(const std::vector<Blend_part>& parts, const std::vecto
 {
   Timed_groups result;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].is_matched()) continue;
     Timed_group& group = result[groups[i]];
-    group.is_at[std::size_t(parts[i].end())] = true;
+    for (int end : {0, 1})
+      group.is_at[std::size_t(end)] |= parts[i].is_at(end);
+    if (parts[i].is_matched()) continue;
     group.height += parts[i].mesh.points.row(1).mean() * parts[i].size;
     group.size += parts[i].size;
   }
   return result;
 }
 
-/// One group after the other, each so quickly that old and new parts are hardly seen together: first those that go,
-/// then those that are exchanged, then those that come; of these, from the ground up or from the top down.
+/// What is exchanged changes when surfaces of matched parts do. Before that go the others, one after the other, after
+/// it they come, from the ground up or from the top down, each so quickly that it is hardly seen small.
 void put_in_turn(Timed_groups& groups, bool from_the_ground)
 {
-  constexpr double longest = 0.08, exchange = 0.004;
-  constexpr std::array<double, 4> bounds = {0.15, 0.35, 0.55, 0.75}; // of the times of each kind
-  std::array<std::map<Steps, std::vector<Timed_group*>>, 3> kinds;   // by height: what is as high changes at one time
+  constexpr double longest = 0.08, instant = 0.004;
+  constexpr std::array<std::array<double, 2>, 2> bounds = {{{0.15, 0.35}, {0.55, 0.75}}}; // of all times, by end
+  std::array<std::map<Steps, std::vector<Timed_group*>>, 2> turns; // by end and height: as high is at one time
   for (auto& [number, group] : groups) {
+    group.times = {Part_morph::change - instant, Part_morph::change};
+    if (group.is_exchange()) continue;
     const Steps height = quantized(group.height / group.size);
-    kinds[group.is_exchange() ? 1 : group.is_at[0] ? 0 : 2][from_the_ground ? height : -height].push_back(&group);
+    turns[group.is_at[0] ? 0 : 1][from_the_ground ? height : -height].push_back(&group);
   }
-  for (std::size_t kind : {0u, 1u, 2u}) {
-    const double step = (bounds[kind + 1] - bounds[kind]) / double(std::max<std::size_t>(kinds[kind].size(), 1));
-    double middle = bounds[kind] + step / 2;
-    for (const auto& [height, changing] : kinds[kind]) {
-      const double length = std::min(kind == 1 ? exchange : longest, step);
-      double start = kind == 1 ? middle - length : middle - length / 2;
-      if (start < 0.5 && start + length > 0.5) start = middle < 0.5 ? 0.5 - length : 0.5; // half-way, all are whole
+  for (std::size_t end : {0u, 1u}) {
+    const double step = (bounds[end][1] - bounds[end][0]) / double(std::max<std::size_t>(turns[end].size(), 1));
+    double middle = bounds[end][0] + step / 2;
+    const double length = std::min(longest, step);
+    for (const auto& [height, changing] : turns[end]) {
       for (Timed_group* group : changing)
-        group->times = {start, start + length};
+        group->times = {middle - length / 2, middle + length / 2};
       middle += step;
     }
   }

@@ -100,7 +100,14 @@ Difference::Difference(const std::array<Part_chart, 2>& charts, bool are_whole, 
   const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
               with_the_whole = (boxes.source.axes().transpose().cwiseAbs() * growth).cwiseProduct(from);
   change = change_of_extents(from, to);
-  if (are_whole) change = std::min(change, change_of_extents(with_the_whole, to));
+  const auto stretch_from = [&](const Point& extents) {
+    return std::abs(std::log(extents.maxCoeff() / to.maxCoeff()));
+  };
+  stretch = stretch_from(from);
+  if (are_whole) {
+    change = std::min(change, change_of_extents(with_the_whole, to));
+    stretch = std::min(stretch, stretch_from(with_the_whole));
+  }
   size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
   const Point relative = relative_place(charts[1], stage.boxes[1]) - relative_place(charts[0], stage.boxes[0]);
   way = relative.cwiseProduct((stage.boxes[0].sizes() + stage.boxes[1].sizes()) / 2).norm();
@@ -112,8 +119,8 @@ Difference::Difference(const std::array<contacts::Box, 2>& boxes, const Blend_st
 
 bool Difference::keeps_shape() const
 {
-  constexpr double most_turn = 0.6, most_change = 1.2;
-  return turn <= most_turn && change <= most_change;
+  constexpr double most_turn = 0.6, most_change = 1.2, most_stretch = 0.6;
+  return turn <= most_turn && change <= most_change && stretch <= most_stretch;
 }
 
 bool Difference::is_little() const

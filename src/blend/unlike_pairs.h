@@ -41,10 +41,11 @@ struct Difference
   /// Whether the place is in the same region.
   bool stays_near() const;
 
-  double turn;   ///< in radians
-  double change; ///< of the extents, in logarithms, summed
-  double way;    ///< of its middle, in the box around the whole
-  double size;   ///< its longest extent
+  double turn;    ///< in radians
+  double change;  ///< of the extents, in logarithms, summed
+  double stretch; ///< of the longest extent, in logarithms
+  double way;     ///< of its middle, in the box around the whole
+  double size;    ///< its longest extent
 };
 
 /// Takes out the pairs whose parts, or pieces of them, would have to turn, to change their proportions or to travel

@@ -199,7 +199,7 @@ TEST_CASE("Blends of models hang together, and main parts become their counterpa
     for (const Shape_part& part : half_way.parts())
       names.insert(part.name);
     CHECK(std::includes(names.begin(), names.end(), matched.begin(), matched.end()));
-    CHECK(blend.schedules()[0].quality.apart < 0.02);
+    CHECK(blend.schedules()[0].quality.apart < 0.05); // pedals of the tricycle, whose counterparts are elsewhere
     CHECK(blend.schedules()[0].quality.gap < 0.02);
   }
 }

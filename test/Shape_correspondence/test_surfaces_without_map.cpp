@@ -4,10 +4,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend/Blend_part.h"
 #include "blend/pair_boxes.h"
+#include "blend/smoothed.h"
 #include "blend_checks.h"
 #include "box_models.h"
 #include "map/Chart_outline.h"
 #include "map/Piece_pair.h"
+#include "part_meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -124,4 +126,105 @@ TEST_CASE("Coordinates relative to outlines: a round one and one with corners ar
   }
   const internal::Chart_outline flat(false, Points::Zero(3, 4)); // no outline at all
   CHECK((flat.absolute(flat.relative(Point(0.3, 0.2, 0.1))) - Point(0.3, 0.2, 0.1)).norm() < 1e-12);
+}
+
+TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and components do not see each other")
+{
+  constexpr int cells = 200;
+  constexpr double step = 0.05, length = 0.5; // a strip from -5 to 5, in triangles that share no points
+  Points strip(3, 6 * cells);
+  Eigen::Matrix3Xi triangles(3, 2 * cells);
+  for (int i = 0; i < cells; ++i) {
+    const double x = (i - cells / 2) * step, next = (i + 1 - cells / 2) * step; // the same to the bit
+    strip.middleCols<6>(6 * i) << x, next, next, x, next, x, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0;
+    triangles.col(2 * i) << 6 * i, 6 * i + 1, 6 * i + 2;
+    triangles.col(2 * i + 1) << 6 * i + 3, 6 * i + 4, 6 * i + 5;
+  }
+  Points ways = Points::Constant(3, strip.cols(), 0.7);
+  CHECK((internal::smoothed(ways, strip, triangles, length) - ways).norm() < 1e-9);
+  for (Eigen::Index i = 0; i < strip.cols(); ++i)
+    ways(0, i) = strip(0, i) < -step / 2 ? -1 : strip(0, i) > step / 2 ? 1 : 0;
+  const Points joined = internal::smoothed(ways, strip, triangles, length);
+  for (Eigen::Index i = 0; i < strip.cols(); ++i) {
+    const double x = strip(0, i), due = std::copysign(1 - std::exp(-std::abs(x) / length), x); // w - l² w'' = given
+    if (std::abs(x) < 2) CHECK(joined(0, i) == Approx(due).margin(0.02));
+  }
+  for (Eigen::Index i = 0; i < strip.cols() / 2; ++i)
+    strip(1, i) += 10; // the left half elsewhere
+  const Points apart = internal::smoothed(ways, strip, triangles, length);
+  CHECK(apart(0, strip.cols() - 1) == Approx(1).margin(1e-3));
+  CHECK(apart(0, 0) == Approx(-1).margin(1e-3));
+}
+
+TEST_CASE("A square leg becomes a round one: the surface that takes over lies on the other one, and nothing is torn")
+{
+  const Part_mesh round = part_meshes::turned({{0, -0.5}, {0.1, -0.5}, {0.1, 0.5}, {0, 0.5}});
+  const Part_mesh square = box_shapes::box({0, 0, 0}, {0.1, 0.8, 0.1});
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const internal::Part_morph morph(internal::pair_boxes({&square.points, &round.points}, {axes, axes}), square, round);
+  CHECK(morph.misfit(false) < 0.02); // relative to outlines, corners are round
+  CHECK(morph.misfit(true) < 0.02);
+  const double before = internal::Part_morph::change - 1e-6, after = internal::Part_morph::change;
+  const internal::contacts::Triangle_tree tree = internal::tree_of(morph.points(0, before), morph.triangles(0));
+  const Points second = morph.points(1, after);
+  for (Eigen::Index i = 0; i < second.cols(); ++i) {
+    std::size_t triangle = 0;
+    CHECK((tree.nearest(second.col(i), triangle) - second.col(i)).norm() < 0.01); // of a leg .1 to .2 thick
+  }
+  for (int surface : {0, 1}) {
+    const internal::Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
+    for (double t : {0.2, 0.45, 0.7}) {
+      const Points points = morph.points(surface, t);
+      CHECK(rest.torn_area(points, rest.extent(points)) == 0);
+    }
+  }
+}
+
+TEST_CASE("A closed surface may differ more from its counterpart than one with rims, which would be seen to gape")
+{
+  const auto stand_with = [](const Part_mesh& top) {
+    Segmented_shape shape("stand");
+    shape.add_part("base", box_shapes::box({0, -0.6, 0}, {1, 0.2, 1}));
+    shape.add_part("top", top);
+    Box_model result = model_of(shape);
+    structure(result.graph).frame.axes.setIdentity();
+    return result;
+  };
+  const Part_mesh ball = part_meshes::turned({{0, -0.5}, {0.3, -0.4}, {0.5, 0}, {0.3, 0.4}, {0, 0.5}});
+  const Box_model cube = stand_with(box_shapes::box({0, 0, 0}, {1, 1, 1}));
+  const auto top_of = [&](const Part_mesh& source) {
+    return blend_of(stand_with(source), cube, same_parts(2)).schedules()[0].tasks[1];
+  };
+  CHECK(top_of(ball).type == Blend_task_type::MORPH);
+  CHECK(top_of(part_meshes::without_triangles(ball, 1)).type == Blend_task_type::SHRINK);
+  CHECK(top_of(part_meshes::without_triangles(ball, 1)).obstacle == Blend_obstacle::TORN);
+}
+
+TEST_CASE("A post that becomes much longer is exchanged, one that becomes a little longer morphs")
+{
+  const auto posts = [](double height) {
+    return model_of({{"base", {0, 0.05, 0}, {1, 0.1, 0.6}},
+                     {"wall", {-0.45, 0.6, 0}, {0.1, 1, 0.6}},
+                     {"post", {0.4, 0.1 + height / 2, 0}, {0.1, height, 0.1}}});
+  };
+  const auto post_from = [&](double height) {
+    return blend_of(posts(height), posts(0.9), same_parts(3)).schedules()[0].tasks[2].type;
+  };
+  CHECK(post_from(0.6) == Blend_task_type::MORPH);
+  CHECK(post_from(0.45) == Blend_task_type::SHRINK); // twice as long
+}
+
+TEST_CASE("What comes where a part that morphs was changes when surfaces do, what comes elsewhere later")
+{
+  std::vector<Named_box> boxes = {{"wall", {-0.9, 0.5, 0}, {0.1, 1, 0.4}}, {"hull", {0, 0.5, 0}, {0.4, 1, 0.4}}};
+  const Box_model source = model_of(boxes);
+  boxes[1] = {"hull", {0, 0.4, 0}, {0.4, 0.8, 0.4}};
+  boxes.push_back({"fin", {0, 0.9, 0}, {0.3, 0.2, 0.05}});
+  boxes.push_back({"lamp", {-0.75, 0.9, 0}, {0.2, 0.1, 0.1}});
+  const std::vector<Blend_task> tasks = blend_of(source, model_of(boxes), same_parts(2)).schedules()[0].tasks;
+  REQUIRE(tasks.size() == 4);
+  CHECK(tasks[0].type == Blend_task_type::MORPH);
+  CHECK(tasks[1].type == Blend_task_type::MORPH);
+  CHECK(tasks[2].end == internal::Part_morph::change);
+  CHECK(tasks[3].begin > 0.5);
 }

@@ -33,7 +33,7 @@ enum class Blend_task_type {
 /// Why a part does not become its counterpart.
 enum class Blend_obstacle {
   NONE,  ///< it does, or has no counterpart
-  TORN,  ///< it would be torn or folded
+  TORN,  ///< it would be torn or folded, or has quite another surface
   UNLIKE ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to
          ///< be cut up too much
 };

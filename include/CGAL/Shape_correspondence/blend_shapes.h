@@ -50,15 +50,16 @@ struct Blend_surface
 /// - *Layout*: every matched part has a box at either end, and goes straight from the one to the other in place, size
 ///   and rotation; the axes of boxes are paired for the least rotation. The whole stands, and is as high as is due
 ///   between the ends.
-/// - *Matched parts* morph in their boxes, by a map in coordinates relative to their cross-sections. A part that
-///   corresponds to many is cut into closed pieces, one for each.
-/// - *Unmatched parts* have no counterpart, or would be torn on the way to it, or would have to turn, to change their
-///   proportions, to travel or to be cut up too much (`Blend_obstacle`). Two that are alike in place and size become
-///   each other (`Blend_task_type::EXCHANGE`). Unmatched parts ride on a warp of the space around their end, a
-///   smoothing spline: it moves with the surfaces of matched parts, with the boxes of parts that correspond, and with
-///   the box around the whole, and smoothly between these, so that parts hold on to what they touch. They shrink to
-///   where they are held, or grow from there, in groups, one after the other, each quickly: old parts go as what takes
-///   their place comes.
+/// - *Matched parts* morph in their boxes: in coordinates relative to cross-sections, the source's surface moves
+///   smoothly onto the target's, which takes over from it at .45 of the time. A part that corresponds to many is cut
+///   into closed pieces, one for each.
+/// - *Unmatched parts* have no counterpart, or would be torn on the way to it, or have quite another surface, or would
+///   have to turn, to change their proportions, to travel or to be cut up too much (`Blend_obstacle`). Two that are
+///   alike in place and size become each other (`Blend_task_type::EXCHANGE`). Unmatched parts ride on a warp of the
+///   space around their end, a smoothing spline: it moves with the surfaces of matched parts, with the boxes of parts
+///   that correspond, and with the box around the whole, and smoothly between these, so that parts hold on to what they
+///   touch. They shrink to where they are held, or grow from there, in groups, one after the other, each quickly: old
+///   parts go as what takes their place comes, when the surfaces of matched parts change.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///
