@@ -439,7 +439,7 @@ TEST_CASE("In a blend a colour goes over into the other, and a texture stays on 
   const nlohmann::json document = document_of(animation.str());
   auto reds = reds_in_between(document);
   const std::string name = shape.parts()[0].name, other = shape.parts()[2].name;
-  CHECK(reds[name + "~" + name].size() == 5);
+  CHECK(reds[name + "~" + name].size() == 6); // by interval between frames, of which one has both surfaces
   CHECK(reds[other + "~" + other] == std::set<double>{0.2});
   REQUIRE(document["images"].size() == 1);
   bool is_textured_between = false;
