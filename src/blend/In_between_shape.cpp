@@ -63,8 +63,12 @@ In_between_shape::Trees In_between_shape::trees() const
 void In_between_shape::place_chains(const Task_times& times)
 {
   std::array<Eigen::MatrixX3d, 2> motions; // by end
-  for (std::size_t end : {0u, 1u})
-    motions[end] = blend_.warps[end].motion(blend_.parts, t_);
+  for (int end : {0, 1}) {
+    std::vector<Points> surfaces = points_; // of the end, where they are
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+      if (part(i).is_matched() && surface_[i] != end) surfaces[i] = part(i).points(end, t_);
+    motions[std::size_t(end)] = blend_.warps[std::size_t(end)].motion(blend_.parts, surfaces, t_);
+  }
   for (std::size_t i = 0; i < blend_.chains.size(); ++i) {
     const Unmatched_chain& chain = blend_.chains[i];
     const auto end = std::size_t(chain.end);

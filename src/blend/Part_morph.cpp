@@ -3,7 +3,7 @@
 
 #include "blend/Part_morph.h"
 
-#include "blend/smoothed.h"
+#include "blend/Surface_smoother.h"
 #include "map/Charted_mesh.h"
 
 #include <Eigen/Geometry>
@@ -100,11 +100,12 @@ void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& ont
   constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15}; // in coordinates: first at large, then in detail
   const Points &places = onto.coordinates[onto_when], given = coordinates[when];
   const Place_finder finder(places, onto.triangles, onto.normals);
+  const Surface_smoother smoothed(given, triangles);
   for (double length : lengths) {
     Points ways(3, given.cols());
     for (Eigen::Index i = 0; i < ways.cols(); ++i)
       ways.col(i) = finder(coordinates[when].col(i), normals.col(i)).of(places, onto.triangles) - given.col(i);
-    coordinates[when] = given + smoothed(ways, given, triangles, length);
+    coordinates[when] = given + smoothed(ways, length);
   }
   for (Eigen::Index i = 0; i < given.cols(); ++i)
     offsets[when].col(i) = finder(coordinates[when].col(i), normals.col(i)).of(onto.offsets[onto_when], onto.triangles);

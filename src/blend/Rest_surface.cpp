@@ -4,7 +4,7 @@
 #include "blend/Rest_surface.h"
 
 #include "base/eigen_system.h"
-#include "blend/smoothed.h"
+#include "blend/Surface_smoother.h"
 
 #include <Eigen/Geometry>
 

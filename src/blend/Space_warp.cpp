@@ -169,12 +169,10 @@ Space_warp::Weights Space_warp::weights(const Points& points) const
   return {kernels(points, 0), kernels(points, 1), kernels(points, 2)};
 }
 
-Eigen::MatrixX3d Space_warp::motion(const std::vector<Blend_part>& parts, double t) const
+Eigen::MatrixX3d Space_warp::motion(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces,
+                                    double t) const
 {
   const double done = end_ == 0 ? t : 1 - t;
-  std::vector<Points> surfaces; // by part
-  for (const Blend_part& part : parts)
-    surfaces.push_back(part.is_matched() ? part.points(end_, t) : Points());
   const auto n = Eigen::Index(controls_.size());
   Eigen::MatrixX3d due = Eigen::MatrixX3d::Zero(n + 4, 3);
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -33,7 +33,8 @@ public:
   Weights weights(const Points& points) const;
 
   /// By axis, the coefficients of the motion until `t`.
-  Eigen::MatrixX3d motion(const std::vector<Blend_part>& parts, double t) const;
+  /// \param surfaces of this end, by part, where they are at `t`; those of unmatched parts are not read
+  Eigen::MatrixX3d motion(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces, double t) const;
   /// How points move.
   Points displacements(const Weights& weights, const Eigen::MatrixX3d& motion) const;
 

@@ -231,7 +231,9 @@ private:
 
   double apart() const
   {
-    return std::max(0., widest_gap(pointers()) - std::max(blend().widest_gap[0], blend().widest_gap[1]));
+    const double at_ends = std::max(blend().widest_gap[0], blend().widest_gap[1]);
+    const double enough = at_ends + Shape_blend::contact_tolerance, widest = widest_gap(pointers(), enough);
+    return widest > enough ? widest - at_ends : 0;
   }
 
   Worst_parts asymmetry() const

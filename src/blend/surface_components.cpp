@@ -29,18 +29,24 @@ Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
   return result;
 }
 
-double widest_gap(const Tree_pointers& surfaces)
+double widest_gap(const Tree_pointers& surfaces, double enough)
 {
   constexpr bool measured = false, bounded = true; // what is measured comes first
   using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
+  Disjoint_sets components(surfaces.size());
+  double result = 0;
   for (std::size_t a = 0; a < surfaces.size(); ++a)
     for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
       const double bound = surfaces[a]->box().exteriorDistance(surfaces[b]->box());
-      queue.emplace(quantized(bound), bounded, a, b, bound);
+      const bool may_touch = enough > 0 && bound <= enough && components[a] != components[b];
+      if (may_touch && surfaces[a]->is_within(*surfaces[b], enough * enough)) {
+        components.unite(a, b);
+        result = enough;
+      } else {
+        queue.emplace(quantized(bound), bounded, a, b, bound);
+      }
     }
-  Disjoint_sets components(surfaces.size());
-  double result = 0;
   while (components.number_of_sets() > 1) {
     const auto [key, kind, a, b, length] = queue.top();
     queue.pop();

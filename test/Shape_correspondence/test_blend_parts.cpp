@@ -136,6 +136,8 @@ TEST_CASE("The widest gap that it takes to join surfaces is the longest of the s
       surfaces.push_back(internal::tree_of(box.points, box.triangles));
     }
   CHECK(internal::widest_gap(internal::pointers_to(surfaces)) == Approx(0.15));
+  CHECK(internal::widest_gap(internal::pointers_to(surfaces), 0.14) == Approx(0.15));
+  CHECK(internal::widest_gap(internal::pointers_to(surfaces), 0.16) == 0.16);
   CHECK(internal::widest_gap({&surfaces[0]}) == 0);
 }
 

@@ -128,7 +128,8 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
       CHECK(blend.check(t).quality.support <= Shape_blend::support_tolerance);
       CHECK(blend.check(t).quality.gone <= 1.2 * Shape_blend::gone_tolerance); // seats rise where backs go
       CHECK(blend.check(t).quality.asymmetry <= ends + Shape_blend::symmetry_tolerance);
-      CHECK(blend.check(t).quality.volume <= 5.5 * Shape_blend::volume_tolerance); // a cushion is thick where a back was
+      CHECK(blend.check(t).quality.volume <=
+            5.5 * Shape_blend::volume_tolerance); // a cushion is thick where a back was
     }
   }
 }

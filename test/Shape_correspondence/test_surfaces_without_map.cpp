@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend/Blend_part.h"
+#include "blend/Surface_smoother.h"
 #include "blend/pair_boxes.h"
-#include "blend/smoothed.h"
 #include "blend_checks.h"
 #include "box_models.h"
 #include "map/Chart_outline.h"
@@ -28,6 +28,12 @@
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
 using namespace box_models;
+
+namespace {
+
+const Part_mesh ball = part_meshes::turned({{0, -0.5}, {0.3, -0.4}, {0.5, 0}, {0.3, 0.4}, {0, 0.5}});
+
+} // namespace
 
 TEST_CASE("Four legs are exchanged for a column with its foot in an instant: the shape stands before and after")
 {
@@ -141,41 +147,43 @@ TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and
     triangles.col(2 * i + 1) << 6 * i + 3, 6 * i + 4, 6 * i + 5;
   }
   Points ways = Points::Constant(3, strip.cols(), 0.7);
-  CHECK((internal::smoothed(ways, strip, triangles, length) - ways).norm() < 1e-9);
+  CHECK((internal::Surface_smoother(strip, triangles)(ways, length) - ways).norm() < 1e-9);
   for (Eigen::Index i = 0; i < strip.cols(); ++i)
     ways(0, i) = strip(0, i) < -step / 2 ? -1 : strip(0, i) > step / 2 ? 1 : 0;
-  const Points joined = internal::smoothed(ways, strip, triangles, length);
+  const Points joined = internal::Surface_smoother(strip, triangles)(ways, length);
   for (Eigen::Index i = 0; i < strip.cols(); ++i) {
     const double x = strip(0, i), due = std::copysign(1 - std::exp(-std::abs(x) / length), x); // w - l² w'' = given
     if (std::abs(x) < 2) CHECK(joined(0, i) == Approx(due).margin(0.02));
   }
   for (Eigen::Index i = 0; i < strip.cols() / 2; ++i)
     strip(1, i) += 10; // the left half elsewhere
-  const Points apart = internal::smoothed(ways, strip, triangles, length);
+  const Points apart = internal::Surface_smoother(strip, triangles)(ways, length);
   CHECK(apart(0, strip.cols() - 1) == Approx(1).margin(1e-3));
   CHECK(apart(0, 0) == Approx(-1).margin(1e-3));
 }
 
-TEST_CASE("A square leg becomes a round one: the surface that takes over lies on the other one, and nothing is torn")
+TEST_CASE("A cube becomes a ball: the surface that takes over lies on the other one, and nothing is torn")
 {
-  const Part_mesh round = part_meshes::turned({{0, -0.5}, {0.1, -0.5}, {0.1, 0.5}, {0, 0.5}});
-  const Part_mesh square = box_shapes::box({0, 0, 0}, {0.1, 0.8, 0.1});
+  const Part_mesh cube = box_shapes::box({0, 0, 0}, {1, 1, 1});
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  const internal::Part_morph morph(internal::pair_boxes({&square.points, &round.points}, {axes, axes}), square, round);
-  CHECK(morph.misfit(false) < 0.02); // relative to outlines, corners are round
-  CHECK(morph.misfit(true) < 0.02);
-  const double before = internal::Part_morph::change - 1e-6, after = internal::Part_morph::change;
-  const internal::contacts::Triangle_tree tree = internal::tree_of(morph.points(0, before), morph.triangles(0));
-  const Points second = morph.points(1, after);
+  const internal::Part_morph morph(internal::pair_boxes({&cube.points, &ball.points}, {axes, axes}), cube, ball);
+  CHECK(morph.misfit(false) > 0.15);
+  CHECK(morph.misfit(true) < 0.03);
+  const internal::contacts::Triangle_tree tree =
+      internal::tree_of(morph.points(0, internal::Part_morph::change), morph.triangles(0));
+  const Points second = morph.points(1, internal::Part_morph::change);
+  double sum = 0;
   for (Eigen::Index i = 0; i < second.cols(); ++i) {
     std::size_t triangle = 0;
-    CHECK((tree.nearest(second.col(i), triangle) - second.col(i)).norm() < 0.01); // of a leg .1 to .2 thick
+    sum += (tree.nearest(second.col(i), triangle) - second.col(i)).squaredNorm();
   }
+  CHECK(std::sqrt(sum / double(second.cols())) < 0.02);
   for (int surface : {0, 1}) {
     const internal::Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
     for (double t : {0.2, 0.45, 0.7}) {
       const Points points = morph.points(surface, t);
-      CHECK(rest.torn_area(points, rest.extent(points)) == 0);
+      const internal::Surface_extent extent = rest.extent(points);
+      CHECK(rest.torn_area(points, extent) < 0.01 * extent.area);
     }
   }
 }
@@ -190,7 +198,6 @@ TEST_CASE("A closed surface may differ more from its counterpart than one with r
     structure(result.graph).frame.axes.setIdentity();
     return result;
   };
-  const Part_mesh ball = part_meshes::turned({{0, -0.5}, {0.3, -0.4}, {0.5, 0}, {0.3, 0.4}, {0, 0.5}});
   const Box_model cube = stand_with(box_shapes::box({0, 0, 0}, {1, 1, 1}));
   const auto top_of = [&](const Part_mesh& source) {
     return blend_of(stand_with(source), cube, same_parts(2)).schedules()[0].tasks[1];

@@ -66,7 +66,8 @@ struct Blend_quality
   double rotation = 0;  ///< angle in radians by which a part turns beyond the least rotation between its boxes, at most
   double travel = 0;    ///< how far the middle of a part that both ends have is from where it is due, at most
   double gap = 0;       ///< by how much the gap of parts that touch at both ends is wider than is due, at most
-  double apart = 0;     ///< by how much wider gaps than at the ends it takes to join all parts
+  double apart = 0;     ///< by how much wider gaps than at the ends it takes to join all parts, 0 within
+                        ///< `Shape_blend::contact_tolerance`
   double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
   double torn = 0;      ///< share of the surface that is folded over, or stretched far more than its part
   double overlap = 0;   ///< share of the surface that is inside closed parts, but not inside them at either end

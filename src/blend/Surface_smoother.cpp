@@ -1,0 +1,64 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/Surface_smoother.h"
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace CGAL::Shape_correspondence::internal {
+
+std::vector<int> first_in_place(const Points& points)
+{
+  std::map<std::array<double, 3>, int> first;
+  std::vector<int> result;
+  for (int i = 0; i < int(points.cols()); ++i)
+    result.push_back(first.emplace(std::array<double, 3>{points(0, i), points(1, i), points(2, i)}, i).first->second);
+  return result;
+}
+
+Surface_smoother::Surface_smoother(const Points& surface, const Eigen::Matrix3Xi& triangles)
+    : places_(first_in_place(surface)), areas_(surface.cols()), stiffness_(surface.cols(), surface.cols())
+{
+  constexpr double least_area = 1e-9; // so that points of no triangle keep their vectors
+  constexpr double flattest = 1e-6;   // height over base of a triangle: others count as that
+  areas_.setConstant(least_area);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < int(surface.cols()); ++i)
+    entries.emplace_back(i, i, 0); // there is a diagonal everywhere
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const auto place = [&](int corner) { return places_[std::size_t(triangles(corner % 3, t))]; };
+    const auto side = [&](int from) -> Point { return surface.col(place(from + 1)) - surface.col(place(from)); };
+    const double longest = std::max({side(0).squaredNorm(), side(1).squaredNorm(), side(2).squaredNorm()});
+    if (!(longest > 0)) continue; // a point
+    const double doubled_area = std::max(side(0).cross(side(1)).norm(), flattest * longest);
+    for (int corner = 0; corner < 3; ++corner) {
+      const int a = place(corner + 1), b = place(corner + 2);
+      const double weight = -side(corner).dot(side(corner + 2)) / doubled_area / 2; // half the cotangent
+      areas_[place(corner)] += doubled_area / 6;
+      entries.insert(entries.end(), {{a, a, weight}, {b, b, weight}, {a, b, -weight}, {b, a, -weight}});
+    }
+  }
+  stiffness_.setFromTriplets(entries.begin(), entries.end());
+}
+
+Points Surface_smoother::operator()(const Points& given, double length) const
+{
+  Eigen::SparseMatrix<double> system = length * length * stiffness_;
+  system.diagonal() += areas_;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
+  CGAL_assertion(solver.info() == Eigen::Success); // the system is positive definite
+  const Eigen::MatrixX3d solved = solver.solve(Eigen::MatrixX3d(areas_.asDiagonal() * given.transpose()));
+  Points result(3, given.cols());
+  for (Eigen::Index i = 0; i < result.cols(); ++i)
+    result.col(i) = solved.row(places_[std::size_t(i)]).transpose();
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal
