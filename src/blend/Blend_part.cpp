@@ -3,6 +3,8 @@
 
 #include "blend/Blend_part.h"
 
+#include "base/quantized.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -34,6 +36,17 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (parts[i].given(end) == given) result.push_back(i);
   return result;
+}
+
+std::size_t nearest_piece(const std::vector<Blend_part>& parts, int end, std::size_t given, const Point& p)
+{
+  const std::vector<std::size_t> pieces = parts_of(parts, end, given);
+  const auto distance = [&](std::size_t piece) {
+    std::size_t triangle = 0;
+    return quantized((parts[piece].end_tree(end).nearest(p, triangle) - p).norm());
+  };
+  return *std::min_element(pieces.begin(), pieces.end(),
+                           [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
 }
 
 } // namespace CGAL::Shape_correspondence::internal

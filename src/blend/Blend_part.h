@@ -62,6 +62,8 @@ struct Blend_part
 
 /// What becomes of a part of an end, or of pieces of it.
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
+/// The one of these that is nearest to a point at the end.
+std::size_t nearest_piece(const std::vector<Blend_part>& parts, int end, std::size_t given, const Point& p);
 
 /// The parts of a blend that are matched: one for every two parts, or pieces of parts, that correspond or are left
 /// over alike and, if the ends are symmetric, for their mirror images.

@@ -66,9 +66,8 @@ Blend_stage::Blend_stage(const std::array<Blend_input, 2>& inputs)
     add(inputs[end], end);
     are_symmetric = are_symmetric && is_mirrored_in_x(inputs[end]);
   }
-  if (!are_symmetric) return;
   for (std::size_t end : {0u, 1u})
-    images[end] = Mirror_images(meshes[end]);
+    images[end] = are_symmetric ? mirror_images(meshes[end]) : Mirror_images(meshes[end].size());
 }
 
 void Blend_stage::add(const Blend_input& input, std::size_t end)

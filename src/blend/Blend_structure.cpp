@@ -36,8 +36,7 @@ bool is_inside(const Point& p, const Seen_surface& surface)
   const Point way = surface.tree->nearest(p, triangle) - p;
   const double depth = way.norm();
   if (depth < least_depth) return false;
-  const contacts::Triangle& nearest = surface.tree->triangles()[triangle];
-  const Point normal = (nearest[1] - nearest[0]).cross(nearest[2] - nearest[0]);
+  const Point normal = contacts::area_vector(surface.tree->triangles()[triangle]);
   return (surface.looks_outwards ? 1 : -1) * normal.dot(way) > across * depth * normal.norm();
 }
 
@@ -117,12 +116,10 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
   for (Blend_part& part : unmatched_parts(stage, unlike, parts))
     parts.push_back(std::move(part));
   touches = internal::touches(stage, parts, options.contact_tolerance);
-  for (int end : {0, 1})
-    warps.emplace_back(stage, parts, unlike.all, end);
   chains = unmatched_chains(stage, parts, touches);
   for (const Unmatched_chain& chain : chains)
-    lattices.emplace_back(warps[std::size_t(chain.end)], chain.box);
-  groups = change_groups(stage, unlike.all, parts, chains);
+    if (auto& warp = warps[std::size_t(chain.end)]; !warp) warp.emplace(stage, parts, unlike.all, chain.end);
+  groups = change_groups(stage, unlike.all, parts, touches);
   for (std::size_t end : {0u, 1u}) {
     looks.emplace_back(parts, int(end));
     if (is_symmetric) end_asymmetry[end] = end_asymmetry_of(stage.meshes[end]);

@@ -12,12 +12,10 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
-
-/// When each part's task begins and ends.
-using Task_times = std::vector<std::array<double, 2>>;
 
 /// By two parts, the share of the first one's surface that is inside the second one.
 using Overlaps = std::map<std::array<std::size_t, 2>, double>;
@@ -60,9 +58,8 @@ public:
   std::array<Segmented_shape, 2> shapes; ///< in the world, moved onto the stage
   std::vector<Blend_part> parts;
   std::vector<Touch> touches;
-  std::vector<Space_warp> warps; ///< by end
+  std::array<std::optional<Space_warp>, 2> warps; ///< where there are unmatched parts
   std::vector<Unmatched_chain> chains;
-  std::vector<Warp_lattice> lattices;           ///< by chain
   std::vector<std::size_t> groups;              ///< by part: parts of one group come and go at one time
   bool is_symmetric = false;                    ///< both shapes have the mirror plane x = 0
   std::array<contacts::Box, 2> boxes;           ///< of the shapes

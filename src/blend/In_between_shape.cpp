@@ -23,7 +23,7 @@ Eigen::Affine3d box_map(const contacts::Box& from, const contacts::Box& to)
 
 } // namespace
 
-In_between_shape::In_between_shape(const Blend_structure& blend, const Task_times& times, double t)
+In_between_shape::In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t)
     : blend_(blend), t_(t), points_(blend.parts.size()), surface_(blend.parts.size(), -1)
 {
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -31,7 +31,7 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const Task_time
     surface_[i] = part(i).morph->surface(t);
     points_[i] = part(i).points(surface_[i], t);
   }
-  place_chains(times);
+  place_chains(tasks);
   fill_the_height();
 }
 
@@ -60,25 +60,26 @@ In_between_shape::Trees In_between_shape::trees() const
 }
 
 /// Places unmatched parts, as much of them as remains, where space moves.
-void In_between_shape::place_chains(const Task_times& times)
+void In_between_shape::place_chains(const std::vector<Blend_task>& tasks)
 {
-  std::array<Eigen::MatrixX3d, 2> motions; // by end
+  std::array<Points, 2> ways; // of the nodes of the warps, by end
   for (int end : {0, 1}) {
+    const auto& warp = blend_.warps[std::size_t(end)];
+    if (!warp) continue;
     std::vector<Points> surfaces = points_; // of the end, where they are
     for (std::size_t i = 0; i < surfaces.size(); ++i)
       if (part(i).is_matched() && surface_[i] != end) surfaces[i] = part(i).points(end, t_);
-    motions[std::size_t(end)] = blend_.warps[std::size_t(end)].motion(blend_.parts, surfaces, t_);
+    ways[std::size_t(end)] = warp->ways(blend_.parts, surfaces, t_);
   }
-  for (std::size_t i = 0; i < blend_.chains.size(); ++i) {
-    const Unmatched_chain& chain = blend_.chains[i];
+  for (const Unmatched_chain& chain : blend_.chains) {
     const auto end = std::size_t(chain.end);
-    const Points ways = blend_.lattices[i].ways(blend_.warps[end], motions[end]);
     for (std::size_t number : chain.parts) {
-      const auto [first, last] = times[number];
-      const double done = std::clamp((t_ - first) / (last - first), 0., 1.), remaining = end == 0 ? 1 - done : done;
+      const Blend_task& task = tasks[number];
+      const double done = std::clamp((t_ - task.begin) / (task.end - task.begin), 0., 1.),
+                   remaining = end == 0 ? 1 - done : done;
       if (remaining > nothing) surface_[number] = 0;
       const Points shrunk = chain.shrunk(part(number).mesh.points, remaining);
-      points_[number] = blend_.lattices[i].moved(shrunk, ways);
+      points_[number] = blend_.warps[end]->moved(shrunk, ways[end]);
     }
   }
 }
@@ -86,14 +87,14 @@ void In_between_shape::place_chains(const Task_times& times)
 /// Stretches the whole so that it stands and is as high as is due.
 void In_between_shape::fill_the_height()
 {
-  constexpr double least = 0.6; // of the height that is due: there is less only while nearly all is exchanged
+  constexpr double most = 2; // times as high: there is less only while half of the old and half of the new is there
   contacts::Box all;
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (is_there(i)) all.extend(box_of(points_[i]));
-  if (all.max().y() < least * due_box().max().y()) return;
+  if (all.isEmpty()) return;
   contacts::Box due = all;
   due.min().y() = 0;
-  due.max().y() = due_box().max().y();
+  due.max().y() = std::min(due_box().max().y(), most * all.sizes().y());
   stretch_ = box_map(all, due);
   for (Points& points : points_)
     points = stretch_ * points;

@@ -14,8 +14,8 @@ namespace CGAL::Shape_correspondence::internal {
 /// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are named by index.
 ///
 /// *Layout*: matched parts go straight and evenly from where they are at the one end to where they are at the other.
-/// Unmatched ones hold on to these and to each other, stand if they did, and become wider or narrower as the box around
-/// the whole. Then the whole is stretched so that it is as high as is due.
+/// Unmatched ones ride on the warps of the ends. Then the whole is stretched so that it stands and is as high as is
+/// due.
 class In_between_shape
 {
 public:
@@ -24,7 +24,7 @@ public:
 
   static constexpr double nothing = 1e-6; ///< of a surface: less has no area in floating-point numbers
 
-  In_between_shape(const Blend_structure& blend, const Task_times& times, double t);
+  In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t);
 
   const Blend_structure& blend() const { return blend_; }
   const Blend_part& part(std::size_t part) const { return blend_.parts[part]; }
@@ -47,7 +47,7 @@ public:
   Trees trees() const;
 
 private:
-  void place_chains(const Task_times& times);
+  void place_chains(const std::vector<Blend_task>& tasks);
   void fill_the_height();
 
   const Blend_structure& blend_;

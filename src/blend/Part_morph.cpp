@@ -36,13 +36,14 @@ double Part_morph::turned_share(int surface) const
   constexpr double turned = 0.5; // cosine
   const Moving_surface& mesh = surfaces_[std::size_t(surface)];
   const Point extents = (charts_.source.half_extents() + charts_.target.half_extents()) / 2;
+  const std::array<Points, 2> places = {extents.asDiagonal() * mesh.coordinates[0],
+                                        extents.asDiagonal() * mesh.coordinates[1]};
   double sum = 0, all = 0;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const auto normal = [&](const Points& at) -> Point {
-      const auto corner = [&](int i) -> Point { return extents.cwiseProduct(at.col(mesh.triangles(i, t))); };
-      return (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    const auto normal = [&](std::size_t when) {
+      return contacts::area_vector(triangle_of(places[when], mesh.triangles, t));
     };
-    const Point from = normal(mesh.coordinates[0]), to = normal(mesh.coordinates[1]);
+    const Point from = normal(0), to = normal(1);
     const double area = std::max(from.norm(), to.norm());
     all += area;
     if (from.dot(to) < turned * from.norm() * to.norm()) sum += area;
@@ -61,9 +62,9 @@ double Part_morph::misfit(bool at_change) const
     const contacts::Triangle_tree tree = tree_of(places(1 - surface), other.triangles);
     double sum = 0, all = 0;
     for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-      const contacts::Triangle corners = triangle_of(places(surface), mesh.triangles, std::size_t(t));
-      const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-      const Point middle = (corners[0] + corners[1] + corners[2]) / 3;
+      const contacts::Triangle corners = triangle_of(places(surface), mesh.triangles, t);
+      const double area = contacts::area_vector(corners).norm();
+      const Point middle = contacts::centre(corners);
       std::size_t nearest = 0;
       sum += area * (tree.nearest(middle, nearest) - middle).squaredNorm();
       all += area;

@@ -5,6 +5,7 @@
 
 #include "base/eigen_system.h"
 #include "blend/Surface_smoother.h"
+#include "shape/triangle_distance.h"
 
 #include <Eigen/Geometry>
 
@@ -21,15 +22,14 @@ Points doubled_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   Points result(3, triangles.cols());
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const Point a = points.col(triangles(0, t)), b = points.col(triangles(1, t)), c = points.col(triangles(2, t));
-    result.col(t) = (b - a).cross(c - a);
+    result.col(t) = contacts::area_vector(triangle_of(points, triangles, t));
   }
   return result;
 }
 
-double squared_longest_edge(const Points& points, const Eigen::Vector3i& corners)
+double squared_longest_edge(const contacts::Triangle& corners)
 {
-  const Point a = points.col(corners[0]), b = points.col(corners[1]), c = points.col(corners[2]);
+  const auto& [a, b, c] = corners;
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
@@ -39,15 +39,20 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
     : triangles_(triangles), longest_(triangles.cols())
 {
   constexpr double smooth = 0.5; // cosine of the angle between normals
+  constexpr double least_thickness =
+      1e-9; // volume over area, in square roots of areas: else both sides are in one place
   find_edges(points);
   extent_ = extent(points);
-  const Points normals = doubled_normals(points, triangles_).colwise().normalized();
-  const auto turns = [&](const Edge& edge) { return normals.col(edge.from).dot(normals.col(edge.to)) < smooth; };
+  is_closed_ = is_closed_ && std::abs(extent_.volume) > least_thickness * std::pow(extent_.area, 1.5);
+  const Points normals = doubled_normals(points, triangles_);
+  const Eigen::VectorXd areas = normals.colwise().norm();
+  const auto turns = [&](const Edge& edge) {
+    return normals.col(edge[0]).dot(normals.col(edge[1])) < smooth * areas[edge[0]] * areas[edge[1]];
+  };
   smooth_.erase(std::remove_if(smooth_.begin(), smooth_.end(), turns), smooth_.end());
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
-    longest_[t] = squared_longest_edge(points, triangles_.col(t));
+    longest_[t] = squared_longest_edge(triangle_of(points, triangles_, t));
   constexpr int samples = 24;
-  const Eigen::VectorXd areas = doubled_normals(points, triangles_).colwise().norm();
   double passed = 0, next = 0;
   for (Eigen::Index t = 0; t < areas.size(); ++t)
     for (passed += areas[t]; next < passed; next += areas.sum() / samples)
@@ -78,8 +83,7 @@ Surface_extent Rest_surface::extent(const Points& points) const
   Points centred(3, triangles_.cols());
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const double area = normals.col(t).norm() / 2;
-    const Point centre =
-        (points.col(triangles_(0, t)) + points.col(triangles_(1, t)) + points.col(triangles_(2, t))) / 3 - middle;
+    const Point centre = contacts::centre(triangle_of(points, triangles_, t)) - middle;
     result.area += area;
     result.volume += normals.col(t).dot(centre) / 6;
     centred.col(t) = std::sqrt(area) * centre;
@@ -98,9 +102,9 @@ double Rest_surface::torn_area(const Points& points, const Surface_extent& exten
   const Eigen::VectorXd areas = normals.colwise().norm() / 2;
   std::vector<char> is_torn(std::size_t(triangles_.cols()), 0);
   for (const Edge& edge : smooth_) {
-    const double cosine = normals.col(edge.from).dot(normals.col(edge.to));
-    if (cosine < folded * 4 * areas[edge.from] * areas[edge.to])
-      is_torn[std::size_t(areas[edge.from] < areas[edge.to] ? edge.from : edge.to)] = 1;
+    const auto [a, b] = edge;
+    if (normals.col(a).dot(normals.col(b)) < folded * 4 * areas[a] * areas[b])
+      is_torn[std::size_t(areas[a] < areas[b] ? a : b)] = 1;
   }
   const Eigen::Vector3d least = Eigen::Vector3d::Constant(least_spread);
   const double growth =
@@ -108,7 +112,8 @@ double Rest_surface::torn_area(const Points& points, const Surface_extent& exten
       std::max(1., extent.spreads.cwiseMax(least).cwiseQuotient(extent_.spreads.cwiseMax(least)).maxCoeff());
   double result = 0;
   for (Eigen::Index t = 0; t < areas.size(); ++t)
-    if (is_torn[std::size_t(t)] || squared_longest_edge(points, triangles_.col(t)) > growth * growth * longest_[t])
+    if (is_torn[std::size_t(t)] ||
+        squared_longest_edge(triangle_of(points, triangles_, t)) > growth * growth * longest_[t])
       result += areas[t];
   return result;
 }
@@ -116,10 +121,8 @@ double Rest_surface::torn_area(const Points& points, const Surface_extent& exten
 Points Rest_surface::samples(const Points& points) const
 {
   Points result(3, Eigen::Index(chosen_.size()));
-  for (std::size_t i = 0; i < chosen_.size(); ++i) {
-    const auto corners = triangles_.col(chosen_[i]);
-    result.col(Eigen::Index(i)) = (points.col(corners[0]) + points.col(corners[1]) + points.col(corners[2])) / 3;
-  }
+  for (std::size_t i = 0; i < chosen_.size(); ++i)
+    result.col(Eigen::Index(i)) = contacts::centre(triangle_of(points, triangles_, chosen_[i]));
   return result;
 }
 

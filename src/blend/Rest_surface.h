@@ -5,6 +5,7 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
+#include <array>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -38,10 +39,7 @@ public:
   Points samples(const Points& points) const;
 
 private:
-  struct Edge
-  {
-    int from, to; ///< triangles
-  };
+  using Edge = std::array<int, 2>; ///< two triangles
 
   void find_edges(const Points& points);
 

@@ -3,30 +3,37 @@
 
 #include "blend/Space_warp.h"
 
+#include "base/quantized.h"
 #include "blend/Blend_stage.h"
 #include "blend/mirror_images.h"
 #include "blend/unlike_pairs.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The corners of a box, or more points evenly in its upper and lower face. A flat box is made thicker to both sides,
-/// as points in a plane define no motion of space.
-Points box_points(const contacts::Box& box, int cells)
+/// The nodes of a lattice over a box, those along the last axis first.
+Points lattice_nodes(const contacts::Box& box, const std::array<int, 3>& cells)
+{
+  Points result(3, (cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1));
+  Eigen::Index at = 0;
+  for (int i = 0; i <= cells[0]; ++i)
+    for (int j = 0; j <= cells[1]; ++j)
+      for (int k = 0; k <= cells[2]; ++k) {
+        const Point share(double(i) / cells[0], double(j) / cells[1], double(k) / cells[2]);
+        result.col(at++) = box.min() + share.cwiseProduct(box.sizes());
+      }
+  return result;
+}
+
+/// A flat box made thicker to both sides, as points in a plane define no motion of space.
+contacts::Box thickened(const contacts::Box& box)
 {
   constexpr double thin = 0.01; // of the height
-  const Point sizes = box.sizes().cwiseMax(thin), low = box.center() - sizes / 2;
-  Points result(3, 2 * (cells + 1) * (cells + 1));
-  Eigen::Index at = 0;
-  for (int i = 0; i <= cells; ++i)
-    for (int j = 0; j <= cells; ++j)
-      for (int level : {0, 1})
-        result.col(at++) = low + Point(double(i) / cells, level, double(j) / cells).cwiseProduct(sizes);
-  return result;
+  const Point half = box.sizes().cwiseMax(thin) / 2;
+  return {box.center() - half, box.center() + half};
 }
 
 /// Points of a surface, each as far as can be from those before.
@@ -36,7 +43,8 @@ Points spread_points(const Points& surface, Eigen::Index count)
   Eigen::RowVectorXd distances = (surface.colwise() - surface.rowwise().mean()).colwise().squaredNorm();
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
     Eigen::Index farthest = 0;
-    distances.maxCoeff(&farthest);
+    for (Eigen::Index j = 1; j < distances.size(); ++j)
+      if (quantized(distances[j]) > quantized(distances[farthest])) farthest = j;
     result.col(i) = surface.col(farthest);
     const Eigen::RowVectorXd to_it = (surface.colwise() - result.col(i)).colwise().squaredNorm();
     distances = i == 0 ? to_it : Eigen::RowVectorXd(distances.cwiseMin(to_it));
@@ -56,19 +64,21 @@ contacts::Box box_around(const Blend_stage& stage, std::size_t end, const std::v
 
 Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike,
                        int end)
-    : end_(end)
+    : end_(end), box_(stage.boxes[std::size_t(end)])
 {
   add_whole(stage.boxes);
   add_surfaces(stage, parts);
   add_sets(stage, unlike);
   for (int axis = 0; axis < 3; ++axis)
     solvers_[std::size_t(axis)].compute(system(axis));
+  set_lattice();
 }
 
+/// Adds the corners of a box, or more points evenly in its upper and lower face.
 void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, const std::array<double, 3>& smoothing)
 {
-  const Points at = box_points(boxes[std::size_t(end_)], cells),
-               at_other_end = box_points(boxes[std::size_t(1 - end_)], cells);
+  const auto points = [&](int end) { return lattice_nodes(thickened(boxes[std::size_t(end)]), {cells, 1, cells}); };
+  const Points at = points(end_), at_other_end = points(1 - end_);
   for (Eigen::Index i = 0; i < at.cols(); ++i)
     controls_.push_back({at.col(i), at_other_end.col(i), smoothing});
 }
@@ -87,16 +97,11 @@ void Space_warp::add_whole(const std::array<contacts::Box, 2>& boxes)
 void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near)
 {
   constexpr double smoothing = 0.005; // of the height
-  Control control{near, near, {smoothing, smoothing, smoothing}};
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t piece : parts_of(parts, end_, given)) {
-    std::size_t triangle = 0;
-    const Point at = parts[piece].end_tree(end_).nearest(near, triangle);
-    const double distance = (at - near).norm();
-    if (distance < least) least = distance, control.at = at, control.part = piece;
-  }
-  control.place = nearest_place(parts[control.part].end_tree(end_), near);
-  controls_.push_back(control);
+  const std::size_t part = nearest_piece(parts, end_, given, near);
+  const contacts::Triangle_tree& tree = parts[part].end_tree(end_);
+  std::size_t triangle = 0;
+  const Point at = tree.nearest(near, triangle);
+  controls_.push_back({at, at, {smoothing, smoothing, smoothing}, part, nearest_place(tree, near)});
 }
 
 /// Points of matched parts and, so that the warp between symmetric shapes is symmetric, of their mirror images.
@@ -112,12 +117,13 @@ void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_
       std::min(std::clamp(all / matched, least, most), std::max<Eigen::Index>(too_many / matched, 2));
   for (const Blend_part& part : parts) {
     if (!part.is_matched()) continue;
-    const std::size_t given = part.given(end_), image = stage.images[end][given];
-    const bool has_image = image != Mirror_images::none && parts[parts_of(parts, end_, image)[0]].is_matched();
+    const std::size_t given = part.given(end_);
+    const auto image = stage.images[end][given];
+    const bool has_image = image && parts[parts_of(parts, end_, *image)[0]].is_matched();
     const Points points = spread_points(part.end_points(end_), has_image ? count / 2 : count);
     for (const auto& at : points.colwise()) {
       add_surface_point(parts, given, at);
-      if (has_image) add_surface_point(parts, image, mirrored(at));
+      if (has_image) add_surface_point(parts, *image, mirrored(at));
     }
   }
 }
@@ -164,13 +170,20 @@ Eigen::MatrixXd Space_warp::system(int axis) const
   return result;
 }
 
-Space_warp::Weights Space_warp::weights(const Points& points) const
+void Space_warp::set_lattice()
 {
-  return {kernels(points, 0), kernels(points, 1), kernels(points, 2)};
+  constexpr double least_side = 0.06; // of a cell, over the height
+  constexpr double most_cells = 4000;
+  const Point sizes = box_.sizes().cwiseMax(least_side);
+  const double side = std::max(least_side, std::cbrt(sizes.prod() / most_cells));
+  for (int axis = 0; axis < 3; ++axis)
+    cells_[std::size_t(axis)] = int(std::ceil(sizes[axis] / side));
+  const Points nodes = lattice_nodes(box_, cells_);
+  for (int axis = 0; axis < 3; ++axis)
+    node_kernels_[std::size_t(axis)] = kernels(nodes, axis);
 }
 
-Eigen::MatrixX3d Space_warp::motion(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces,
-                                    double t) const
+Points Space_warp::ways(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces, double t) const
 {
   const double done = end_ == 0 ? t : 1 - t;
   const auto n = Eigen::Index(controls_.size());
@@ -182,47 +195,15 @@ Eigen::MatrixX3d Space_warp::motion(const std::vector<Blend_part>& parts, const 
                              : control.place.of(surfaces[control.part], parts[control.part].triangles(end_));
     due.row(i) = (to - control.at).transpose();
   }
-  for (int axis = 0; axis < 3; ++axis)
-    due.col(axis) = solvers_[std::size_t(axis)].solve(due.col(axis)).eval();
-  return due;
-}
-
-Points Space_warp::displacements(const Weights& weights, const Eigen::MatrixX3d& motion) const
-{
-  Points result(3, weights[0].rows());
-  for (int axis = 0; axis < 3; ++axis)
-    result.row(axis) = (weights[std::size_t(axis)] * motion.col(axis)).transpose();
+  Points result(3, node_kernels_[0].rows());
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd coefficients = solvers_[std::size_t(axis)].solve(due.col(axis));
+    result.row(axis) = (node_kernels_[std::size_t(axis)] * coefficients).transpose();
+  }
   return result;
 }
 
-Warp_lattice::Warp_lattice(const Space_warp& warp, const contacts::Box& box) : box_(box)
-{
-  constexpr double side = 0.12; // of the height
-  constexpr int most = 8;
-  for (int axis = 0; axis < 3; ++axis)
-    cells_[std::size_t(axis)] = std::clamp(int(std::ceil(box.sizes()[axis] / side)), 1, most);
-  weights_ = warp.weights(nodes());
-}
-
-Points Warp_lattice::nodes() const
-{
-  Points result(3, (cells_[0] + 1) * (cells_[1] + 1) * (cells_[2] + 1));
-  Eigen::Index at = 0;
-  for (int i = 0; i <= cells_[0]; ++i)
-    for (int j = 0; j <= cells_[1]; ++j)
-      for (int k = 0; k <= cells_[2]; ++k) {
-        const Point share(double(i) / cells_[0], double(j) / cells_[1], double(k) / cells_[2]);
-        result.col(at++) = box_.min() + share.cwiseProduct(box_.sizes());
-      }
-  return result;
-}
-
-Points Warp_lattice::ways(const Space_warp& warp, const Eigen::MatrixX3d& motion) const
-{
-  return warp.displacements(weights_, motion);
-}
-
-Points Warp_lattice::moved(const Points& points, const Points& ways) const
+Points Space_warp::moved(const Points& points, const Points& ways) const
 {
   constexpr double flat = 1e-6; // of the height: what is thinner is in the first layer of nodes
   Points result = points;

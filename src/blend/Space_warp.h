@@ -21,22 +21,19 @@ struct Blend_stage;
 /// Unmatched parts ride on it, so that they hold on to what they touch.
 ///
 /// Along each axis the motion is a smoothing spline with the kernel -|r|, the smoothest in space, through *controls*.
-/// Distances along the two other axes count less, so that what is straight along an axis stays so.
+/// Distances along the two other axes count less, so that what is straight along an axis stays so. It is evaluated at
+/// the nodes of a lattice, between which motions are trilinear.
 class Space_warp
 {
 public:
   /// \param unlike pairs that correspond but do not morph
   Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike, int end);
 
-  /// By axis, a row for each point: how it moves with each coefficient of the motion.
-  using Weights = std::array<Eigen::MatrixXd, 3>;
-  Weights weights(const Points& points) const;
-
-  /// By axis, the coefficients of the motion until `t`.
+  /// How the nodes have moved at `t`.
   /// \param surfaces of this end, by part, where they are at `t`; those of unmatched parts are not read
-  Eigen::MatrixX3d motion(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces, double t) const;
-  /// How points move.
-  Points displacements(const Weights& weights, const Eigen::MatrixX3d& motion) const;
+  Points ways(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces, double t) const;
+  /// Points of the shape when the nodes have moved.
+  Points moved(const Points& points, const Points& ways) const;
 
 private:
   /// A point that moves to a known place, as nearly as the smoothing allows.
@@ -53,31 +50,17 @@ private:
   void add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts);
   void add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near);
   void add_sets(const Blend_stage& stage, const Part_pairs& unlike);
+  void set_lattice();
+  /// A row for each point: how it moves along an axis with each coefficient of the motion.
   Eigen::MatrixXd kernels(const Points& points, int axis) const;
   Eigen::MatrixXd system(int axis) const;
 
   int end_;
+  contacts::Box box_; ///< around the shape
   std::vector<Control> controls_;
   std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< by axis
-};
-
-/// A lattice over a box in which surfaces move with a warp.
-class Warp_lattice
-{
-public:
-  Warp_lattice(const Space_warp& warp, const contacts::Box& box);
-
-  /// How its nodes move.
-  Points ways(const Space_warp& warp, const Eigen::MatrixX3d& motion) const;
-  /// Points of the box when its nodes have moved.
-  Points moved(const Points& points, const Points& ways) const;
-
-private:
-  Points nodes() const;
-
-  contacts::Box box_;
-  std::array<int, 3> cells_;    ///< by axis
-  Space_warp::Weights weights_; ///< of its nodes
+  std::array<int, 3> cells_{};                                  ///< of the lattice, by axis
+  std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< by axis
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -27,7 +27,7 @@ Surface_smoother::Surface_smoother(const Points& surface, const Eigen::Matrix3Xi
     : places_(first_in_place(surface)), areas_(surface.cols()), stiffness_(surface.cols(), surface.cols())
 {
   constexpr double least_area = 1e-9; // so that points of no triangle keep their vectors
-  constexpr double flattest = 1e-6;   // height over base of a triangle: others count as that
+  constexpr double flattest = 1e-4;   // height over base of a triangle: others count as that
   areas_.setConstant(least_area);
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < int(surface.cols()); ++i)
@@ -54,10 +54,15 @@ Points Surface_smoother::operator()(const Points& given, double length) const
   system.diagonal() += areas_;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
   CGAL_assertion(solver.info() == Eigen::Success); // the system is positive definite
-  const Eigen::MatrixX3d solved = solver.solve(Eigen::MatrixX3d(areas_.asDiagonal() * given.transpose()));
+  // Solved for what changes, by differences: constants stay exactly, on slivers, too
+  Eigen::MatrixX3d due = Eigen::MatrixX3d::Zero(given.cols(), 3);
+  for (int i = 0; i < int(given.cols()); ++i)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness_, i); entry; ++entry)
+      due.row(i) += length * length * entry.value() * (given.col(i) - given.col(entry.row())).transpose();
+  const Eigen::MatrixX3d change = solver.solve(due);
   Points result(3, given.cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i)
-    result.col(i) = solved.row(places_[std::size_t(i)]).transpose();
+    result.col(i) = given.col(places_[std::size_t(i)]) + change.row(places_[std::size_t(i)]).transpose();
   return result;
 }
 

@@ -18,10 +18,8 @@ struct Unmatched_chain
 {
   int end = 0;
   std::vector<std::size_t> parts; ///< of the blend
-  contacts::Box box;
-  Point root = Point::Zero(); ///< what it shrinks to, and grows from
+  Point root = Point::Zero();     ///< what it shrinks to, and grows from
 
-  bool stands() const { return box.min().y() <= Blend_part::on_ground; }
   /// Points of it when a share of it remains, in [0, 1].
   Points shrunk(const Points& points, double remaining) const
   {

@@ -303,10 +303,9 @@ double at_ends(const Blend_measure& measure, const Blend_structure& blend)
   return is_asymmetry ? std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]) : 0;
 }
 
-/// A measure over its tolerance: 1 and less is no fault.
-double over_tolerance(const Blend_measure& measure, const Blend_quality& quality, const Blend_structure& blend)
+bool is_fault(const Blend_measure& measure, const Blend_quality& quality, const Blend_structure& blend)
 {
-  return std::max(0., quality.*measure.value - at_ends(measure, blend)) / measure.tolerance;
+  return quality.*measure.value - at_ends(measure, blend) > measure.tolerance;
 }
 
 std::string Shape_measure::fault(std::size_t measure) const
@@ -327,14 +326,22 @@ std::string Shape_measure::fault(std::size_t measure) const
 std::vector<std::string> Shape_measure::faults() const
 {
   std::vector<std::string> result;
+  const Blend_quality measured = quality();
   for (std::size_t i = 0; i < worst_.size(); ++i)
-    if (over_tolerance(blend_measures()[i], quality(), blend()) > 1) result.push_back(fault(i));
+    if (is_fault(blend_measures()[i], measured, blend())) result.push_back(fault(i));
   return result;
 }
 
 } // namespace
 
 Blend_quality quality(const In_between_shape& shape) { return Shape_measure(shape).quality(); }
+
+std::size_t number_of_faults(const Blend_quality& quality, const Blend_structure& blend)
+{
+  const std::vector<Blend_measure>& measures = blend_measures();
+  return std::size_t(std::count_if(measures.begin(), measures.end(),
+                                   [&](const Blend_measure& measure) { return is_fault(measure, quality, blend); }));
+}
 
 Blend_check check(const In_between_shape& shape)
 {

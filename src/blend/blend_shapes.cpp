@@ -72,7 +72,9 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
 {
   std::vector<Shape_blend> result;
   for (const Blend_schedule& schedule : schedules_) {
-    const auto is_same = [&](const Shape_blend& other) { return times_of(schedule) == times_of(other.schedules_[0]); };
+    const auto is_same = [&](const Shape_blend& other) {
+      return have_same_times(schedule.tasks, other.schedules_[0].tasks);
+    };
     if (std::any_of(result.begin(), result.end(), is_same)) continue;
     result.push_back(*this);
     result.back().schedules_ = {schedule};
@@ -84,7 +86,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 {
   if (t <= 0) return blend_->shapes[0];
   if (t >= 1) return blend_->shapes[1];
-  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
+  const In_between_shape shape(*blend_, schedules_[0].tasks, t);
   Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->shapes[0].up());
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
     if (!shape.is_there(part)) continue;
@@ -96,7 +98,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 
 Blend_check Shape_blend::check(double t) const
 {
-  if (t > 0 && t < 1) return internal::check(In_between_shape(*blend_, times_of(schedules_[0]), t));
+  if (t > 0 && t < 1) return internal::check(In_between_shape(*blend_, schedules_[0].tasks, t));
   Blend_check result;
   result.quality.asymmetry = blend_->end_asymmetry[t <= 0 ? 0 : 1];
   return result;
@@ -125,7 +127,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
 std::vector<Points> Shape_blend::points(double t) const
 {
   std::vector<Points> result;
-  const In_between_shape shape(*blend_, times_of(schedules_[0]), t);
+  const In_between_shape shape(*blend_, schedules_[0].tasks, t);
   for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
     for (int surface = 0; surface < shape.part(part).number_of_surfaces(); ++surface)
       result.push_back(blend_->to_world(shape.points(part, surface), t));

@@ -25,10 +25,10 @@ namespace {
 /// Whether a map does not do: the surfaces are not alike, or one is torn or turned over on the way.
 bool is_torn(const Part_morph& morph)
 {
-  constexpr double most_torn = 2 * Shape_blend::torn_tolerance;   // of a part by itself
-  constexpr double most_turned = 0.12;                            // of either surface
-  constexpr double most_misfit = 0.21, most_misfit_of_open = 0.1; // whose both sides and rims are seen
-  constexpr double most_jump = 0.08;                              // where the second surface takes over
+  constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
+  constexpr double most_turned = 0.12;                          // of either surface
+  constexpr double most_jump = 0.08;                            // where the second surface takes over
+  constexpr double most_misfit_of_open = 0.1;                   // as both sides and the rims of these are seen
   if (std::max(morph.turned_share(0), morph.turned_share(1)) > most_turned) return true;
   bool are_closed = true;
   for (int surface : {0, 1}) {
@@ -41,7 +41,7 @@ bool is_torn(const Part_morph& morph)
       if (rest.torn_area(points, extent) > most_torn * extent.area) return true;
     }
   }
-  return morph.misfit(false) > (are_closed ? most_misfit : most_misfit_of_open) || morph.misfit(true) > most_jump;
+  return (!are_closed && morph.misfit(false) > most_misfit_of_open) || morph.misfit(true) > most_jump;
 }
 
 /// Makes the parts of a blend from pairs of parts.

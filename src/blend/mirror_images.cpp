@@ -54,7 +54,7 @@ double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_po
 }
 
 /// Pairs of parts nearest to being mirror images of each other come first.
-Mirror_images::Mirror_images(const std::vector<Part_mesh>& parts) : images_(parts.size(), none)
+Mirror_images mirror_images(const std::vector<Part_mesh>& parts)
 {
   constexpr double tolerance = 0.05; // of the height: how far a part is from the mirror image of another at most
   const std::vector<contacts::Triangle_tree> trees = trees_of(parts);
@@ -67,15 +67,17 @@ Mirror_images::Mirror_images(const std::vector<Part_mesh>& parts) : images_(part
       if (distance <= tolerance) likely.emplace_back(quantized(distance), i, j);
     }
   std::sort(likely.begin(), likely.end());
+  Mirror_images result(parts.size());
   for (const auto& [distance, i, j] : likely)
-    if (images_[i] == none && images_[j] == none) images_[i] = j, images_[j] = i;
+    if (!result[i] && !result[j]) result[i] = j, result[j] = i;
+  return result;
 }
 
 void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target)
 {
   for (std::size_t i = 0, count = pairs.size(); i < count; ++i) {
-    const std::size_t s = source[pairs[i].first], t = target[pairs[i].second];
-    if (s != Mirror_images::none && t != Mirror_images::none) pairs.emplace_back(s, t);
+    const auto s = source[pairs[i].first], t = target[pairs[i].second];
+    if (s && t) pairs.emplace_back(*s, *t);
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

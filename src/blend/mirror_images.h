@@ -7,6 +7,7 @@
 #include "map/Piece_pair.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -20,20 +21,9 @@ inline Point mirrored(Point p)
 /// Root mean square distance of some points of surfaces, mirrored in x = 0, from surfaces.
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees);
 
-/// The mirror images in x = 0 of the parts of a shape, by index: a part that is its own image has itself.
-class Mirror_images
-{
-public:
-  static constexpr std::size_t none = std::size_t(-1);
-
-  Mirror_images() = default;
-  explicit Mirror_images(const std::vector<Part_mesh>& parts);
-
-  std::size_t operator[](std::size_t part) const { return images_.empty() ? none : images_[part]; }
-
-private:
-  std::vector<std::size_t> images_;
-};
+/// By part, its mirror image in x = 0, if it has one: a part that is its own image has itself.
+using Mirror_images = std::vector<std::optional<std::size_t>>;
+Mirror_images mirror_images(const std::vector<Part_mesh>& parts);
 
 /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
 void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target);

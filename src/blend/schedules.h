@@ -12,12 +12,15 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// In which order old parts are exchanged for new ones; numbers in `schedule_names()`.
+enum class Blend_order { FROM_THE_GROUND, FROM_THE_TOP, AT_ONE_TIME };
+
 /// The names of all schedules.
 const std::vector<std::string>& schedule_names();
 
-/// The times of tasks in which unmatched parts come and go, those of one group at one time.
-Task_times times_in_turn(const Blend_structure& blend, bool from_the_ground);
-Task_times times_of(const Blend_schedule& schedule);
+/// The tasks with their times: those of one group at one time.
+std::vector<Blend_task> tasks_in_order(const Blend_structure& blend, Blend_order order);
+bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_task>& b);
 
 /// All schedules, judged by samples of their in-between shapes, the best one first.
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options);

@@ -51,12 +51,6 @@ contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_
   return {low.array() - around, high.array() + around};
 }
 
-/// The overlap of boxes over the smaller one.
-double overlap(const contacts::Box& a, const contacts::Box& b)
-{
-  return a.intersects(b) ? a.intersection(b).volume() / std::min(a.volume(), b.volume()) : 0;
-}
-
 /// How much extents change, in logarithms, summed.
 double change_of_extents(const Point& from, const Point& to)
 {
@@ -98,7 +92,8 @@ Difference::Difference(const std::array<Part_chart, 2>& charts, bool are_whole, 
   };
   const Point growth = extents(1).cwiseQuotient(extents(0));
   const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
-              with_the_whole = (boxes.source.axes().transpose().cwiseAbs() * growth).cwiseProduct(from);
+              with_the_whole =
+                  (growth.asDiagonal() * boxes.source.axes()).colwise().norm().transpose().cwiseProduct(from);
   change = change_of_extents(from, to);
   const auto stretch_from = [&](const Point& extents) {
     return std::abs(std::log(extents.maxCoeff() / to.maxCoeff()));
@@ -135,9 +130,15 @@ bool Difference::stays_near() const
   return way <= most_way + by_size * size;
 }
 
+double shared_place(const Blend_stage& stage, const Part_of_end& a, const Part_of_end& b)
+{
+  const contacts::Box box = relative_box(stage, a.end, a.part), other = relative_box(stage, b.end, b.part);
+  return box.intersects(other) ? box.intersection(other).volume() / box.volume() : 0;
+}
+
 double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target)
 {
-  return overlap(relative_box(stage, 0, source), relative_box(stage, 1, target));
+  return std::max(shared_place(stage, {0, source}, {1, target}), shared_place(stage, {1, target}, {0, source}));
 }
 
 Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired)
@@ -156,7 +157,7 @@ Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, 
       const bool correspond = std::binary_search(unlike.all.begin(), unlike.all.end(), pair);
       if (is_used[0][s] || is_used[1][t] || unlike.torn.count(pair) > 0) continue;
       if (!correspond && (has_counterpart[0][s] || has_counterpart[1][t])) continue;
-      const double shared = overlap(relative_box(stage, 0, s), relative_box(stage, 1, t));
+      const double shared = shared_place(stage, s, t);
       if (shared <= same_place) continue;
       if (Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, true, stage).is_little())
         alike.emplace_back(-quantized(shared), pair);
@@ -178,10 +179,10 @@ void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pair
   Disjoint_sets sets(sources + stage.meshes[1].size()); // of parts that pairs connect, mirror images together
   for (const auto& [s, t] : paired) {
     sets.unite(s, sources + t);
-    const std::size_t source_image = stage.images[0][s], target_image = stage.images[1][t];
-    if (source_image == Mirror_images::none || target_image == Mirror_images::none) continue;
-    sets.unite(s, source_image);
-    sets.unite(sources + t, sources + target_image);
+    const auto source_image = stage.images[0][s], target_image = stage.images[1][t];
+    if (!source_image || !target_image) continue;
+    sets.unite(s, *source_image);
+    sets.unite(sources + t, sources + *target_image);
   }
   std::vector<char> is_unlike(sets.size(), 0); // by set, whether a pair in it is: a part is divided as a whole
   for (const auto& [s, t] : unlike.torn)

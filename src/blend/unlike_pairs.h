@@ -58,8 +58,14 @@ void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pair
 /// neither has a counterpart. None of both is as much in the place of another.
 Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired);
 
-/// How much of the place of the smaller one of two parts is that of the other, in the boxes around the shapes: what is
-/// more than `same_place` is in one place.
+struct Part_of_end
+{
+  std::size_t end, part;
+};
+
+/// How much of the place of a part is that of another one, too, in the boxes around the shapes.
+double shared_place(const Blend_stage& stage, const Part_of_end& a, const Part_of_end& b);
+/// The same of the smaller one of a source part and a target part: what is more than `same_place` is in one place.
 double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target);
 constexpr double same_place = 0.4;
 

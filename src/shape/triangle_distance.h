@@ -25,6 +25,8 @@ using Triangle = std::array<Point, 3>;
 /// The normal of the triangle, of length twice its area.
 inline Point area_vector(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
+inline Point centre(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3; }
+
 } // namespace contacts
 
 inline contacts::Triangle triangle_of(const Points& points, const Eigen::Matrix3Xi& triangles, Eigen::Index t)

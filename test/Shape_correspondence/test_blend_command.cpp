@@ -91,7 +91,7 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   const json report = json::parse(frames.out);
   CHECK(report["format"] == "shape_correspondence/blend");
   CHECK(report["frames"].size() == 3);
-  CHECK(report["schedules"].size() == 2);
+  CHECK(report["schedules"].size() == 3);
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
   const Run animation = run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --verbose");
   CHECK(animation.status == 0);

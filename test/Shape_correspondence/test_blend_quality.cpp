@@ -90,7 +90,8 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   internal::Blend_structure blend(inputs, same_parts(3), {});
   constexpr std::size_t base = 0, column = 1, top = 2;
   const auto checked = [&](std::size_t part, const std::function<void(Points&)>& harm) {
-    internal::In_between_shape shape(blend, internal::times_in_turn(blend, true), 0.5);
+    internal::In_between_shape shape(blend, internal::tasks_in_order(blend, internal::Blend_order::FROM_THE_GROUND),
+                                     0.5);
     harm(shape.moving_points(part));
     return internal::check(shape);
   };
@@ -112,7 +113,8 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   // Too high and too low, too wide and too narrow, too much and too little
   CHECK(is_said(faults(top, shifted({0, 0.3, 0})), "higher or lower than is due by 30 %"));
   const auto lowered = [&] {
-    internal::In_between_shape shape(blend, internal::times_in_turn(blend, true), 0.5);
+    internal::In_between_shape shape(blend, internal::tasks_in_order(blend, internal::Blend_order::FROM_THE_GROUND),
+                                     0.5);
     for (std::size_t part : {base, column, top})
       shape.moving_points(part).row(1) *= 0.7;
     return internal::check(shape).faults;
@@ -177,7 +179,8 @@ TEST_CASE("What is not symmetric any more is told, with the part")
                                                        internal::Blend_input{model.graph, model.shape, 0}};
   const internal::Blend_structure blend(inputs, same_parts(4), {});
   const auto faults = [&](std::size_t part, double by) {
-    internal::In_between_shape shape(blend, internal::times_in_turn(blend, true), 0.5);
+    internal::In_between_shape shape(blend, internal::tasks_in_order(blend, internal::Blend_order::FROM_THE_GROUND),
+                                     0.5);
     shape.moving_points(part).row(0).array() += by;
     return internal::check(shape).faults;
   };

@@ -148,6 +148,9 @@ TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and
   }
   Points ways = Points::Constant(3, strip.cols(), 0.7);
   CHECK((internal::Surface_smoother(strip, triangles)(ways, length) - ways).norm() < 1e-9);
+  Points sliver = strip;
+  sliver.row(1) *= 1e-9;
+  CHECK((internal::Surface_smoother(sliver, triangles)(ways, length) - ways).norm() < 1e-9);
   for (Eigen::Index i = 0; i < strip.cols(); ++i)
     ways(0, i) = strip(0, i) < -step / 2 ? -1 : strip(0, i) > step / 2 ? 1 : 0;
   const Points joined = internal::Surface_smoother(strip, triangles)(ways, length);
@@ -219,6 +222,27 @@ TEST_CASE("A post that becomes much longer is exchanged, one that becomes a litt
   };
   CHECK(post_from(0.6) == Blend_task_type::MORPH);
   CHECK(post_from(0.45) == Blend_task_type::SHRINK); // twice as long
+}
+
+TEST_CASE("A slanted bar that becomes much longer is exchanged, too, though the whole stays as it is")
+{
+  const auto with_bar = [](double length) {
+    const Eigen::Matrix3d slant = Eigen::AngleAxisd(std::atan(1.), Point::UnitZ()).toRotationMatrix();
+    Part_mesh bar = box_shapes::box({0, 0, 0}, {length, 0.06, 0.06});
+    bar.points = (slant * bar.points).colwise() + Point(0.1, 0.6, 0);
+    Segmented_shape shape("frame");
+    shape.add_part("base", box_shapes::box({0, 0.05, 0}, {1, 0.1, 0.6}));
+    shape.add_part("wall", box_shapes::box({-0.45, 0.6, 0}, {0.1, 1, 0.6}));
+    shape.add_part("bar", bar);
+    Box_model result = model_of(shape);
+    structure(result.graph).frame.axes.setIdentity();
+    return result;
+  };
+  const auto bar_from = [&](double length) {
+    return blend_of(with_bar(length), with_bar(0.77), same_parts(3)).schedules()[0].tasks[2].type;
+  };
+  CHECK(bar_from(0.6) == Blend_task_type::MORPH);
+  CHECK(bar_from(0.35) == Blend_task_type::SHRINK);
 }
 
 TEST_CASE("What comes where a part that morphs was changes when surfaces do, what comes elsewhere later")

@@ -32,7 +32,7 @@ struct Blend_options
 {
   /// Largest gap between parts in contact in the source or target, as a fraction of the height, in [0, 1].
   double contact_tolerance = 0.02;
-  int samples = 5; ///< number of in-between shapes by which a schedule is rated, 1 to 1000
+  int samples = 7; ///< number of in-between shapes by which a schedule is rated, 1 to 1000
   /// Pairs of lower confidence, in [0, 1], are left out: their parts come and go. By default, those that are more
   /// probably wrong than right.
   double min_confidence = 0.5;

@@ -58,14 +58,15 @@ struct Blend_surface
 ///   alike in place and size become each other (`Blend_task_type::EXCHANGE`). Unmatched parts ride on a warp of the
 ///   space around their end, a smoothing spline: it moves with the surfaces of matched parts, with the boxes of parts
 ///   that correspond, and with the box around the whole, and smoothly between these, so that parts hold on to what they
-///   touch. They shrink to where they are held, or grow from there, in groups, one after the other, each quickly: old
-///   parts go as what takes their place comes, when the surfaces of matched parts change.
+///   touch. Old parts go as what takes their place comes, in an instant; others shrink to where they are held, or grow
+///   from there, in groups, one after the other, each quickly.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///
-/// In a *schedule*, the groups of unmatched parts change from the ground up or from the top down; the better one is
-/// that with fewer measures of `Blend_quality` over their tolerances, from the ground up if these are as many.
-/// `check()` returns which tolerances are exceeded. Deterministic.
+/// In a *schedule*, old parts are exchanged for new ones from the ground up or from the top down, in two halves, or at
+/// one time. The best one has the fewest measures of `Blend_quality` over their tolerances, and is the first of these
+/// if that are as many; halves between which parts come apart are the last. `check()` returns which tolerances are
+/// exceeded. Deterministic.
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
