@@ -156,15 +156,15 @@ TEST_CASE("Blends do not depend on units and places")
   wide[2].size.x() = 1.6;
   narrow.push_back({"vase", {0.3, 1.1, 0.1}, {0.2, 0.2, 0.2}});
   const Box_model source = model_of(narrow), target = model_of(wide);
-  Segmented_shape moved("moved", target.shape.up());
-  for (const Shape_part& part : target.shape.parts())
+  Segmented_shape moved("moved", source.shape.up());
+  for (const Shape_part& part : source.shape.parts())
     moved.add_part(part.name, {(39.37 * part.mesh.points).colwise() + Point(12.3, -3.1, 7.7), part.mesh.triangles});
   Blend_options options;
   options.size = Blend_size::SAME;
-  const auto blend_with = [&](const Box_model& to) {
-    return Shape_blend(source.graph, source.shape, to.graph, to.shape, same_parts(3), options);
+  const auto blend_from = [&](const Box_model& from) {
+    return Shape_blend(from.graph, from.shape, target.graph, target.shape, same_parts(3), options);
   };
-  const Shape_blend blend = blend_with(target), other = blend_with(model_of(moved));
+  const Shape_blend blend = blend_from(source), other = blend_from(model_of(moved));
   for (double t : {0.1, 0.4, 0.7}) {
     const Segmented_shape shape = blend(t), same = other(t);
     REQUIRE(shape.parts().size() == same.parts().size());
