@@ -88,7 +88,8 @@ void exchange(Timed_groups& groups, Blend_order order)
   for (const auto& [level, changing] : levels) {
     for (const Timed_group* group : changing)
       sum += group->size;
-    if (std::min(sum, all - sum) > lesser) lesser = std::min(sum, all - sum), last_of_first = level;
+    const double half = std::min(sum, all - sum);
+    if (quantized(half) > quantized(lesser)) lesser = half, last_of_first = level;
   }
   if (order == Blend_order::AT_ONE_TIME || lesser < least_half * all) return;
   for (const auto& [level, changing] : levels)

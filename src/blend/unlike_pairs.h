@@ -58,6 +58,7 @@ void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pair
 /// neither has a counterpart. None of both is as much in the place of another.
 Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired);
 
+/// A part of the source, end 0, or of the target, end 1, by index.
 struct Part_of_end
 {
   std::size_t end, part;

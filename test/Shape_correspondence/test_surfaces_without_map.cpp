@@ -165,6 +165,17 @@ TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and
   CHECK(apart(0, 0) == Approx(-1).margin(1e-3));
 }
 
+TEST_CASE("A sheet with both sides in one place is not closed")
+{
+  Part_mesh sheet = part_meshes::without_triangles(ball, 1);
+  const Eigen::Index half = sheet.triangles.cols();
+  CHECK(internal::Rest_surface(ball.points, ball.triangles).is_closed());
+  CHECK_FALSE(internal::Rest_surface(sheet.points, sheet.triangles).is_closed());
+  sheet.triangles.conservativeResize(3, 2 * half);
+  sheet.triangles.rightCols(half) = sheet.triangles.leftCols(half).colwise().reverse().eval();
+  CHECK_FALSE(internal::Rest_surface(sheet.points, sheet.triangles).is_closed());
+}
+
 TEST_CASE("A cube becomes a ball: the surface that takes over lies on the other one, and nothing is torn")
 {
   const Part_mesh cube = box_shapes::box({0, 0, 0}, {1, 1, 1});
