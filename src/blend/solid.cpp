@@ -10,20 +10,9 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/alpha_wrap_3.h>
 
+#include <vector>
+
 namespace CGAL::Shape_correspondence {
-namespace {
-
-/// Adds the surface of another part to one.
-void append(Part_mesh& all, const Part_mesh& mesh)
-{
-  const Eigen::Index points = all.points.cols(), triangles = all.triangles.cols();
-  all.points.conservativeResize(3, points + mesh.points.cols());
-  all.points.rightCols(mesh.points.cols()) = mesh.points;
-  all.triangles.conservativeResize(3, triangles + mesh.triangles.cols());
-  all.triangles.rightCols(mesh.triangles.cols()) = mesh.triangles.array() + int(points);
-}
-
-} // namespace
 
 Part_mesh Shape_blend::solid(double t, double detail) const
 {
@@ -32,9 +21,10 @@ Part_mesh Shape_blend::solid(double t, double detail) const
   if (!(detail >= least_detail && detail <= 1))
     throw Invalid_input("Shape_blend: the detail of a solid must be between 0.001 and 1");
   const Segmented_shape shape = (*this)(t);
-  Part_mesh all;
+  std::vector<const Part_mesh*> meshes;
   for (const Shape_part& part : shape.parts())
-    append(all, part.mesh);
+    meshes.push_back(&part.mesh);
+  const Part_mesh all = internal::joined(meshes);
   const internal::Triangle_soup soup = internal::to_soup(all);
   const double alpha = detail * internal::diagonal(all.points);
   internal::Halfedge_mesh result;

@@ -5,20 +5,31 @@
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
+#include <vector>
+
 namespace CGAL::Shape_correspondence::internal {
+
+/// Points of one set after the other.
+inline Points joined(const std::vector<const Points*>& sets)
+{
+  Eigen::Index count = 0;
+  for (const Points* points : sets)
+    count += points->cols();
+  Points result(3, count);
+  for (const Points* points : sets) {
+    result.middleCols(result.cols() - count, points->cols()) = *points;
+    count -= points->cols();
+  }
+  return result;
+}
 
 /// The vertices of all parts, part by part.
 inline Points all_vertices(const Segmented_shape& shape)
 {
-  Eigen::Index count = 0;
+  std::vector<const Points*> sets;
   for (const Shape_part& part : shape.parts())
-    count += part.mesh.points.cols();
-  Points result(3, count);
-  for (const Shape_part& part : shape.parts()) {
-    result.middleCols(result.cols() - count, part.mesh.points.cols()) = part.mesh.points;
-    count -= part.mesh.points.cols();
-  }
-  return result;
+    sets.push_back(&part.mesh.points);
+  return joined(sets);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

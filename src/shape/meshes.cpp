@@ -21,6 +21,26 @@ Triangle_soup to_soup(const Part_mesh& mesh)
   return result;
 }
 
+Part_mesh joined(const std::vector<const Part_mesh*>& meshes)
+{
+  Eigen::Index points = 0, triangles = 0;
+  for (const Part_mesh* mesh : meshes) {
+    points += mesh->points.cols();
+    triangles += mesh->triangles.cols();
+  }
+  Part_mesh result;
+  result.points.resize(3, points);
+  result.triangles.resize(3, triangles);
+  points = triangles = 0;
+  for (const Part_mesh* mesh : meshes) {
+    result.points.middleCols(points, mesh->points.cols()) = mesh->points;
+    result.triangles.middleCols(triangles, mesh->triangles.cols()) = mesh->triangles.array() + int(points);
+    points += mesh->points.cols();
+    triangles += mesh->triangles.cols();
+  }
+  return result;
+}
+
 Halfedge_mesh manifold_surface(const Part_mesh& mesh, bool* changed)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

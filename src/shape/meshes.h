@@ -30,6 +30,9 @@ struct Triangle_soup
 
 Triangle_soup to_soup(const Part_mesh& mesh);
 
+/// The triangles of all meshes, one mesh after the other.
+Part_mesh joined(const std::vector<const Part_mesh*>& meshes);
+
 /// The triangles as a manifold, consistently oriented.
 /// \param changed if not null, set to whether points were merged, triangles left out or vertices doubled
 Halfedge_mesh manifold_surface(const Part_mesh& mesh, bool* changed = nullptr);

@@ -6,6 +6,7 @@
 #include "shape/all_vertices.h"
 #include "shape/group_pieces.h"
 #include "shape/has_area.h"
+#include "shape/meshes.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
@@ -37,26 +38,6 @@ std::string unused_name(const std::string& name, std::size_t number, std::set<st
   std::string result = name + '#' + std::to_string(number);
   while (!taken.insert(result).second)
     result = name + '#' + std::to_string(++number);
-  return result;
-}
-
-Part_mesh joined(const std::vector<const Part_mesh*>& meshes)
-{
-  Eigen::Index points = 0, triangles = 0;
-  for (const Part_mesh* mesh : meshes) {
-    points += mesh->points.cols();
-    triangles += mesh->triangles.cols();
-  }
-  Part_mesh result;
-  result.points.resize(3, points);
-  result.triangles.resize(3, triangles);
-  points = triangles = 0;
-  for (const Part_mesh* mesh : meshes) {
-    result.points.middleCols(points, mesh->points.cols()) = mesh->points;
-    result.triangles.middleCols(triangles, mesh->triangles.cols()) = mesh->triangles.array() + int(points);
-    points += mesh->points.cols();
-    triangles += mesh->triangles.cols();
-  }
   return result;
 }
 
