@@ -7,7 +7,7 @@
 #ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 #define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 
-#include "blend/surface_components.h"
+#include "blend/Shape_look.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 

@@ -6,7 +6,6 @@
 #include "blend/Blend_structure.h"
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -16,45 +15,29 @@ namespace CGAL::Shape_correspondence::internal {
 /// *Layout*: matched parts go straight and evenly from where they are at the one end to where they are at the other.
 /// Unmatched ones ride on the warps of the ends. Then the whole is stretched so that it stands and is as high as is
 /// due.
-class In_between_shape
+struct In_between_shape
 {
-public:
-  using Tree = contacts::Triangle_tree;
-  using Trees = std::vector<std::optional<Tree>>; ///< by part, of the surface that there is
-
-  static constexpr double nothing = 1e-6; ///< of a surface: less has no area in floating-point numbers
-
   In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t);
 
-  const Blend_structure& blend() const { return blend_; }
-  const Blend_part& part(std::size_t part) const { return blend_.parts[part]; }
-  std::size_t number_of_parts() const { return points_.size(); }
-  double time() const { return t_; }
+  const Blend_structure& blend;
+  double time;
+  std::vector<int> surfaces;  ///< by part, the one of its surfaces that there is, or -1
+  std::vector<Points> points; ///< by part, of that surface
+
+  bool is_there(std::size_t part) const { return surfaces[part] >= 0; }
   /// The box that the whole is to fill.
   contacts::Box due_box() const;
-
-  /// The one of a part's surfaces that there is, or -1.
-  int surface(std::size_t part) const { return surface_[part]; }
-  bool is_there(std::size_t part) const { return surface_[part] >= 0; }
-  /// Of the surface that there is.
-  const Points& points(std::size_t part) const { return points_[part]; }
-  /// The same, to be changed.
-  Points& moving_points(std::size_t part) { return points_[part]; }
-  /// Of any; for one that there is not, its motion is continued.
-  Points points(std::size_t part, int surface) const;
-
-  /// The trees of the parts that are there.
-  Trees trees() const;
+  /// The points of a surface of a part, also where it is at this time if it is not the one that there is.
+  Points points_of(std::size_t part, int surface) const;
+  /// The parts that are there.
+  std::vector<Seen_surface> seen() const;
 
 private:
-  void place_chains(const std::vector<Blend_task>& tasks);
+  void place_unmatched(const std::vector<Blend_task>& tasks);
   void fill_the_height();
+  void stretch(Points& surface) const { surface.row(1) = (scale_ * surface.row(1)).array() + shift_; }
 
-  const Blend_structure& blend_;
-  double t_;
-  std::vector<Points> points_; ///< by part
-  std::vector<int> surface_;
-  Eigen::Affine3d stretch_ = Eigen::Affine3d::Identity(); ///< of the whole
+  double scale_ = 1, shift_ = 0; ///< by which the whole is stretched
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,19 +3,15 @@
 
 #include "blend/blend_quality.h"
 
-#include "base/quantized.h"
 #include "blend/mirror_images.h"
-#include "blend/surface_components.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
-#include <optional>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -76,67 +72,51 @@ struct Worst_parts
   void improve(double other, std::size_t a, std::size_t b)
   {
     sum += other;
-    if (std::abs(other) > std::abs(value)) value = other, parts = {a, b};
+    if (other > value) value = other, parts = {a, b};
   }
 };
 
 /// By which share something is larger, or smaller, than is due.
 double off_due(double value, double due) { return due > 0 ? std::abs(value / due - 1) : 0; }
 
-/// Measures a shape part by part.
+/// Measures a shape, as a whole and part by part.
 class Shape_measure
 {
 public:
   explicit Shape_measure(const In_between_shape& shape)
-      : shape_(shape), trees_(shape.trees()), extents_(shape.number_of_parts())
+      : shape_(shape), blend_(shape.blend), seen_(shape.seen()), look_(seen_)
   {
-    for (std::size_t part = 0; part < extents_.size(); ++part) {
-      if (!shape.is_there(part)) continue;
-      extents_[part] = rest(part).extent(shape.points(part));
-      area_ += extents_[part].area;
+    for (const Seen_surface& surface : seen_) {
+      points_.push_back(&surface.points);
+      trees_.push_back(&surface.tree);
     }
-    worst_ = {{off_due(box().sizes().y(), shape.due_box().sizes().y())},
-              {off_due(hull_volume(surfaces()), due_volume(look(0).hull, look(1).hull))},
-              {off_due(volume(), due_volume(look(0).volume, look(1).volume))},
-              {support()},
-              gone(),
-              rotation(),
-              travel(),
-              gap(),
-              {apart()},
-              asymmetry(),
-              torn(),
-              overlap()};
   }
 
-  Blend_quality quality() const
+  /// In the order of `blend_measures()`.
+  std::vector<Worst_parts> worst() const
   {
-    Blend_quality result;
-    for (std::size_t i = 0; i < worst_.size(); ++i)
-      result.*blend_measures()[i].value = std::abs(worst_[i].value);
-    return result;
+    const auto& [source, target] = blend_.looks;
+    const double supports = due(source.supports, target.supports);
+    return {{off_due(look_.height, shape_.due_box().sizes().y())},
+            {off_due(look_.hull, due_volume(source.hull, target.hull))},
+            {off_due(look_.volume, due_volume(source.volume, target.volume))},
+            {supports > 0 ? std::max(0., 1 - look_.supports / supports) : 0},
+            gone(),
+            worst_matched([](const Seen_surface& seen) { return seen.part.needless_turn; }),
+            travel(),
+            gap(),
+            {apart()},
+            asymmetry(),
+            torn(),
+            overlap()};
   }
-
-  std::vector<std::string> faults() const;
 
 private:
-  const Blend_structure& blend() const { return shape_.blend(); }
-  const Blend_part& part(std::size_t part) const { return shape_.part(part); }
-  const Rest_surface& rest(std::size_t part) const
-  {
-    return shape_.part(part).rests[std::size_t(shape_.surface(part))];
-  }
-  const End_look& look(std::size_t end) const { return blend().looks[end]; }
-  const contacts::Box& end_box(std::size_t i, int end) const
-  {
-    return part(i).trees[std::size_t(part(i).end_surface(end))].box();
-  }
-
   /// What is due between the ends.
   template <typename Value>
   Value due(const Value& source, const Value& target) const
   {
-    return (1 - shape_.time()) * source + shape_.time() * target;
+    return (1 - shape_.time) * source + shape_.time * target;
   }
   /// Between volumes, as if lengths were between.
   double due_volume(double source, double target) const
@@ -144,209 +124,142 @@ private:
     return std::pow(due(std::cbrt(source), std::cbrt(target)), 3);
   }
 
-  std::vector<const Points*> surfaces() const
-  {
-    std::vector<const Points*> result;
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (shape_.is_there(i)) result.push_back(&shape_.points(i));
-    return result;
-  }
-
-  contacts::Box box() const
-  {
-    contacts::Box result;
-    for (const std::optional<contacts::Triangle_tree>& tree : trees_)
-      if (tree) result.extend(tree->box());
-    return result;
-  }
-
-  double volume() const
-  {
-    double sum = 0;
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (shape_.is_there(i) && rest(i).is_closed()) sum += std::abs(extents_[i].volume);
-    return sum;
-  }
-
-  double support() const
-  {
-    double standing = 0;
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (shape_.is_there(i)) standing += trees_[i]->box().min().y() <= Blend_part::on_ground;
-    const double supports = due(look(0).supports, look(1).supports);
-    return supports > 0 ? std::max(0., 1 - standing / supports) : 0;
-  }
-
   template <typename Measure>
   Worst_parts worst_matched(const Measure& measure) const
   {
     Worst_parts worst;
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (part(i).morph) worst.improve(measure(i), i, i);
+    for (const Seen_surface& seen : seen_)
+      if (seen.part.is_matched()) worst.improve(measure(seen), seen.number, seen.number);
     return worst;
   }
 
   Worst_parts gone() const
   {
-    const auto across = [](const contacts::Box& box) { return box.diagonal().norm(); };
-    return worst_matched([&](std::size_t i) {
-      return off_due(across(trees_[i]->box()), due(across(end_box(i, 0)), across(end_box(i, 1))));
+    const auto across = [](const contacts::Triangle_tree& tree) { return tree.box().diagonal().norm(); };
+    return worst_matched([&](const Seen_surface& seen) {
+      return off_due(across(seen.tree), due(across(seen.part.end_tree(0)), across(seen.part.end_tree(1))));
     });
-  }
-
-  Worst_parts rotation() const
-  {
-    return worst_matched([&](std::size_t i) { return part(i).needless_turn; });
   }
 
   /// From the straight way.
   Worst_parts travel() const
   {
-    return worst_matched([&](std::size_t i) {
-      const Point at_source = end_box(i, 0).center(), at_target = end_box(i, 1).center();
-      return (trees_[i]->box().center() - due(at_source, at_target)).norm();
+    const auto middle = [](const contacts::Triangle_tree& tree) -> Point { return tree.box().center(); };
+    return worst_matched([&](const Seen_surface& seen) {
+      return (middle(seen.tree) - due(middle(seen.part.end_tree(0)), middle(seen.part.end_tree(1)))).norm();
     });
   }
 
   Worst_parts gap() const
   {
     Worst_parts worst;
-    for (const Touch& contact : blend().touches) {
+    for (const Touch& contact : blend_.touches) {
       if (!contact.is_kept()) continue;
-      const auto [a, b] = contact.parts;
-      const double allowed = contact.allowed_gap(shape_.time());
+      const auto [a, b] = contact.parts; // matched, so that they are there and come first
+      const double allowed = contact.allowed_gap(shape_.time);
       worst.improve(std::max(0., std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed), a, b);
     }
     return worst;
   }
 
-  /// Of the parts that are there.
-  Tree_pointers pointers() const
-  {
-    Tree_pointers result;
-    for (const std::optional<contacts::Triangle_tree>& tree : trees_)
-      if (tree) result.push_back(&*tree);
-    return result;
-  }
-
   double apart() const
   {
-    const double at_ends = std::max(blend().widest_gap[0], blend().widest_gap[1]);
-    const double enough = at_ends + Shape_blend::contact_tolerance, widest = widest_gap(pointers(), enough);
+    const auto& [source, target] = blend_.stage.widest_gap;
+    const double at_ends = std::max(source, target), enough = at_ends + Shape_blend::contact_tolerance,
+                 widest = widest_gap(trees_, enough);
     return widest > enough ? widest - at_ends : 0;
   }
 
   Worst_parts asymmetry() const
   {
     Worst_parts worst;
-    if (!blend().is_symmetric) return worst;
-    const Tree_pointers trees = pointers();
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (shape_.is_there(i)) worst.improve(mirror_residual({&shape_.points(i)}, trees), i, i);
-    worst.value = mirror_residual(surfaces(), trees);
+    if (!blend_.stage.are_symmetric) return worst;
+    for (const Seen_surface& seen : seen_)
+      worst.improve(mirror_residual({&seen.points}, trees_), seen.number, seen.number);
+    worst.value = mirror_residual(points_, trees_);
     return worst;
   }
 
   /// Areas as a share of the whole surface.
   Worst_parts share(Worst_parts areas) const
   {
-    areas.value = area_ > 0 ? areas.sum / area_ : 0;
+    areas.value = look_.area > 0 ? areas.sum / look_.area : 0;
     return areas;
   }
 
   Worst_parts torn() const
   {
-    return share(worst_matched([&](std::size_t i) { return rest(i).torn_area(shape_.points(i), extents_[i]); }));
+    return share(worst_matched([](const Seen_surface& seen) { return seen.rest.torn_area(seen.points, seen.extent); }));
   }
 
   /// How much of the surface is inside other parts, more than at the ends; what comes or goes may be.
   Worst_parts overlap() const
   {
     constexpr double least_share = 0.1; // of a part's surface, less may be the samples' chance
-    std::vector<Seen_surface> seen;
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-      if (part(i).morph)
-        seen.push_back(
-            {i, rest(i).samples(shape_.points(i)), &*trees_[i], rest(i).is_closed(), extents_[i].volume > 0});
     Worst_parts worst;
-    for (const auto& [pair, inside] : overlaps_of(seen)) {
+    for (const auto& [pair, inside] : look_.overlaps) {
       double more = inside;
-      for (std::size_t end : {0u, 1u})
-        if (const auto found = look(end).overlaps.find(pair); found != look(end).overlaps.end())
+      for (const Shape_look& end : blend_.looks)
+        if (const auto found = end.overlaps.find(pair); found != end.overlaps.end())
           more = std::min(more, inside - found->second);
-      if (more >= least_share) worst.improve(more * extents_[pair[0]].area, pair[0], pair[1]);
+      if (more >= least_share) worst.improve(more * seen_[pair[0]].extent.area, pair[0], pair[1]);
     }
     return share(worst);
   }
 
-  std::string fault(std::size_t measure) const;
-  std::string quoted(std::size_t i) const { return '\'' + part(i).name + '\''; }
-
   const In_between_shape& shape_;
-  const In_between_shape::Trees trees_;
-  std::vector<Surface_extent> extents_; ///< by part
-  double area_ = 0;
-  std::vector<Worst_parts> worst_; ///< by measure
+  const Blend_structure& blend_;
+  const std::vector<Seen_surface> seen_; ///< in the order of parts
+  const Shape_look look_;
+  std::vector<const Points*> points_; ///< of these
+  Tree_pointers trees_;
 };
 
-std::string two_digits(double value)
+/// How much more there is of a measure than the ends have themselves.
+double beyond_ends(const Blend_measure& measure, const Blend_quality& quality, const Blend_structure& blend)
 {
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
-}
-
-/// What the ends have of a measure themselves, which is no fault.
-double at_ends(const Blend_measure& measure, const Blend_structure& blend)
-{
+  const auto& [source, target] = blend.stage.asymmetry;
   const bool is_asymmetry = measure.value == &Blend_quality::asymmetry;
-  return is_asymmetry ? std::max(blend.end_asymmetry[0], blend.end_asymmetry[1]) : 0;
+  return quality.*measure.value - (is_asymmetry ? std::max(source, target) : 0);
 }
 
-bool is_fault(const Blend_measure& measure, const Blend_quality& quality, const Blend_structure& blend)
+/// A sentence with a measure and the parts where it is worst.
+std::string filled_in(std::string sentence, double value, const Worst_parts& worst, const Blend_structure& blend)
 {
-  return quality.*measure.value - at_ends(measure, blend) > measure.tolerance;
-}
-
-std::string Shape_measure::fault(std::size_t measure) const
-{
-  const Worst_parts& worst = worst_[measure];
-  const double value = std::abs(worst.value) - at_ends(blend_measures()[measure], blend());
-  std::string result = sentences[measure];
+  std::ostringstream number;
+  number << std::setprecision(2) << value;
   const auto put = [&](const std::string& word, const std::string& text) {
-    if (const std::size_t at = result.find(word); at != std::string::npos) result.replace(at, word.size(), text);
+    if (const std::size_t at = sentence.find(word); at != std::string::npos) sentence.replace(at, word.size(), text);
   };
+  const auto quoted = [&](std::size_t part) { return '\'' + blend.parts[part].name + '\''; };
   put("SHARE", std::to_string(std::lround(100 * value)) + " %");
-  put("NUMBER", two_digits(value));
+  put("NUMBER", number.str());
   put("SECOND", quoted(worst.parts[1]));
   put("FIRST", quoted(worst.parts[0]));
-  return result;
-}
-
-std::vector<std::string> Shape_measure::faults() const
-{
-  std::vector<std::string> result;
-  const Blend_quality measured = quality();
-  for (std::size_t i = 0; i < worst_.size(); ++i)
-    if (is_fault(blend_measures()[i], measured, blend())) result.push_back(fault(i));
-  return result;
+  return sentence;
 }
 
 } // namespace
 
-Blend_quality quality(const In_between_shape& shape) { return Shape_measure(shape).quality(); }
-
 std::size_t number_of_faults(const Blend_quality& quality, const Blend_structure& blend)
 {
   const std::vector<Blend_measure>& measures = blend_measures();
-  return std::size_t(std::count_if(measures.begin(), measures.end(),
-                                   [&](const Blend_measure& measure) { return is_fault(measure, quality, blend); }));
+  return std::size_t(std::count_if(measures.begin(), measures.end(), [&](const Blend_measure& measure) {
+    return beyond_ends(measure, quality, blend) > measure.tolerance;
+  }));
 }
 
 Blend_check check(const In_between_shape& shape)
 {
-  const Shape_measure measure(shape);
-  return {measure.quality(), measure.faults()};
+  const std::vector<Worst_parts> worst = Shape_measure(shape).worst();
+  Blend_check result;
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    const Blend_measure& measure = blend_measures()[i];
+    result.quality.*measure.value = worst[i].value;
+    const double value = beyond_ends(measure, result.quality, shape.blend);
+    if (value > measure.tolerance) result.faults.push_back(filled_in(sentences[i], value, worst[i], shape.blend));
+  }
+  return result;
 }
 
 } // namespace internal

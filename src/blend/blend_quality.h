@@ -9,9 +9,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The measures of a shape.
-Blend_quality quality(const In_between_shape& shape);
-
 /// The measures of a shape, and which tolerances it exceeds.
 Blend_check check(const In_between_shape& shape);
 

@@ -25,9 +25,10 @@ namespace {
 void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
 {
   if (name.empty()) return;
-  const auto is_other = [&](const Blend_schedule& schedule) { return schedule.name != name; };
-  schedules.erase(std::remove_if(schedules.begin(), schedules.end(), is_other), schedules.end());
-  if (schedules.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
+  const auto chosen = std::find_if(schedules.begin(), schedules.end(),
+                                   [&](const Blend_schedule& schedule) { return schedule.name == name; });
+  if (chosen == schedules.end()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
+  schedules = {*chosen};
 }
 
 void check_options(const Blend_options& options)
@@ -40,12 +41,6 @@ void check_options(const Blend_options& options)
     throw Invalid_input("Shape_blend: the least confidence must be between 0 and 1");
   if (!(options.contact_tolerance >= 0 && options.contact_tolerance <= 1))
     throw Invalid_input("Shape_blend: the contact tolerance must be between 0 and 1");
-}
-
-/// What there is of a part.
-Part_mesh mesh_of(const In_between_shape& shape, std::size_t part, double done)
-{
-  return {shape.blend().to_world(shape.points(part), done), shape.part(part).triangles(shape.surface(part))};
 }
 
 } // namespace
@@ -84,14 +79,16 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
 
 Segmented_shape Shape_blend::operator()(double t) const
 {
-  if (t <= 0) return blend_->shapes[0];
-  if (t >= 1) return blend_->shapes[1];
+  const auto& [source, target] = blend_->stage.shapes;
+  if (t <= 0) return source;
+  if (t >= 1) return target;
   const In_between_shape shape(*blend_, schedules_[0].tasks, t);
-  Segmented_shape result(blend_->shapes[0].name() + '~' + blend_->shapes[1].name(), blend_->shapes[0].up());
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part) {
-    if (!shape.is_there(part)) continue;
-    const Part_mesh mesh = mesh_of(shape, part, t);
-    if (has_area(mesh)) result.add_part(shape.part(part).name, mesh);
+  Segmented_shape result(source.name() + '~' + target.name(), source.up());
+  for (std::size_t i = 0; i < shape.points.size(); ++i) {
+    if (!shape.is_there(i)) continue;
+    const Blend_part& part = blend_->parts[i];
+    const Part_mesh mesh = {blend_->stage.to_world(shape.points[i], t), part.triangles(shape.surfaces[i])};
+    if (has_area(mesh)) result.add_part(part.name, mesh);
   }
   return result;
 }
@@ -100,7 +97,7 @@ Blend_check Shape_blend::check(double t) const
 {
   if (t > 0 && t < 1) return internal::check(In_between_shape(*blend_, schedules_[0].tasks, t));
   Blend_check result;
-  result.quality.asymmetry = blend_->end_asymmetry[t <= 0 ? 0 : 1];
+  result.quality.asymmetry = blend_->stage.asymmetry[t <= 0 ? 0 : 1];
   return result;
 }
 
@@ -110,16 +107,12 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
   for (std::size_t i = 0; i < blend_->parts.size(); ++i) {
     const Blend_part& part = blend_->parts[i];
     const Blend_task& task = schedules_[0].tasks[i];
-    if (!part.is_matched()) {
-      const bool shrinks = part.end() == 0;
+    for (int surface = 0; surface < part.number_of_surfaces(); ++surface) {
+      const int side = part.is_matched() ? surface : part.end();
+      const double change = part.is_matched() ? Part_morph::change : side == 0 ? task.end : task.begin;
       result.push_back(
-          {part.name, task, part.triangles(0), shrinks ? 0 : task.begin, shrinks ? task.end : 1, part.end()});
-      continue;
+          {part.name, task, part.triangles(surface), side == 0 ? 0 : change, side == 0 ? change : 1, side});
     }
-    const double change = Part_morph::change;
-    for (int surface : {0, 1})
-      result.push_back(
-          {part.name, task, part.triangles(surface), surface == 0 ? 0 : change, surface == 0 ? change : 1, surface});
   }
   return result;
 }
@@ -128,9 +121,9 @@ std::vector<Points> Shape_blend::points(double t) const
 {
   std::vector<Points> result;
   const In_between_shape shape(*blend_, schedules_[0].tasks, t);
-  for (std::size_t part = 0; part < shape.number_of_parts(); ++part)
-    for (int surface = 0; surface < shape.part(part).number_of_surfaces(); ++surface)
-      result.push_back(blend_->to_world(shape.points(part, surface), t));
+  for (std::size_t part = 0; part < blend_->parts.size(); ++part)
+    for (int surface = 0; surface < blend_->parts[part].number_of_surfaces(); ++surface)
+      result.push_back(blend_->stage.to_world(shape.points_of(part, surface), t));
   return result;
 }
 

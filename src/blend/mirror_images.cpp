@@ -4,7 +4,6 @@
 #include "blend/mirror_images.h"
 
 #include "base/quantized.h"
-#include "blend/surface_components.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +17,9 @@ namespace {
 /// Whether the mirror image of a box is near to another box.
 bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, double tolerance)
 {
-  Point low = mirrored(box.min()), high = mirrored(box.max());
-  std::swap(low.x(), high.x());
-  return (low - other.min()).cwiseAbs().maxCoeff() <= tolerance &&
-         (high - other.max()).cwiseAbs().maxCoeff() <= tolerance;
+  const contacts::Box image = contacts::Box(mirrored(box.min())).extend(mirrored(box.max()));
+  return (image.min() - other.min()).cwiseAbs().maxCoeff() <= tolerance &&
+         (image.max() - other.max()).cwiseAbs().maxCoeff() <= tolerance;
 }
 
 } // namespace
@@ -54,16 +52,15 @@ double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_po
 }
 
 /// Pairs of parts nearest to being mirror images of each other come first.
-Mirror_images mirror_images(const std::vector<Part_mesh>& parts)
+Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::vector<contacts::Triangle_tree>& trees)
 {
   constexpr double tolerance = 0.05; // of the height: how far a part is from the mirror image of another at most
-  const std::vector<contacts::Triangle_tree> trees = trees_of(parts);
   std::vector<std::tuple<Steps, std::size_t, std::size_t>> likely;
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i; j < parts.size(); ++j) {
       if (!are_mirror_images(trees[i].box(), trees[j].box(), 2 * tolerance)) continue;
       const double distance =
-          std::max(mirror_residual({&parts[i].points}, {&trees[j]}), mirror_residual({&parts[j].points}, {&trees[i]}));
+          std::max(mirror_residual({parts[i]}, {&trees[j]}), mirror_residual({parts[j]}, {&trees[i]}));
       if (distance <= tolerance) likely.emplace_back(quantized(distance), i, j);
     }
   std::sort(likely.begin(), likely.end());

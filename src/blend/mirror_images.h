@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "blend/surface_components.h"
+#include "blend/Shape_look.h"
 #include "map/Piece_pair.h"
 
 #include <cstddef>
@@ -23,7 +23,7 @@ double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_po
 
 /// By part, its mirror image in x = 0, if it has one: a part that is its own image has itself.
 using Mirror_images = std::vector<std::optional<std::size_t>>;
-Mirror_images mirror_images(const std::vector<Part_mesh>& parts);
+Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::vector<contacts::Triangle_tree>& trees);
 
 /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
 void add_mirrored(Part_pairs& pairs, const Mirror_images& source, const Mirror_images& target);

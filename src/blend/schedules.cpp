@@ -31,7 +31,7 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 {
   std::vector<Blend_quality> qualities(static_cast<std::size_t>(samples));
   for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
-    qualities[i] = quality(In_between_shape(blend, tasks, double(i + 1) / (samples + 1)));
+    qualities[i] = check(In_between_shape(blend, tasks, double(i + 1) / (samples + 1))).quality;
   });
   return std::accumulate(qualities.begin(), qualities.end(), Blend_quality(), worst);
 }

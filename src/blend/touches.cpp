@@ -3,6 +3,7 @@
 
 #include "blend/touches.h"
 
+#include "base/Disjoint_sets.h"
 #include "blend/Blend_stage.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -12,6 +13,23 @@
 #include <map>
 
 namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// Unmatched parts that touch each other.
+struct Chain
+{
+  contacts::Box box;
+  Point sum = Point::Zero(); ///< of the places where matched parts hold it
+  int places = 0;
+
+  Point root() const
+  {
+    if (places > 0) return sum / places;
+    return {box.center().x(), box.min().y(), box.center().z()};
+  }
+};
+
+} // namespace
 
 std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
 {
@@ -22,7 +40,6 @@ std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_par
       const bool are_whole = first.size() == 1 && second.size() == 1;
       for (std::size_t a : first)
         for (std::size_t b : second) {
-          if (a == b) continue;
           const double gap = std::sqrt(parts[a].end_tree(end).nearly_closest(parts[b].end_tree(end)).squared);
           const std::array<std::size_t, 2> pair = {std::min(a, b), std::max(a, b)};
           if (are_whole || gap <= tolerance)
@@ -32,6 +49,33 @@ std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_par
   std::vector<Touch> result;
   for (const auto& [pair, touch] : found)
     result.push_back(touch);
+  return result;
+}
+
+std::vector<Point> roots(const Blend_stage& stage, const std::vector<Blend_part>& parts,
+                         const std::vector<Touch>& touches)
+{
+  Disjoint_sets sets(parts.size());
+  for (const auto& [pair, gaps] : touches)
+    if (!parts[pair[0]].is_matched() && !parts[pair[1]].is_matched()) sets.unite(pair[0], pair[1]);
+  std::vector<Chain> chains(parts.size()); // by set
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    chains[sets[part]].box.extend(parts[part].trees[0].box());
+  for (int end : {0, 1})
+    for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts)
+      for (std::size_t i : {0u, 1u}) {
+        const std::size_t part = parts_of(parts, end, contact.parts[i]).front(), holds = contact.parts[1 - i];
+        if (parts[part].is_matched() || !parts[parts_of(parts, end, holds).front()].is_matched()) continue;
+        for (const Point& place : stage.places_of(end, contact)) {
+          std::size_t triangle = 0;
+          const Blend_part& piece = parts[nearest_piece(parts, end, holds, place)];
+          chains[sets[part]].sum += piece.end_tree(end).nearest(place, triangle);
+          ++chains[sets[part]].places;
+        }
+      }
+  std::vector<Point> result;
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    result.push_back(chains[sets[part]].root());
   return result;
 }
 

@@ -92,7 +92,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   const auto checked = [&](std::size_t part, const std::function<void(Points&)>& harm) {
     internal::In_between_shape shape(blend, internal::tasks_in_order(blend, internal::Blend_order::FROM_THE_GROUND),
                                      0.5);
-    harm(shape.moving_points(part));
+    harm(shape.points[part]);
     return internal::check(shape);
   };
   const auto faults = [&](std::size_t part, const std::function<void(Points&)>& harm) {
@@ -116,7 +116,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
     internal::In_between_shape shape(blend, internal::tasks_in_order(blend, internal::Blend_order::FROM_THE_GROUND),
                                      0.5);
     for (std::size_t part : {base, column, top})
-      shape.moving_points(part).row(1) *= 0.7;
+      shape.points[part].row(1) *= 0.7;
     return internal::check(shape).faults;
   };
   CHECK(is_said(lowered(), "higher or lower than is due by 30 %"));
@@ -181,7 +181,7 @@ TEST_CASE("What is not symmetric any more is told, with the part")
   const auto faults = [&](std::size_t part, double by) {
     internal::In_between_shape shape(blend, internal::tasks_in_order(blend, internal::Blend_order::FROM_THE_GROUND),
                                      0.5);
-    shape.moving_points(part).row(0).array() += by;
+    shape.points[part].row(0).array() += by;
     return internal::check(shape).faults;
   };
   CHECK(!is_told(faults(1, 0), "mirror image", "column~column"));

@@ -165,20 +165,20 @@ TEST_CASE("Unmatched parts shrink to where they are held")
   const internal::Blend_structure blend(
       {internal::Blend_input{source.graph, source.shape, 0}, internal::Blend_input{target.graph, target.shape, 0}},
       same, {});
-  const std::vector<internal::Unmatched_chain>& chains = blend.chains;
-  REQUIRE(chains.size() == 2);
+  REQUIRE(blend.parts.size() == 5);
   constexpr double remaining = 0.4;
-  for (const internal::Unmatched_chain& chain : chains) {
-    const internal::Blend_part& part = blend.parts[chain.parts.at(0)];
+  for (std::size_t i : {3u, 4u}) {
+    const internal::Blend_part& part = blend.parts[i];
+    REQUIRE(!part.is_matched());
     const internal::contacts::Box whole = internal::box_of(part.mesh.points),
-                                  less = internal::box_of(chain.shrunk(part.mesh.points, remaining));
+                                  less = internal::box_of(blend.shrunk(i, remaining));
     CHECK(less.sizes().isApprox(remaining * whole.sizes(), 1e-9));
     if (part.name == "rail~")
       CHECK(less.center().isApprox(whole.center(), touching));
     else
       CHECK(less.min().y() == Approx(whole.min().y()).margin(touching));
-    CHECK(chain.shrunk(part.mesh.points, 1) == part.mesh.points);
-    CHECK(internal::box_of(chain.shrunk(part.mesh.points, 0)).sizes().norm() < 1e-12);
+    CHECK(blend.shrunk(i, 1) == part.mesh.points);
+    CHECK(internal::box_of(blend.shrunk(i, 0)).sizes().norm() < 1e-12);
   }
 }
 

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/Shape_look.h"
+
+#include "base/Disjoint_sets.h"
+#include "base/quantized.h"
+#include "shape/all_vertices.h"
+#include "shape/convex_hull.h"
+
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <tuple>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+constexpr double least_depth = 0.003; // of the height: what is nearer to a surface is on it
+
+/// Whether a point is inside, by the side of the nearest triangle that it is on; not where that is unclear.
+bool is_inside(const Point& p, const Seen_surface& surface)
+{
+  constexpr double across = 0.7; // cosine of the angle between the normal and the way to the surface
+  std::size_t triangle = 0;
+  const Point way = surface.tree.nearest(p, triangle) - p;
+  const double depth = way.norm();
+  if (depth < least_depth) return false;
+  const Point normal = contacts::area_vector(surface.tree.triangles()[triangle]);
+  const bool looks_outwards = surface.extent.volume > 0;
+  return (looks_outwards ? 1 : -1) * normal.dot(way) > across * depth * normal.norm();
+}
+
+double share_inside(const Points& samples, const Seen_surface& surface)
+{
+  int inside = 0;
+  for (const auto& p : samples.colwise())
+    inside += surface.tree.box().contains(p) && is_inside(p, surface);
+  return samples.cols() > 0 ? double(inside) / double(samples.cols()) : 0;
+}
+
+} // namespace
+
+Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
+{
+  Tree_pointers result;
+  for (const contacts::Triangle_tree& tree : trees)
+    result.push_back(&tree);
+  return result;
+}
+
+double widest_gap(const Tree_pointers& surfaces, double enough)
+{
+  using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>; // whether its length is a bound
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
+  Disjoint_sets components(surfaces.size());
+  double result = 0;
+  for (std::size_t a = 0; a < surfaces.size(); ++a)
+    for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
+      const double bound = surfaces[a]->box().exteriorDistance(surfaces[b]->box());
+      const bool may_touch = enough > 0 && bound <= enough && components[a] != components[b];
+      if (may_touch && surfaces[a]->is_within(*surfaces[b], enough * enough)) {
+        components.unite(a, b);
+        result = enough;
+      } else {
+        queue.emplace(quantized(bound), true, a, b, bound);
+      }
+    }
+  while (components.number_of_sets() > 1) {
+    const auto [key, is_bound, a, b, length] = queue.top();
+    queue.pop();
+    if (components[a] == components[b]) continue;
+    if (is_bound) {
+      contacts::Closest_pair closest;
+      surfaces[a]->improve_closest(*surfaces[b], closest);
+      const double exact = std::sqrt(closest.squared);
+      queue.emplace(quantized(exact), false, a, b, exact);
+    } else {
+      components.unite(a, b);
+      result = length;
+    }
+  }
+  return result;
+}
+
+Seen_surface::Seen_surface(const std::vector<Blend_part>& parts, std::size_t number, int surface, const Points& points)
+    : number(number),
+      part(parts[number]),
+      rest(part.rests[std::size_t(surface)]),
+      points(points),
+      tree(part.trees[std::size_t(surface)]),
+      extent(rest.extent(points))
+{
+  tree.move([&](std::size_t t) { return triangle_of(points, part.triangles(surface), Eigen::Index(t)); });
+}
+
+Shape_look::Shape_look(const std::vector<Seen_surface>& surfaces)
+{
+  contacts::Box box;
+  std::vector<const Points*> points;
+  for (const Seen_surface& a : surfaces) {
+    box.extend(a.tree.box());
+    points.push_back(&a.points);
+    area += a.extent.area;
+    if (a.rest.is_closed()) volume += std::abs(a.extent.volume);
+    supports += a.tree.box().min().y() <= Blend_part::on_ground;
+    if (!a.part.is_matched()) continue;
+    const Points samples = a.rest.samples(a.points);
+    for (const Seen_surface& b : surfaces) {
+      if (&a == &b || !b.part.is_matched() || !b.rest.is_closed() || !a.tree.box().intersects(b.tree.box())) continue;
+      if (const double share = share_inside(samples, b); share > 0) overlaps[{a.number, b.number}] = share;
+    }
+  }
+  if (points.empty()) return;
+  height = box.sizes().y();
+  hull = convex_hull(joined(points)).volume;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "blend/Blend_part.h"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+using Tree_pointers = std::vector<const contacts::Triangle_tree*>;
+
+Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees);
+
+/// The widest gap that it takes to join all surfaces: the longest edge of a minimum spanning tree of their distances,
+/// by Kruskal's algorithm. Distances are computed in the order of those of the boxes, which bound them from below,
+/// until all are joined: seldom more than there are surfaces.
+/// \param enough gaps that are no wider count as this wide, which saves the distances of what lies flat on each other
+double widest_gap(const Tree_pointers& surfaces, double enough = 0);
+
+/// The surface of a part in a shape, at an end of a blend or in between.
+struct Seen_surface
+{
+  /// \param number of the part
+  /// \param surface the one of its surfaces that there is
+  Seen_surface(const std::vector<Blend_part>& parts, std::size_t number, int surface, const Points& points);
+
+  std::size_t number;
+  const Blend_part& part;
+  const Rest_surface& rest;
+  Points points;
+  contacts::Triangle_tree tree;
+  Surface_extent extent;
+};
+
+/// What shapes in between are compared by with those at the ends.
+struct Shape_look
+{
+  explicit Shape_look(const std::vector<Seen_surface>& surfaces = {});
+
+  double height = 0;
+  double area = 0;
+  double volume = 0;   ///< of closed parts
+  double hull = 0;     ///< volume of the convex hull
+  double supports = 0; ///< number of parts that stand on the ground
+  /// By two matched parts, the share of the first one's surface that is inside the second one, if it is closed; those
+  /// that are 0 are left out.
+  std::map<std::array<std::size_t, 2>, double> overlaps;
+};
+
+} // namespace CGAL::Shape_correspondence::internal
