@@ -11,73 +11,83 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 
-Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target) : charts_(charts)
-{
-  constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
-  for (std::size_t end : {0u, 1u}) {
-    const Part_mesh& given = end == 0 ? source : target;
-    Part_chart& chart = end == 0 ? charts_.source : charts_.target;
-    Charted_mesh mesh = finely_charted(given, chart, longest_edge);
-    outlines_[end] = Chart_outline(chart.is_sheet(), mesh.coordinates);
-    for (Eigen::Index i = 0; i < mesh.coordinates.cols(); ++i)
-      mesh.coordinates.col(i) = outlines_[end].relative(mesh.coordinates.col(i));
-    surfaces_.emplace_back(mesh);
-  }
-  Moving_surface &first = surfaces_[0], &second = surfaces_[1];
-  first.lay(1, second, 1);
-  second.lay(0, first, 1);
-}
+namespace {
 
-double Part_morph::turned_share(int surface) const
+/// The mean over the triangles of a surface; `area_and_value(t)` is of one of them.
+template <typename Function>
+double mean_over(const Eigen::Matrix3Xi& triangles, const Function& area_and_value)
 {
-  constexpr double turned = 0.5; // cosine
-  const Moving_surface& mesh = surfaces_[std::size_t(surface)];
-  const Point extents = (charts_.source.half_extents() + charts_.target.half_extents()) / 2;
-  const std::array<Points, 2> places = {extents.asDiagonal() * mesh.coordinates[0],
-                                        extents.asDiagonal() * mesh.coordinates[1]};
   double sum = 0, all = 0;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const auto normal = [&](std::size_t when) {
-      return contacts::area_vector(triangle_of(places[when], mesh.triangles, t));
-    };
-    const Point from = normal(0), to = normal(1);
-    const double area = std::max(from.norm(), to.norm());
-    all += area;
-    if (from.dot(to) < turned * from.norm() * to.norm()) sum += area;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const std::pair<double, double> of_triangle = area_and_value(t);
+    sum += of_triangle.first * of_triangle.second;
+    all += of_triangle.first;
   }
   return all > 0 ? sum / all : 0;
 }
 
+} // namespace
+
+Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
+    : charts_{charts.source, charts.target}
+{
+  constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
+  for (std::size_t end : {0u, 1u}) {
+    Charted_mesh mesh = finely_charted(end == 0 ? source : target, charts_[end], longest_edge);
+    outlines_[end] = Chart_outline(charts_[end].is_sheet(), mesh.coordinates);
+    for (auto k : mesh.coordinates.colwise())
+      k = outlines_[end].relative(k);
+    surfaces_[end] = {
+        mesh.triangles, chart_normals(mesh), {mesh.coordinates, mesh.coordinates}, {mesh.offsets, mesh.offsets}};
+  }
+  surfaces_[0].lay(1, surfaces_[1]);
+  surfaces_[1].lay(0, surfaces_[0]);
+}
+
+double Part_morph::turned_share() const
+{
+  constexpr double turned = 0.5; // cosine
+  const Point extents = (charts_[0].half_extents() + charts_[1].half_extents()) / 2;
+  double result = 0;
+  for (const Moving_surface& mesh : surfaces_) {
+    const Points places = extents.asDiagonal() * mesh.coordinates[0],
+                 later = extents.asDiagonal() * mesh.coordinates[1];
+    result = std::max(result, mean_over(mesh.triangles, [&](Eigen::Index t) {
+                        const Point from = contacts::area_vector(triangle_of(places, mesh.triangles, t)),
+                                    to = contacts::area_vector(triangle_of(later, mesh.triangles, t));
+                        const bool turns = from.dot(to) < turned * from.norm() * to.norm();
+                        return std::pair(std::max(from.norm(), to.norm()), turns ? 1. : 0.);
+                      }));
+  }
+  return result;
+}
+
 double Part_morph::misfit(bool at_change) const
 {
-  const auto places = [&](std::size_t surface) -> const Points& {
-    return surfaces_[surface].coordinates[at_change ? 1 - surface : surface];
-  };
   double result = 0;
   for (std::size_t surface : {0u, 1u}) {
     const Moving_surface &mesh = surfaces_[surface], &other = surfaces_[1 - surface];
-    const contacts::Triangle_tree tree = tree_of(places(1 - surface), other.triangles);
-    double sum = 0, all = 0;
-    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-      const contacts::Triangle corners = triangle_of(places(surface), mesh.triangles, t);
-      const double area = contacts::area_vector(corners).norm();
+    const std::size_t when = at_change ? 1 - surface : surface;
+    const contacts::Triangle_tree tree = tree_of(other.coordinates[1 - when], other.triangles);
+    const double squared = mean_over(mesh.triangles, [&](Eigen::Index t) {
+      const contacts::Triangle corners = triangle_of(mesh.coordinates[when], mesh.triangles, t);
       const Point middle = contacts::centre(corners);
       std::size_t nearest = 0;
-      sum += area * (tree.nearest(middle, nearest) - middle).squaredNorm();
-      all += area;
-    }
-    if (all > 0) result = std::max(result, std::sqrt(sum / all));
+      return std::pair(contacts::area_vector(corners).norm(), (tree.nearest(middle, nearest) - middle).squaredNorm());
+    });
+    result = std::max(result, std::sqrt(squared));
   }
   return result;
 }
 
 Points Part_morph::points(int surface, double t) const
 {
-  const Part_chart chart = chart_at(t);
-  const Chart_outline outline = outline_at(t);
+  const Part_chart chart = Part_chart::between(charts_[0], charts_[1], t);
+  const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
   const Moving_surface& mesh = surfaces_[std::size_t(surface)];
   const double moved = std::clamp(surface == 0 ? t / change : (t - change) / (1 - change), 0., 1.);
   Points result(3, mesh.coordinates[0].cols());
@@ -89,27 +99,21 @@ Points Part_morph::points(int surface, double t) const
   return result;
 }
 
-Part_morph::Moving_surface::Moving_surface(const Charted_mesh& mesh)
-    : triangles(mesh.triangles),
-      normals(chart_normals(mesh)),
-      coordinates{mesh.coordinates, mesh.coordinates},
-      offsets{mesh.offsets, mesh.offsets}
-{}
-
-void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto, std::size_t onto_when)
+void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto)
 {
   constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15}; // in coordinates: first at large, then in detail
-  const Points &places = onto.coordinates[onto_when], given = coordinates[when];
+  const Points &places = onto.coordinates[1], given = coordinates[when];
   const Place_finder finder(places, onto.triangles, onto.normals);
+  const auto place = [&](Eigen::Index i) { return finder(coordinates[when].col(i), normals.col(i)); };
   const Surface_smoother smoothed(given, triangles);
   for (double length : lengths) {
     Points ways(3, given.cols());
     for (Eigen::Index i = 0; i < ways.cols(); ++i)
-      ways.col(i) = finder(coordinates[when].col(i), normals.col(i)).of(places, onto.triangles) - given.col(i);
+      ways.col(i) = place(i).of(places, onto.triangles) - given.col(i);
     coordinates[when] = given + smoothed(ways, length);
   }
   for (Eigen::Index i = 0; i < given.cols(); ++i)
-    offsets[when].col(i) = finder(coordinates[when].col(i), normals.col(i)).of(onto.offsets[onto_when], onto.triangles);
+    offsets[when].col(i) = place(i).of(onto.offsets[1], onto.triangles);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

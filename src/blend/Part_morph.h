@@ -9,11 +9,9 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <array>
-#include <vector>
+#include <cstddef>
 
 namespace CGAL::Shape_correspondence::internal {
-
-struct Charted_mesh;
 
 /// How the surface of a part becomes that of its counterpart. There is one surface at any time, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
@@ -33,9 +31,9 @@ public:
   const Eigen::Matrix3Xi& triangles(int surface) const { return surfaces_[std::size_t(surface)].triangles; }
   /// The points of a surface at `t`, also where it is not the one that there is.
   Points points(int surface, double t) const;
-  /// The share of a surface that the other one turns by more than 60 degrees on the way: where a hull goes from one of
-  /// its layers to the other.
-  double turned_share(int surface) const;
+  /// The share that turns by more than 60 degrees on the way, where a hull goes from one of its layers to the other: of
+  /// the surface that has more of it.
+  double turned_share() const;
   /// How far both surfaces are from each other, in coordinates from -1 to 1 relative to outlines: the root mean square
   /// over the one that is farther from the other.
   /// \param at_change where the one takes over from the other, not at their ends
@@ -44,21 +42,18 @@ public:
 private:
   struct Moving_surface
   {
-    explicit Moving_surface(const Charted_mesh& mesh);
-    /// Moves the surface, from where or to where it moves, onto another one as that is at an end of its own way.
-    void lay(std::size_t when, const Moving_surface& onto, std::size_t onto_when);
+    /// Moves the surface, from where or to where it moves, onto where another one moves to.
+    void lay(std::size_t when, const Moving_surface& onto);
 
     Eigen::Matrix3Xi triangles;
     Points normals;                             ///< in coordinates
     std::array<Points, 2> coordinates, offsets; ///< relative to outlines in charts; from, to
   };
 
-  Part_chart chart_at(double t) const { return Part_chart::between(charts_.source, charts_.target, t); }
-  Chart_outline outline_at(double t) const { return Chart_outline::between(outlines_[0], outlines_[1], t); }
-
-  Pair_charts charts_;
-  std::array<Chart_outline, 2> outlines_; ///< by end
-  std::vector<Moving_surface> surfaces_;  ///< by end
+  // By end
+  std::array<Part_chart, 2> charts_;
+  std::array<Chart_outline, 2> outlines_;
+  std::array<Moving_surface, 2> surfaces_;
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -60,6 +60,13 @@ contacts::Box box_around(const Blend_stage& stage, std::size_t end, const std::v
   return result;
 }
 
+Part_chart chart_of(const contacts::Box& box)
+{
+  Points corners(3, 2);
+  corners << box.min(), box.max();
+  return Part_chart::box(corners, Eigen::Matrix3d::Identity());
+}
+
 } // namespace
 
 Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike,
@@ -134,7 +141,7 @@ void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
   constexpr std::array<double, 3> alike = {0.05, 0.3, 0.05}, other = {0.1, 0.5, 0.1}; // smoothing, over the height
   for (const Connected_parts& set : connected_parts(unlike, stage.meshes[0].size(), stage.meshes[1].size())) {
     const std::array<contacts::Box, 2> boxes = {box_around(stage, 0, set.source), box_around(stage, 1, set.target)};
-    const Difference difference(boxes, stage);
+    const Difference difference(stage, {chart_of(boxes[0]), chart_of(boxes[1])});
     if (difference.stays_near()) add_box(boxes, 1, difference.keeps_shape() ? alike : other);
   }
 }

@@ -23,31 +23,23 @@ namespace {
 Points samples(const Part_chart& chart)
 {
   constexpr int steps = 5;
+  const auto coordinate = [](int i) { return 2. * (i % steps) / (steps - 1) - 1; };
   Points result(3, steps * steps * steps);
-  Eigen::Index at = 0;
-  const auto coordinate = [](int i) { return 2. * i / (steps - 1) - 1; };
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; j < steps; ++j)
-      for (int k = 0; k < steps; ++k)
-        result.col(at++) = chart({coordinate(i), coordinate(j), coordinate(k)});
+  for (int i = 0; i < int(result.cols()); ++i)
+    result.col(i) = chart({coordinate(i / steps / steps), coordinate(i / steps), coordinate(i)});
   return result;
 }
 
-/// Where the middle of a chart is in the box around the whole, from 0 to 1 along each axis.
-Point relative_place(const Part_chart& chart, const contacts::Box& whole)
-{
-  const Point sizes = whole.sizes().cwiseMax(Part_chart::least_half_extent);
-  return (chart(Point::Zero()) - whole.min()).cwiseQuotient(sizes);
-}
+/// The extents of the box around a whole shape, which may be flat.
+Point extents_of(const contacts::Box& whole) { return whole.sizes().cwiseMax(2 * Part_chart::least_half_extent); }
 
 /// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
-contacts::Box relative_box(const Blend_stage& stage, std::size_t end, std::size_t part)
+contacts::Box relative_box(const Blend_stage& stage, const Part_of_end& of)
 {
   constexpr double around = 0.03;
-  const contacts::Box &whole = stage.boxes[end], box = box_of(stage.meshes[end][part].points);
-  const Point sizes = whole.sizes().cwiseMax(2 * Part_chart::least_half_extent);
-  const Point low = (box.min() - whole.min()).cwiseQuotient(sizes),
-              high = (box.max() - whole.min()).cwiseQuotient(sizes);
+  const contacts::Box &whole = stage.boxes[of.end], box = box_of(stage.meshes[of.end][of.part].points);
+  const Point low = (box.min() - whole.min()).cwiseQuotient(extents_of(whole)),
+              high = (box.max() - whole.min()).cwiseQuotient(extents_of(whole));
   return {low.array() - around, high.array() + around};
 }
 
@@ -58,59 +50,66 @@ double change_of_extents(const Point& from, const Point& to)
   return ((from.array() + thin) / (to.array() + thin)).log().abs().sum();
 }
 
-Part_chart chart_of(const contacts::Box& box)
+/// A source part and a target part, and how much of their place they share.
+struct Placed_pair
 {
-  Points corners(3, 2);
-  corners << box.min(), box.max();
-  return Part_chart::box(corners, Eigen::Matrix3d::Identity());
-}
+  std::size_t source, target;
+  double shared;
 
-/// Minus how much of their place two parts share, and the parts.
-using Placed_pair = std::pair<Steps, Part_pairs::value_type>;
+  /// Whether one of both parts is nearly as much in the place of one of these.
+  bool has_rival(const std::vector<Placed_pair>& all) const
+  {
+    constexpr double nearly = 0.8; // of the shared place
+    return std::any_of(all.begin(), all.end(), [&](const Placed_pair& other) {
+      return (other.source == source) != (other.target == target) &&
+             quantized(other.shared) >= quantized(nearly * shared);
+    });
+  }
+};
 
-/// Whether one of two parts is nearly as much in the place of another.
-bool has_rival(const Placed_pair& placed, const std::vector<Placed_pair>& all)
+/// Adds pairs of leftover parts.
+void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs& paired)
 {
-  constexpr double nearly = 0.8; // of the shared place
-  const auto share = [](const Placed_pair& of) { return -double(of.first); };
-  return std::any_of(all.begin(), all.end(), [&](const Placed_pair& other) {
-    const bool has_source = other.second.first == placed.second.first,
-               has_target = other.second.second == placed.second.second;
-    return has_source != has_target && share(other) >= nearly * share(placed);
-  });
+  std::vector<char> is_source(stage.meshes[0].size(), 0), is_target(stage.meshes[1].size(), 0); // of any pair
+  for (const Part_pairs* pairs : std::array<const Part_pairs*, 2>{&paired, &unlike.all})
+    for (const auto& [s, t] : *pairs)
+      is_source[s] = is_target[t] = 1;
+  Part_pairs leftover = unlike.all;
+  for (std::size_t s = 0; s < is_source.size(); ++s)
+    for (std::size_t t = 0; t < is_target.size(); ++t)
+      if (!is_source[s] && !is_target[t]) leftover.emplace_back(s, t);
+  std::vector<Placed_pair> alike;
+  for (const auto& [s, t] : leftover) {
+    const double shared = shared_place(stage, s, t);
+    if (shared <= same_place || unlike.torn.count({s, t}) > 0) continue;
+    if (Difference(stage, {stage.charted[0].charts[s], stage.charted[1].charts[t]}).is_little())
+      alike.push_back({s, t, shared});
+  }
+  for (const Placed_pair& placed : alike)
+    if (!placed.has_rival(alike)) paired.emplace_back(placed.source, placed.target);
+  std::sort(paired.begin(), paired.end());
 }
 
 } // namespace
 
-Difference::Difference(const std::array<Part_chart, 2>& charts, bool are_whole, const Blend_stage& stage)
+Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole)
 {
   const Points a = samples(charts[0]), b = samples(charts[1]);
   const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
-  turn = internal::turn(boxes);
-  const auto extents = [&](std::size_t end) -> Point {
-    return stage.boxes[end].sizes().cwiseMax(Part_chart::least_half_extent);
-  };
-  const Point growth = extents(1).cwiseQuotient(extents(0));
+  const std::array<Point, 2> wholes = {extents_of(stage.boxes[0]), extents_of(stage.boxes[1])};
   const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
-              with_the_whole =
-                  (growth.asDiagonal() * boxes.source.axes()).colwise().norm().transpose().cwiseProduct(from);
-  change = change_of_extents(from, to);
-  const auto stretch_from = [&](const Point& extents) {
-    return std::abs(std::log(extents.maxCoeff() / to.maxCoeff()));
-  };
-  stretch = stretch_from(from);
-  if (are_whole) {
-    change = std::min(change, change_of_extents(with_the_whole, to));
-    stretch = std::min(stretch, stretch_from(with_the_whole));
-  }
+              growth = are_whole ? Point(wholes[1].cwiseQuotient(wholes[0])) : Point::Ones(),
+              grown = (growth.asDiagonal() * boxes.source.axes()).colwise().norm().transpose().cwiseProduct(from);
+  const auto stretch_of = [&](const Point& extents) { return std::abs(std::log(extents.maxCoeff() / to.maxCoeff())); };
+  turn = internal::turn(boxes);
+  change = std::min(change_of_extents(from, to), change_of_extents(grown, to));
+  stretch = std::min(stretch_of(from), stretch_of(grown));
   size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
-  const Point relative = relative_place(charts[1], stage.boxes[1]) - relative_place(charts[0], stage.boxes[0]);
-  way = relative.cwiseProduct((stage.boxes[0].sizes() + stage.boxes[1].sizes()) / 2).norm();
+  const auto relative_place = [&](std::size_t end) -> Point {
+    return (charts[end](Point::Zero()) - stage.boxes[end].min()).cwiseQuotient(wholes[end]);
+  };
+  way = (relative_place(1) - relative_place(0)).cwiseProduct((wholes[0] + wholes[1]) / 2).norm();
 }
-
-Difference::Difference(const std::array<contacts::Box, 2>& boxes, const Blend_stage& stage)
-    : Difference(std::array<Part_chart, 2>{chart_of(boxes[0]), chart_of(boxes[1])}, true, stage)
-{}
 
 bool Difference::keeps_shape() const
 {
@@ -132,7 +131,7 @@ bool Difference::stays_near() const
 
 double shared_place(const Blend_stage& stage, const Part_of_end& a, const Part_of_end& b)
 {
-  const contacts::Box box = relative_box(stage, a.end, a.part), other = relative_box(stage, b.end, b.part);
+  const contacts::Box box = relative_box(stage, a), other = relative_box(stage, b);
   return box.intersects(other) ? box.intersection(other).volume() / box.volume() : 0;
 }
 
@@ -141,39 +140,7 @@ double shared_place(const Blend_stage& stage, std::size_t source, std::size_t ta
   return std::max(shared_place(stage, {0, source}, {1, target}), shared_place(stage, {1, target}, {0, source}));
 }
 
-Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired)
-{
-  std::array<std::vector<char>, 2> is_used = {std::vector<char>(stage.meshes[0].size(), 0),
-                                              std::vector<char>(stage.meshes[1].size(), 0)};
-  std::array<std::vector<char>, 2> has_counterpart = is_used;
-  for (const auto& [s, t] : paired)
-    is_used[0][s] = is_used[1][t] = 1;
-  for (const auto& [s, t] : unlike.all)
-    has_counterpart[0][s] = has_counterpart[1][t] = 1;
-  std::vector<Placed_pair> alike;
-  for (std::size_t s = 0; s < is_used[0].size(); ++s)
-    for (std::size_t t = 0; t < is_used[1].size(); ++t) {
-      const std::pair pair(s, t);
-      const bool correspond = std::binary_search(unlike.all.begin(), unlike.all.end(), pair);
-      if (is_used[0][s] || is_used[1][t] || unlike.torn.count(pair) > 0) continue;
-      if (!correspond && (has_counterpart[0][s] || has_counterpart[1][t])) continue;
-      const double shared = shared_place(stage, s, t);
-      if (shared <= same_place) continue;
-      if (Difference({stage.charted[0].charts[s], stage.charted[1].charts[t]}, true, stage).is_little())
-        alike.emplace_back(-quantized(shared), pair);
-    }
-  std::sort(alike.begin(), alike.end());
-  for (const Placed_pair& placed : alike) {
-    const auto& pair = placed.second;
-    if (is_used[0][pair.first] || is_used[1][pair.second] || has_rival(placed, alike)) continue;
-    is_used[0][pair.first] = is_used[1][pair.second] = 1;
-    paired.push_back(pair);
-  }
-  std::sort(paired.begin(), paired.end());
-  return paired;
-}
-
-void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pairs& paired)
+Part_pairs like_pairs(const Blend_stage& stage, Part_pairs paired, Unlike_pairs& unlike)
 {
   const std::size_t sources = stage.meshes[0].size();
   Disjoint_sets sets(sources + stage.meshes[1].size()); // of parts that pairs connect, mirror images together
@@ -190,12 +157,14 @@ void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pair
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
     if (known) continue;
-    known = !Difference(piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece), stage).is_little();
+    known = !Difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece)).is_little();
   }
   const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
                                                   [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });
   unlike.all.assign(first_unlike, paired.end());
   paired.erase(first_unlike, paired.end());
+  add_leftovers(stage, unlike, paired);
+  return paired;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -29,10 +29,9 @@ struct Unlike_pairs
 /// height.
 struct Difference
 {
-  /// \param are_whole of whole parts, or of their shares of the whole if these differ less, the extents are compared
-  Difference(const std::array<Part_chart, 2>& charts, bool are_whole, const Blend_stage& stage);
-  /// Of the boxes around parts.
-  Difference(const std::array<contacts::Box, 2>& boxes, const Blend_stage& stage);
+  /// \param are_whole extents are also compared as shares of those of the whole, and differ as little as they do either
+  /// way; not those of pieces
+  Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole = true);
 
   /// Whether the shape stays much the same.
   bool keeps_shape() const;
@@ -48,15 +47,14 @@ struct Difference
   double size;    ///< its longest extent
 };
 
-/// Takes out the pairs whose parts, or pieces of them, would have to turn, to change their proportions or to travel
-/// much to become each other: legs cut up for a star base, slats across spindles. With a pair of pieces go all
-/// others of its parts, as a part is divided as a whole, and their mirror images.
-/// \param unlike gets the pairs; those that are torn are taken out, too
-void take_unlike_pairs(const Blend_stage& stage, Unlike_pairs& unlike, Part_pairs& paired);
-
-/// Pairs, and those of parts that are in none of them, alike in place and size: both correspond, but to others, too, or
-/// neither has a counterpart. None of both is as much in the place of another.
-Part_pairs with_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs paired);
+/// The pairs of parts that become each other:
+/// - Of those that correspond, all but those whose parts, or pieces of them, would have to turn, to change their
+///   proportions or to travel much: legs cut up for a star base, slats across spindles. As a part is divided as a
+///   whole, a pair goes with all others of its parts, and with their mirror images.
+/// - Leftover parts that are alike in place and size, if none of both is nearly as much in the place of another: two
+///   that correspond, but to others, too, or two without counterparts.
+/// \param unlike those that are torn become no parts; `all` is set
+Part_pairs like_pairs(const Blend_stage& stage, Part_pairs paired, Unlike_pairs& unlike);
 
 /// A part of the source, end 0, or of the target, end 1, by index.
 struct Part_of_end
