@@ -10,16 +10,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-const Eigen::Matrix3Xi& Blend_part::triangles(int surface) const
-{
-  return morph ? morph->triangles(surface) : mesh.triangles;
-}
-
-Points Blend_part::points(int surface, double progress) const
-{
-  return morph ? morph->points(surface, progress) : mesh.points;
-}
-
 void Blend_part::set_ends()
 {
   for (int surface = 0; surface < number_of_surfaces(); ++surface) {

@@ -46,10 +46,10 @@ struct Blend_part
   /// Whether an end has it.
   bool is_at(int at_end) const { return morph || end() == at_end; }
 
-  const Eigen::Matrix3Xi& triangles(int surface) const;
+  const Eigen::Matrix3Xi& triangles(int surface) const { return morph ? morph->triangles(surface) : mesh.triangles; }
   int number_of_surfaces() const { return morph ? 2 : 1; }
   /// \param progress of a matched part, its own time
-  Points points(int surface, double progress) const;
+  Points points(int surface, double progress) const { return morph ? morph->points(surface, progress) : mesh.points; }
 
   /// The surface at an end and its points there. \pre the end has the part
   int end_surface(int at_end) const { return morph ? at_end : 0; }

@@ -4,7 +4,7 @@
 #include "blend/Rest_surface.h"
 
 #include "base/eigen_system.h"
-#include "blend/Surface_smoother.h"
+#include "shape/first_in_place.h"
 #include "shape/triangle_distance.h"
 
 #include <Eigen/Geometry>

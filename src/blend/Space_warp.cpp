@@ -10,21 +10,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The nodes of a lattice over a box, those along the last axis first.
-Points lattice_nodes(const contacts::Box& box, const std::array<int, 3>& cells)
+Eigen::Array3i lattice_cells(const contacts::Box& box)
 {
-  Points result(3, (cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1));
+  constexpr double least_side = 0.06; // of a cell, over the height
+  constexpr double most_cells = 4000;
+  const Point sizes = box.sizes().cwiseMax(least_side);
+  const double side = std::max(least_side, std::cbrt(sizes.prod() / most_cells));
+  return (sizes.array() / side).ceil().cast<int>();
+}
+
+/// The nodes of a lattice over a box, those along the last axis first.
+Points lattice_nodes(const contacts::Box& box, const Eigen::Array3i& cells)
+{
+  Points result(3, (cells + 1).prod());
   Eigen::Index at = 0;
   for (int i = 0; i <= cells[0]; ++i)
     for (int j = 0; j <= cells[1]; ++j)
-      for (int k = 0; k <= cells[2]; ++k) {
-        const Point share(double(i) / cells[0], double(j) / cells[1], double(k) / cells[2]);
-        result.col(at++) = box.min() + share.cwiseProduct(box.sizes());
-      }
+      for (int k = 0; k <= cells[2]; ++k)
+        result.col(at++) = box.min().array() + Eigen::Array3d(i, j, k) / cells.cast<double>() * box.sizes().array();
   return result;
 }
 
@@ -71,18 +79,20 @@ Part_chart chart_of(const contacts::Box& box)
 
 Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike,
                        int end)
-    : end_(end), box_(stage.boxes[std::size_t(end)])
+    : end_(end), box_(stage.boxes[std::size_t(end)]), cells_(lattice_cells(box_))
 {
   add_whole(stage.boxes);
   add_surfaces(stage, parts);
   add_sets(stage, unlike);
-  for (int axis = 0; axis < 3; ++axis)
-    solvers_[std::size_t(axis)].compute(system(axis));
-  set_lattice();
+  const Points nodes = lattice_nodes(box_, cells_);
+  for (std::size_t axis : {0u, 1u, 2u}) {
+    solvers_[axis].compute(system(axis));
+    node_kernels_[axis] = kernels(nodes, axis);
+  }
 }
 
 /// Adds the corners of a box, or more points evenly in its upper and lower face.
-void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, const std::array<double, 3>& smoothing)
+void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, const Point& smoothing)
 {
   const auto points = [&](int end) { return lattice_nodes(thickened(boxes[std::size_t(end)]), {cells, 1, cells}); };
   const Points at = points(end_), at_other_end = points(1 - end_);
@@ -95,7 +105,7 @@ void Space_warp::add_whole(const std::array<contacts::Box, 2>& boxes)
 {
   constexpr double on_ground = 0.02, elsewhere = 0.3; // of the height
   constexpr int cells = 2;                            // the ground is held in its middle, too
-  add_box(boxes, cells, {elsewhere, elsewhere, elsewhere});
+  add_box(boxes, cells, Point::Constant(elsewhere));
   for (Control& control : controls_)
     if (control.at.y() <= boxes[std::size_t(end_)].min().y()) control.smoothing[1] = on_ground;
 }
@@ -108,7 +118,7 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
   const contacts::Triangle_tree& tree = parts[part].end_tree(end_);
   std::size_t triangle = 0;
   const Point at = tree.nearest(near, triangle);
-  controls_.push_back({at, at, {smoothing, smoothing, smoothing}, part, nearest_place(tree, near)});
+  controls_.push_back({at, at, Point::Constant(smoothing), part, nearest_place(tree, near)});
 }
 
 /// Points of matched parts and, so that the warp between symmetric shapes is symmetric, of their mirror images.
@@ -116,10 +126,8 @@ void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_
 {
   constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000; // so that hundreds of parts take no longer
   const auto end = std::size_t(end_);
-  Eigen::Index matched = 0;
-  for (const Blend_part& part : parts)
-    matched += part.is_matched();
-  if (matched == 0) return;
+  const Eigen::Index matched =
+      std::max<Eigen::Index>(1, std::count_if(parts.begin(), parts.end(), std::mem_fn(&Blend_part::is_matched)));
   const Eigen::Index count =
       std::min(std::clamp(all / matched, least, most), std::max<Eigen::Index>(too_many / matched, 2));
   for (const Blend_part& part : parts) {
@@ -138,7 +146,7 @@ void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_
 /// Adds the boxes of parts that correspond but do not morph.
 void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
 {
-  constexpr std::array<double, 3> alike = {0.05, 0.3, 0.05}, other = {0.1, 0.5, 0.1}; // smoothing, over the height
+  const Point alike(0.05, 0.3, 0.05), other(0.1, 0.5, 0.1); // smoothing, over the height
   for (const Connected_parts& set : connected_parts(unlike, stage.meshes[0].size(), stage.meshes[1].size())) {
     const std::array<contacts::Box, 2> boxes = {box_around(stage, 0, set.source), box_around(stage, 1, set.target)};
     const Difference difference(stage, {chart_of(boxes[0]), chart_of(boxes[1])});
@@ -146,7 +154,7 @@ void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
   }
 }
 
-Eigen::MatrixXd Space_warp::kernels(const Points& points, int axis) const
+Eigen::MatrixXd Space_warp::kernels(const Points& points, std::size_t axis) const
 {
   constexpr double across = 0.35; // how much distances along the other axes count
   Point metric = Point::Constant(across);
@@ -163,7 +171,7 @@ Eigen::MatrixXd Space_warp::kernels(const Points& points, int axis) const
   return result;
 }
 
-Eigen::MatrixXd Space_warp::system(int axis) const
+Eigen::MatrixXd Space_warp::system(std::size_t axis) const
 {
   const auto n = Eigen::Index(controls_.size());
   Points at(3, n);
@@ -172,22 +180,9 @@ Eigen::MatrixXd Space_warp::system(int axis) const
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n + 4, n + 4);
   result.topRows(n) = kernels(at, axis);
   for (Eigen::Index i = 0; i < n; ++i)
-    result(i, i) += controls_[std::size_t(i)].smoothing[std::size_t(axis)];
+    result(i, i) += controls_[std::size_t(i)].smoothing[axis];
   result.bottomLeftCorner(4, n) = result.topRightCorner(n, 4).transpose();
   return result;
-}
-
-void Space_warp::set_lattice()
-{
-  constexpr double least_side = 0.06; // of a cell, over the height
-  constexpr double most_cells = 4000;
-  const Point sizes = box_.sizes().cwiseMax(least_side);
-  const double side = std::max(least_side, std::cbrt(sizes.prod() / most_cells));
-  for (int axis = 0; axis < 3; ++axis)
-    cells_[std::size_t(axis)] = int(std::ceil(sizes[axis] / side));
-  const Points nodes = lattice_nodes(box_, cells_);
-  for (int axis = 0; axis < 3; ++axis)
-    node_kernels_[std::size_t(axis)] = kernels(nodes, axis);
 }
 
 Points Space_warp::ways(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces, double t) const
@@ -203,9 +198,9 @@ Points Space_warp::ways(const std::vector<Blend_part>& parts, const std::vector<
     due.row(i) = (to - control.at).transpose();
   }
   Points result(3, node_kernels_[0].rows());
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::VectorXd coefficients = solvers_[std::size_t(axis)].solve(due.col(axis));
-    result.row(axis) = (node_kernels_[std::size_t(axis)] * coefficients).transpose();
+  for (std::size_t axis : {0u, 1u, 2u}) {
+    const Eigen::VectorXd coefficients = solvers_[axis].solve(due.col(axis));
+    result.row(axis) = (node_kernels_[axis] * coefficients).transpose();
   }
   return result;
 }
@@ -213,24 +208,18 @@ Points Space_warp::ways(const std::vector<Blend_part>& parts, const std::vector<
 Points Space_warp::moved(const Points& points, const Points& ways) const
 {
   constexpr double flat = 1e-6; // of the height: what is thinner is in the first layer of nodes
+  const Eigen::Array3d sizes = box_.sizes().array().max(flat), cells = cells_.cast<double>();
   Points result = points;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    std::array<int, 3> cell{};
-    Point share;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int cells = cells_[std::size_t(axis)];
-      const double size = box_.sizes()[axis],
-                   along = (points(axis, i) - box_.min()[axis]) / std::max(size, flat) * cells;
-      cell[std::size_t(axis)] = std::clamp(int(std::floor(along)), 0, cells - 1);
-      share[axis] = along - cell[std::size_t(axis)];
-    }
+    const Eigen::Array3d along = (points.col(i) - box_.min()).array() / sizes * cells,
+                         cell = along.floor().max(0).min(cells - 1), share = along - cell;
     for (int corner = 0; corner < 8; ++corner) {
       double weight = 1;
       Eigen::Index node = 0;
       for (int axis = 0; axis < 3; ++axis) {
         const int upper = corner >> axis & 1;
         weight *= upper ? share[axis] : 1 - share[axis];
-        node = node * (cells_[std::size_t(axis)] + 1) + cell[std::size_t(axis)] + upper;
+        node = node * (cells_[axis] + 1) + Eigen::Index(cell[axis]) + upper;
       }
       result.col(i) += weight * ways.col(node);
     }

@@ -40,26 +40,25 @@ private:
   struct Control
   {
     Point at, at_other_end;                 ///< the latter of a point of a box
-    std::array<double, 3> smoothing;        ///< by axis, over the height
+    Point smoothing;                        ///< by axis, over the height
     std::size_t part = Blend_task::no_part; ///< matched, if it is on one
     Mesh_place place = {};                  ///< on its surface of this end
   };
 
-  void add_box(const std::array<contacts::Box, 2>& boxes, int cells, const std::array<double, 3>& smoothing);
+  void add_box(const std::array<contacts::Box, 2>& boxes, int cells, const Point& smoothing);
   void add_whole(const std::array<contacts::Box, 2>& boxes);
   void add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts);
   void add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near);
   void add_sets(const Blend_stage& stage, const Part_pairs& unlike);
-  void set_lattice();
   /// A row for each point: how it moves along an axis with each coefficient of the motion.
-  Eigen::MatrixXd kernels(const Points& points, int axis) const;
-  Eigen::MatrixXd system(int axis) const;
+  Eigen::MatrixXd kernels(const Points& points, std::size_t axis) const;
+  Eigen::MatrixXd system(std::size_t axis) const;
 
   int end_;
-  contacts::Box box_; ///< around the shape
+  contacts::Box box_;    ///< around the shape
+  Eigen::Array3i cells_; ///< of the lattice, by axis
   std::vector<Control> controls_;
   std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< by axis
-  std::array<int, 3> cells_{};                                  ///< of the lattice, by axis
   std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< by axis
 };
 

@@ -3,25 +3,17 @@
 
 #include "blend/Surface_smoother.h"
 
+#include "shape/first_in_place.h"
+
 #include <CGAL/assertions.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
-
-std::vector<int> first_in_place(const Points& points)
-{
-  std::map<std::array<double, 3>, int> first;
-  std::vector<int> result;
-  for (int i = 0; i < int(points.cols()); ++i)
-    result.push_back(first.emplace(std::array<double, 3>{points(0, i), points(1, i), points(2, i)}, i).first->second);
-  return result;
-}
 
 Surface_smoother::Surface_smoother(const Points& surface, const Eigen::Matrix3Xi& triangles)
     : places_(first_in_place(surface)), areas_(surface.cols()), stiffness_(surface.cols(), surface.cols())

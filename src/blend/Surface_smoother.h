@@ -11,9 +11,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// By point, the first one in the same place, which joins triangles that share no points.
-std::vector<int> first_in_place(const Points& points);
-
 /// Smooths vectors at the points of a surface, by linear elements. Separate components are smoothed each by itself.
 class Surface_smoother
 {

@@ -2,37 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/Loose_piece.h"
+
 #include "base/Disjoint_sets.h"
+#include "shape/first_in_place.h"
 #include "shape/triangle_distance.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 using Indices = std::vector<std::size_t>;
-
-/// For each vertex, the first vertex at the same place.
-Indices first_at_place(const Points& points)
-{
-  Indices order(std::size_t(points.cols()));
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto key = [&](std::size_t v) {
-    const Point p = points.col(Eigen::Index(v));
-    return std::array<double, 3>{p.x(), p.y(), p.z()};
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
-  Indices result(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    result[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? result[order[i - 1]] : order[i];
-  return result;
-}
 
 std::size_t corner(const Part_mesh& mesh, std::size_t t, int k)
 {
@@ -65,13 +49,14 @@ Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector
 /// An edge: its two vertices and the numbers of their places, the lower number first.
 struct Edge
 {
-  std::array<std::size_t, 2> places, vertices;
+  std::array<int, 2> places;
+  std::array<std::size_t, 2> vertices;
 };
 
 /// The edges of all triangles, sorted so that edges at the same place are neighbours.
 std::vector<Edge> sorted_edges(const Part_mesh& mesh)
 {
-  const Indices place = first_at_place(mesh.points);
+  const std::vector<int> place = first_in_place(mesh.points);
   std::vector<Edge> result;
   for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -108,13 +93,14 @@ bool is_closed(const Part_mesh& mesh)
 /// material.
 Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materials, bool divide)
 {
-  const Indices place = first_at_place(mesh.points);
+  const std::vector<int> place = first_in_place(mesh.points);
   Indices result;
-  std::map<std::pair<std::size_t, int>, std::size_t> number;
+  std::map<std::pair<int, int>, std::size_t> number;
   for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
     for (int k = 0; k < 3; ++k) {
-      const std::size_t at = place[corner(mesh, t, k)];
-      result.push_back(divide ? number.emplace(std::pair(at, materials[t]), number.size()).first->second : at);
+      const int at = place[corner(mesh, t, k)];
+      result.push_back(divide ? number.emplace(std::pair(at, materials[t]), number.size()).first->second
+                              : std::size_t(at));
     }
   return result;
 }

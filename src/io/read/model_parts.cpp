@@ -3,6 +3,8 @@
 
 #include "io/read/model_parts.h"
 
+#include "shape/first_in_place.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -61,26 +63,6 @@ void add_fan(const std::vector<std::size_t>& polygon, std::vector<std::size_t>& 
     triangles.insert(triangles.end(), {polygon[0], polygon[i], polygon[i + 1]});
 }
 
-bool lexicographically_less(const Point& p, const Point& q)
-{
-  return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-}
-
-/// For every corner the first corner at the same place.
-std::vector<int> first_at_same_place(const std::vector<Point>& corners)
-{
-  std::vector<int> order(corners.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return lexicographically_less(corners[a], corners[b]); });
-  std::vector<int> first(corners.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && corners[order[i]] == corners[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
-
 } // namespace
 
 std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
@@ -110,7 +92,9 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
 
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)
 {
-  const std::vector<int> first = first_at_same_place(corners);
+  const double* coordinates = corners.empty() ? nullptr : corners[0].data();
+  const std::vector<int> first =
+      internal::first_in_place(Eigen::Map<const Points>(coordinates, 3, Eigen::Index(corners.size())));
   std::vector<int> vertex(corners.size(), -1);
   std::vector<int> used; // corner that stands for each vertex
   std::vector<Eigen::Vector3i> triangles;
