@@ -11,26 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
-
-namespace {
-
-/// The mean over the triangles of a surface; `area_and_value(t)` is of one of them.
-template <typename Function>
-double mean_over(const Eigen::Matrix3Xi& triangles, const Function& area_and_value)
-{
-  double sum = 0, all = 0;
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const std::pair<double, double> of_triangle = area_and_value(t);
-    sum += of_triangle.first * of_triangle.second;
-    all += of_triangle.first;
-  }
-  return all > 0 ? sum / all : 0;
-}
-
-} // namespace
 
 Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
     : charts_{charts.source, charts.target}
@@ -54,14 +36,17 @@ double Part_morph::turned_share() const
   const Point extents = (charts_[0].half_extents() + charts_[1].half_extents()) / 2;
   double result = 0;
   for (const Moving_surface& mesh : surfaces_) {
-    const Points places = extents.asDiagonal() * mesh.coordinates[0],
-                 later = extents.asDiagonal() * mesh.coordinates[1];
-    result = std::max(result, mean_over(mesh.triangles, [&](Eigen::Index t) {
-                        const Point from = contacts::area_vector(triangle_of(places, mesh.triangles, t)),
-                                    to = contacts::area_vector(triangle_of(later, mesh.triangles, t));
-                        const bool turns = from.dot(to) < turned * from.norm() * to.norm();
-                        return std::pair(std::max(from.norm(), to.norm()), turns ? 1. : 0.);
-                      }));
+    const Points before = extents.asDiagonal() * mesh.coordinates[0],
+                 after = extents.asDiagonal() * mesh.coordinates[1];
+    double sum = 0, all = 0;
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+      const Point from = contacts::area_vector(triangle_of(before, mesh.triangles, t)),
+                  to = contacts::area_vector(triangle_of(after, mesh.triangles, t));
+      const double area = std::max(from.norm(), to.norm());
+      if (from.dot(to) < turned * from.norm() * to.norm()) sum += area;
+      all += area;
+    }
+    if (all > 0) result = std::max(result, sum / all);
   }
   return result;
 }
@@ -73,13 +58,16 @@ double Part_morph::misfit(bool at_change) const
     const Moving_surface &mesh = surfaces_[surface], &other = surfaces_[1 - surface];
     const std::size_t when = at_change ? 1 - surface : surface;
     const contacts::Triangle_tree tree = tree_of(other.coordinates[1 - when], other.triangles);
-    const double squared = mean_over(mesh.triangles, [&](Eigen::Index t) {
+    double sum = 0, all = 0;
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
       const contacts::Triangle corners = triangle_of(mesh.coordinates[when], mesh.triangles, t);
+      const double area = contacts::area_vector(corners).norm();
       const Point middle = contacts::centre(corners);
       std::size_t nearest = 0;
-      return std::pair(contacts::area_vector(corners).norm(), (tree.nearest(middle, nearest) - middle).squaredNorm());
-    });
-    result = std::max(result, std::sqrt(squared));
+      sum += area * (tree.nearest(middle, nearest) - middle).squaredNorm();
+      all += area;
+    }
+    if (all > 0) result = std::max(result, std::sqrt(sum / all));
   }
   return result;
 }

@@ -3,7 +3,6 @@
 
 #include "blend/Rest_surface.h"
 
-#include "base/eigen_system.h"
 #include "shape/first_in_place.h"
 #include "shape/triangle_distance.h"
 
@@ -21,9 +20,8 @@ namespace {
 Points doubled_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   Points result(3, triangles.cols());
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
     result.col(t) = contacts::area_vector(triangle_of(points, triangles, t));
-  }
   return result;
 }
 
@@ -33,6 +31,20 @@ double squared_longest_edge(const contacts::Triangle& corners)
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
+/// By the ends of edges, the triangles there. Points in one place are one.
+std::map<std::pair<int, int>, std::vector<int>> triangles_by_edge(const Points& points,
+                                                                  const Eigen::Matrix3Xi& triangles)
+{
+  const std::vector<int> places = first_in_place(points);
+  std::map<std::pair<int, int>, std::vector<int>> result;
+  for (int t = 0; t < int(triangles.cols()); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int a = places[std::size_t(triangles(i, t))], b = places[std::size_t(triangles((i + 1) % 3, t))];
+      result[std::minmax(a, b)].push_back(t);
+    }
+  return result;
+}
+
 } // namespace
 
 Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
@@ -40,16 +52,17 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
 {
   constexpr double smooth = 0.5; // cosine of the angle between normals
   constexpr double least_thickness =
-      1e-9; // volume over area, in square roots of areas: else both sides are in one place
-  find_edges(points);
-  extent_ = extent(points);
-  is_closed_ = is_closed_ && std::abs(extent_.volume) > least_thickness * std::pow(extent_.area, 1.5);
+      1e-9; // volume over area, in square roots of areas: with less, both sides are in one place
   const Points normals = doubled_normals(points, triangles_);
   const Eigen::VectorXd areas = normals.colwise().norm();
-  const auto turns = [&](const Edge& edge) {
-    return normals.col(edge[0]).dot(normals.col(edge[1])) < smooth * areas[edge[0]] * areas[edge[1]];
-  };
-  smooth_.erase(std::remove_if(smooth_.begin(), smooth_.end(), turns), smooth_.end());
+  for (const auto& [edge, sides] : triangles_by_edge(points, triangles_)) {
+    is_closed_ = is_closed_ && sides.size() % 2 == 0;
+    if (sides.size() != 2) continue;
+    const int a = sides[0], b = sides[1];
+    if (normals.col(a).dot(normals.col(b)) >= smooth * areas[a] * areas[b]) smooth_.push_back({a, b});
+  }
+  extent_ = extent(points);
+  is_closed_ = is_closed_ && std::abs(extent_.volume) > least_thickness * std::pow(extent_.area, 1.5);
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
     longest_[t] = squared_longest_edge(triangle_of(points, triangles_, t));
   constexpr int samples = 24;
@@ -59,61 +72,36 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
       chosen_.push_back(t);
 }
 
-/// Sets all edges between two triangles, and whether there are no others. Points in one place are one.
-void Rest_surface::find_edges(const Points& points)
-{
-  const std::vector<int> places = first_in_place(points);
-  std::map<std::pair<int, int>, std::vector<int>> sides; // by ends, the triangles
-  for (int t = 0; t < int(triangles_.cols()); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const int a = places[std::size_t(triangles_(i, t))], b = places[std::size_t(triangles_((i + 1) % 3, t))];
-      sides[std::minmax(a, b)].push_back(t);
-    }
-  for (const auto& [ends, triangles] : sides) {
-    if (triangles.size() == 2) smooth_.push_back({triangles[0], triangles[1]});
-    is_closed_ = is_closed_ && triangles.size() % 2 == 0;
-  }
-}
-
 Surface_extent Rest_surface::extent(const Points& points) const
 {
   Surface_extent result;
-  const Points normals = doubled_normals(points, triangles_);
+  result.sizes = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
   const Point middle = points.rowwise().mean();
-  Points centred(3, triangles_.cols());
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const double area = normals.col(t).norm() / 2;
-    const Point centre = contacts::centre(triangle_of(points, triangles_, t)) - middle;
-    result.area += area;
-    result.volume += normals.col(t).dot(centre) / 6;
-    centred.col(t) = std::sqrt(area) * centre;
+    const contacts::Triangle corners = triangle_of(points, triangles_, t);
+    const Point normal = contacts::area_vector(corners);
+    result.area += normal.norm() / 2;
+    result.volume += normal.dot(contacts::centre(corners) - middle) / 6;
   }
-  if (!(result.area > 0)) return result;
-  result.spreads = (eigen_system(scatter_matrix(centred)).values / result.area).cwiseMax(0).cwiseSqrt();
   return result;
 }
 
 double Rest_surface::torn_area(const Points& points, const Surface_extent& extent) const
 {
-  constexpr double folded = -0.5;       // cosine of the angle between normals
-  constexpr double least_spread = 1e-4; // of the shape's height
-  constexpr double most_stretch = 3;    // of an edge, over that of the whole surface
+  constexpr double folded = -0.5;     // cosine of the angle between normals
+  constexpr double least_size = 1e-4; // of the shape's height
+  constexpr double most_stretch = 3;  // of an edge, over that of the whole surface
   const Points normals = doubled_normals(points, triangles_);
   const Eigen::VectorXd areas = normals.colwise().norm() / 2;
   std::vector<char> is_torn(std::size_t(triangles_.cols()), 0);
-  for (const Edge& edge : smooth_) {
-    const auto [a, b] = edge;
+  for (const auto& [a, b] : smooth_)
     if (normals.col(a).dot(normals.col(b)) < folded * 4 * areas[a] * areas[b])
       is_torn[std::size_t(areas[a] < areas[b] ? a : b)] = 1;
-  }
-  const Eigen::Vector3d least = Eigen::Vector3d::Constant(least_spread);
-  const double growth =
-      most_stretch *
-      std::max(1., extent.spreads.cwiseMax(least).cwiseQuotient(extent_.spreads.cwiseMax(least)).maxCoeff());
+  const double growth = (extent.sizes.array().max(least_size) / extent_.sizes.array().max(least_size)).maxCoeff(),
+               most = most_stretch * std::max(1., growth);
   double result = 0;
   for (Eigen::Index t = 0; t < areas.size(); ++t)
-    if (is_torn[std::size_t(t)] ||
-        squared_longest_edge(triangle_of(points, triangles_, t)) > growth * growth * longest_[t])
+    if (is_torn[std::size_t(t)] || squared_longest_edge(triangle_of(points, triangles_, t)) > most * most * longest_[t])
       result += areas[t];
   return result;
 }

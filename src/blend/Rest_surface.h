@@ -14,9 +14,8 @@ namespace CGAL::Shape_correspondence::internal {
 struct Surface_extent
 {
   double area = 0;
-  double volume = 0; ///< signed, positive if the triangles look outwards; of a closed surface
-  /// Root mean square distances from the planes through the middle along its principal directions, the least one first.
-  Eigen::Vector3d spreads = Eigen::Vector3d::Zero();
+  double volume = 0;           ///< signed, positive if the triangles look outwards; of a closed surface
+  Point sizes = Point::Zero(); ///< of the box around it
 };
 
 /// A surface of a part of a blend as it is at its end of the blend, which it is compared with on the way.
@@ -39,16 +38,12 @@ public:
   Points samples(const Points& points) const;
 
 private:
-  using Edge = std::array<int, 2>; ///< two triangles
-
-  void find_edges(const Points& points);
-
   Eigen::Matrix3Xi triangles_;
   bool is_closed_ = true;
   Surface_extent extent_;
-  std::vector<Edge> smooth_;         ///< edges between triangles that continue each other
-  Eigen::VectorXd longest_;          ///< by triangle, its longest edge, squared
-  std::vector<Eigen::Index> chosen_; ///< triangles
+  std::vector<std::array<int, 2>> smooth_; ///< neighbouring triangles that continue each other
+  Eigen::VectorXd longest_;                ///< by triangle, its longest edge, squared
+  std::vector<Eigen::Index> chosen_;       ///< triangles
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -19,6 +19,17 @@ Point extents_along(const Points& surface, const Eigen::Matrix3d& axes)
   return local.rowwise().maxCoeff() - local.rowwise().minCoeff();
 }
 
+/// Those of the world, or the surface's own ones if the box along them is much smaller.
+Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
+{
+  constexpr double much = 0.45; // a square that is turned by 45 degrees needs none
+  const auto volume = [&](const Eigen::Matrix3d& axes) {
+    return extents_along(surface, axes).cwiseMax(2 * Part_chart::least_half_extent).prod();
+  };
+  const Eigen::Matrix3d world = Eigen::Matrix3d::Identity();
+  return volume(own_axes) < much * volume(world) ? own_axes : world;
+}
+
 double angle_of(const Eigen::Matrix3d& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.)); }
 
 /// Whether both boxes are as long along one axis as along another: what is in them may be round.
@@ -53,16 +64,6 @@ Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, std::arra
 }
 
 } // namespace
-
-Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
-{
-  constexpr double much = 0.45; // a square that is turned by 45 degrees needs none
-  const auto volume = [&](const Eigen::Matrix3d& axes) {
-    return extents_along(surface, axes).cwiseMax(2 * Part_chart::least_half_extent).prod();
-  };
-  const Eigen::Matrix3d world = Eigen::Matrix3d::Identity();
-  return volume(own_axes) < much * volume(world) ? own_axes : world;
-}
 
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes)
 {

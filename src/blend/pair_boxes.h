@@ -9,10 +9,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The axes of the box of a surface: those of the world, or its own ones, a rotation, if the box along them is much
-/// smaller.
-Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes);
-
 /// Straight charts of the boxes of two surfaces. A box has the axes of the world unless a part's own ones make it much
 /// smaller; axes are paired for the least rotation over the symmetries of boxes.
 /// \param own_axes of the surfaces, rotations
