@@ -4,11 +4,114 @@
 #include "blend/Blend_part.h"
 
 #include "base/quantized.h"
+#include "blend/Blend_stage.h"
+#include "blend/mirror_images.h"
+#include "blend/pair_boxes.h"
+#include "blend/unlike_pairs.h"
+#include "map/piece_of.h"
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// Whether a map does not do: the surfaces are not alike, or one is torn or turned over on the way.
+bool is_torn(const Part_morph& morph)
+{
+  constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
+  constexpr double most_turned = 0.12;                          // of either surface
+  constexpr double most_jump = 0.08;                            // where the second surface takes over
+  constexpr double most_misfit_of_open = 0.1;                   // of surfaces with rims, which are seen to gape
+  if (morph.turned_share() > most_turned) return true;
+  bool are_closed = true;
+  for (int surface : {0, 1}) {
+    const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
+    const Points points = morph.points(surface, Part_morph::change); // where it is farthest from what it was
+    const Surface_extent extent = rest.extent(points);
+    if (rest.torn_area(points, extent) > most_torn * extent.area) return true;
+    are_closed = are_closed && rest.is_closed();
+  }
+  return (!are_closed && morph.misfit(false) > most_misfit_of_open) || morph.misfit(true) > most_jump;
+}
+
+/// What becomes of one of all pairs. \param corresponds or its parts are exchanged
+Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, bool corresponds)
+{
+  const auto uses = [&](std::size_t Piece_pair::*part) {
+    return std::count_if(all.begin(), all.end(), [&](const Piece_pair& other) { return other.*part == pair.*part; });
+  };
+  Blend_task task;
+  task.source = pair.source;
+  task.target = pair.target;
+  task.type = !corresponds                    ? Blend_task_type::EXCHANGE
+              : uses(&Piece_pair::target) > 1 ? Blend_task_type::MERGE
+              : uses(&Piece_pair::source) > 1 ? Blend_task_type::SPLIT
+                                              : Blend_task_type::MORPH;
+  return task;
+}
+
+/// The part that a pair becomes; without a morph if its surfaces, or pieces of theirs, have no map.
+Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
+{
+  Blend_part result;
+  result.name = stage.charted[0].parts[pair.source]->name + '~' + stage.charted[1].parts[pair.target]->name;
+  const Part_chart &from = stage.charted[0].charts[pair.source], &to = stage.charted[1].charts[pair.target];
+  const Part_mesh &source = stage.meshes[0][pair.source], &target = stage.meshes[1][pair.target];
+  const Part_mesh first = piece_of(source.points, source.triangles, from, pair.source_piece);
+  const Part_mesh second = piece_of(target.points, target.triangles, to, pair.target_piece);
+  const Pair_charts boxes = pair_boxes({&first.points, &second.points}, {from.axes(), to.axes()});
+  const auto morph = std::make_shared<const Part_morph>(boxes, first, second);
+  if (is_torn(*morph)) return result;
+  result.morph = morph;
+  result.needless_turn = needless_turn(boxes);
+  result.set_ends();
+  return result;
+}
+
+/// All pairs of parts, with those of mirror images.
+Part_pairs paired_parts(const Blend_stage& stage, const Correspondence& correspondence)
+{
+  Part_pairs result = part_pairs(correspondence.pairs);
+  add_mirrored(result, stage.images[0], stage.images[1]);
+  result = matched_members(stage.charted[0], stage.charted[1], result);
+  add_mirrored(result, stage.images[0], stage.images[1]);
+  return result;
+}
+
+Blend_obstacle obstacle_of(int end, std::size_t given, const Unlike_pairs& unlike)
+{
+  Blend_obstacle result = Blend_obstacle::NONE;
+  for (const auto& pair : unlike.all) {
+    if ((end == 0 ? pair.first : pair.second) != given) continue;
+    if (unlike.torn.count(pair) > 0) return Blend_obstacle::TORN;
+    result = Blend_obstacle::UNLIKE;
+  }
+  return result;
+}
+
+Blend_part unmatched_part(const Blend_stage& stage, int end, std::size_t given, const Unlike_pairs& unlike)
+{
+  const auto e = std::size_t(end);
+  Blend_part result;
+  const std::string& name = structure(stage.graphs[e]).parts[given].name;
+  result.name = end == 0 ? name + '~' : '~' + name;
+  result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
+  result.task.obstacle = obstacle_of(end, given, unlike);
+  (end == 0 ? result.task.source : result.task.target) = given;
+  result.mesh = stage.meshes[e][given];
+  result.set_ends();
+  return result;
+}
+
+} // namespace
 
 void Blend_part::set_ends()
 {
@@ -37,6 +140,37 @@ std::size_t nearest_piece(const std::vector<Blend_part>& parts, int end, std::si
   };
   return *std::min_element(pieces.begin(), pieces.end(),
                            [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+}
+
+std::vector<Blend_part> unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
+                                        const std::vector<Blend_part>& matched)
+{
+  std::vector<Blend_part> result;
+  for (int end : {0, 1})
+    for (std::size_t part = 0; part < stage.meshes[std::size_t(end)].size(); ++part)
+      if (parts_of(matched, end, part).empty()) result.push_back(unmatched_part(stage, end, part, unlike));
+  return result;
+}
+
+std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
+                                      Unlike_pairs& unlike)
+{
+  const Part_pairs given = paired_parts(stage, correspondence);
+  while (true) {
+    const std::vector<Piece_pair> pairs =
+        piece_pairs(stage.charted[0], stage.charted[1], like_pairs(stage, given, unlike));
+    Part_pairs torn;
+    std::vector<Blend_part> result;
+    for (const Piece_pair& pair : pairs) {
+      const std::pair parts(pair.source, pair.target);
+      result.push_back(matched_part(stage, pair));
+      result.back().task = task_of(pair, pairs, std::binary_search(given.begin(), given.end(), parts));
+      if (!result.back().is_matched()) torn.push_back(parts);
+    }
+    if (torn.empty()) return result;
+    add_mirrored(torn, stage.images[0], stage.images[1]);
+    unlike.torn.insert(torn.begin(), torn.end()); // with them go all other pairs of their parts
+  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal

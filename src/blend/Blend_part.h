@@ -44,7 +44,7 @@ struct Blend_part
   /// Its number at an end that has it.
   std::size_t given(int at_end) const { return at_end == 0 ? task.source : task.target; }
   /// Whether an end has it.
-  bool is_at(int at_end) const { return morph || end() == at_end; }
+  bool is_at(int at_end) const { return given(at_end) != Blend_task::no_part; }
 
   const Eigen::Matrix3Xi& triangles(int surface) const { return morph ? morph->triangles(surface) : mesh.triangles; }
   int number_of_surfaces() const { return morph ? 2 : 1; }

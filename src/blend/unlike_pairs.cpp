@@ -140,7 +140,7 @@ double shared_place(const Blend_stage& stage, std::size_t source, std::size_t ta
   return std::max(shared_place(stage, {0, source}, {1, target}), shared_place(stage, {1, target}, {0, source}));
 }
 
-Part_pairs like_pairs(const Blend_stage& stage, Part_pairs paired, Unlike_pairs& unlike)
+Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike)
 {
   const std::size_t sources = stage.meshes[0].size();
   Disjoint_sets sets(sources + stage.meshes[1].size()); // of parts that pairs connect, mirror images together
@@ -159,12 +159,12 @@ Part_pairs like_pairs(const Blend_stage& stage, Part_pairs paired, Unlike_pairs&
     if (known) continue;
     known = !Difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece)).is_little();
   }
-  const auto first_unlike = std::stable_partition(paired.begin(), paired.end(),
-                                                  [&](const auto& pair) { return !is_unlike[sets[pair.first]]; });
-  unlike.all.assign(first_unlike, paired.end());
-  paired.erase(first_unlike, paired.end());
-  add_leftovers(stage, unlike, paired);
-  return paired;
+  Part_pairs result;
+  unlike.all.clear();
+  for (const auto& pair : paired)
+    (is_unlike[sets[pair.first]] ? unlike.all : result).push_back(pair);
+  add_leftovers(stage, unlike, result);
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

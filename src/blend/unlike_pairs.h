@@ -54,7 +54,7 @@ struct Difference
 /// - Leftover parts that are alike in place and size, if none of both is nearly as much in the place of another: two
 ///   that correspond, but to others, too, or two without counterparts.
 /// \param unlike those that are torn become no parts; `all` is set
-Part_pairs like_pairs(const Blend_stage& stage, Part_pairs paired, Unlike_pairs& unlike);
+Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike);
 
 /// A part of the source, end 0, or of the target, end 1, by index.
 struct Part_of_end
