@@ -3,7 +3,6 @@
 
 #include "blend/Blend_structure.h"
 
-#include "blend/change_groups.h"
 #include "blend/unlike_pairs.h"
 
 #include <utility>
@@ -14,13 +13,13 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
                                  const Blend_options& options)
     : stage(inputs, options.size)
 {
-  Unlike_pairs unlike;
-  parts = matched_parts(stage, correspondence, unlike);
-  for (Blend_part& part : unmatched_parts(stage, unlike, parts))
+  Unlike_pairs found;
+  parts = matched_parts(stage, correspondence, found);
+  for (Blend_part& part : unmatched_parts(stage, found, parts))
     parts.push_back(std::move(part));
+  unlike = found.all;
   touches = internal::touches(stage, parts, options.contact_tolerance);
   roots = internal::roots(stage, parts, touches);
-  groups = change_groups(stage, unlike.all, parts, touches);
   for (int end : {0, 1}) {
     std::vector<Seen_surface> seen;
     bool has_unmatched = false;
@@ -30,7 +29,7 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
       has_unmatched = has_unmatched || !parts[i].is_matched();
     }
     looks[std::size_t(end)] = Shape_look(seen);
-    if (has_unmatched) warps[std::size_t(end)].emplace(stage, parts, unlike.all, end);
+    if (has_unmatched) warps[std::size_t(end)].emplace(stage, parts, unlike, end);
   }
 }
 

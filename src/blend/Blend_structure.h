@@ -25,9 +25,9 @@ public:
 
   Blend_stage stage;
   std::vector<Blend_part> parts; ///< those that are matched come first
+  Part_pairs unlike;             ///< pairs of the given parts that correspond but do not morph
   std::vector<Touch> touches;
   std::vector<Point> roots;                       ///< by part, if it is not matched: what it shrinks to
-  std::vector<std::size_t> groups;                ///< by part: parts of one group come and go at one time
   std::array<std::optional<Space_warp>, 2> warps; ///< where there are unmatched parts
   std::array<Shape_look, 2> looks;
 

@@ -255,18 +255,3 @@ TEST_CASE("A slanted bar that becomes much longer is exchanged, too, though the 
   CHECK(bar_from(0.6) == Blend_task_type::MORPH);
   CHECK(bar_from(0.35) == Blend_task_type::SHRINK);
 }
-
-TEST_CASE("What comes where a part that morphs was changes when surfaces do, what comes elsewhere later")
-{
-  std::vector<Named_box> boxes = {{"wall", {-0.9, 0.5, 0}, {0.1, 1, 0.4}}, {"hull", {0, 0.5, 0}, {0.4, 1, 0.4}}};
-  const Box_model source = model_of(boxes);
-  boxes[1] = {"hull", {0, 0.4, 0}, {0.4, 0.8, 0.4}};
-  boxes.push_back({"fin", {0, 0.9, 0}, {0.3, 0.2, 0.05}});
-  boxes.push_back({"lamp", {-0.75, 0.9, 0}, {0.2, 0.1, 0.1}});
-  const std::vector<Blend_task> tasks = blend_of(source, model_of(boxes), same_parts(2)).schedules()[0].tasks;
-  REQUIRE(tasks.size() == 4);
-  CHECK(tasks[0].type == Blend_task_type::MORPH);
-  CHECK(tasks[1].type == Blend_task_type::MORPH);
-  CHECK(tasks[2].end == internal::Part_morph::change);
-  CHECK(tasks[3].begin > 0.5);
-}

@@ -39,7 +39,7 @@ struct Blend_options
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
   std::string schedule;                ///< name of the schedule to use; empty: the best one
   /// Called before every schedule is rated, with the fraction done, in [0, 1]; `false` ends the rating, and
-  /// `from the ground up` is used.
+  /// `in two steps` is used.
   std::function<bool(double)> progress;
 };
 

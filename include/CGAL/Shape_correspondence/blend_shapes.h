@@ -63,9 +63,9 @@ struct Blend_surface
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///
-/// In a *schedule*, old parts are exchanged for new ones from the ground up or from the top down, in two halves, or at
-/// one time. The best one has the fewest measures of `Blend_quality` over their tolerances, and is the first of these
-/// if that are as many; halves between which parts come apart are the last. `check()` returns which tolerances are
+/// In a *schedule*, old parts are exchanged for new ones in two steps or at one time. In two steps, so that there is a
+/// mixed shape between them, is the best one, unless parts come apart in it (`Blend_quality::apart`), or no mixed shape
+/// hangs together. All schedules are rated by `Blend_quality`. `check()` returns which tolerances are
 /// exceeded. Deterministic.
 ///
 /// Functions that do not change a blend may be called by several threads at once.

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "blend/Blend_structure.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// How an unmatched part changes: it comes or goes by itself, or is exchanged in the first or second of two steps.
+enum class Exchange_step { NONE, FIRST, SECOND };
+
+struct Part_change
+{
+  Exchange_step step = Exchange_step::NONE;
+  std::size_t set = 0; ///< of parts that come or go by themselves: those of one set do so together
+};
+
+/// By part, how it changes.
+///
+/// Parts are *exchanged* if they take the place of others, or leave it to them: if groups, touches, and places that are
+/// the same join them with parts of both ends. A *group* changes in one step: parts that correspond, mirror images,
+/// what stands on the ground, and old and new parts without counterpart that hold on to one place.
+///
+/// Between the steps there is a *mixed shape*: new parts of the groups that change first, old parts of the others, and
+/// all that is matched. It costs as much as the parts of it are, by size, that are in the place of others or have come
+/// off what held them. The steps with the least cost are found by local search, from steps in order of height. They are
+/// worth while if that is less than a fraction of the size of what changes in the lesser step; if not, all parts are in
+/// the second one.
+std::vector<Part_change> part_changes(const Blend_structure& blend);
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend/Part_morph.h"
+#include "blend/part_changes.h"
+#include "box_models.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+// Which parts of a blend are exchanged, and in which of two steps.
+
+using namespace CGAL::Shape_correspondence;
+using namespace box_models;
+
+namespace {
+
+using internal::Exchange_step;
+
+Box_model upright(const std::vector<Named_box>& boxes)
+{
+  Box_model result = model_of(boxes);
+  structure(result.graph).frame.axes.setIdentity();
+  return result;
+}
+
+/// The steps by the names of parts: `name~` of an old one, `~name` of a new one.
+std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, const std::vector<Named_box>& to,
+                                           const Correspondence& correspondence)
+{
+  const Box_model source = upright(from), target = upright(to);
+  const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{source.graph, source.shape, 0},
+                                                       internal::Blend_input{target.graph, target.shape, 0}};
+  const internal::Blend_structure blend(inputs, correspondence, {});
+  const std::vector<internal::Part_change> changes = internal::part_changes(blend);
+  std::map<std::string, Exchange_step> result;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    result[blend.parts[i].name] = changes[i].step;
+  return result;
+}
+
+const Named_box board = {"board", {0, 0.6, 0}, {1.2, 0.08, 0.8}};
+
+/// A board on two walls with a box on it.
+std::vector<Named_box> on_walls()
+{
+  return {board,
+          {"left", {-0.5, 0.28, 0}, {0.06, 0.56, 0.7}},
+          {"right", {0.5, 0.28, 0}, {0.06, 0.56, 0.7}},
+          {"box", {0, 0.82, 0}, {0.9, 0.36, 0.6}}};
+}
+
+/// The same board on a column with a needle on it.
+std::vector<Named_box> on_column()
+{
+  return {board, {"column", {0, 0.28, 0}, {0.15, 0.56, 0.15}}, {"needle", {0, 0.82, 0}, {0.05, 0.36, 0.05}}};
+}
+
+} // namespace
+
+TEST_CASE("What is below a part that stays and what is on it are exchanged in two steps, each at one time")
+{
+  auto found = steps(on_walls(), on_column(), same_parts(1));
+  CHECK(found.at("board~board") == Exchange_step::NONE);
+  CHECK(found.at("left~") != Exchange_step::NONE);
+  CHECK(found.at("left~") == found.at("right~"));
+  CHECK(found.at("left~") == found.at("~column"));
+  CHECK(found.at("box~") != Exchange_step::NONE);
+  CHECK(found.at("box~") == found.at("~needle"));
+  CHECK(found.at("box~") != found.at("left~"));
+}
+
+TEST_CASE("What is exchanged has two times, or one if that is asked for")
+{
+  const Box_model source = upright(on_walls()), target = upright(on_column());
+  Blend_options options;
+  const auto ends = [&](const std::string& schedule) {
+    options.schedule = schedule;
+    const Shape_blend blend = blend_of(source, target, same_parts(1), options);
+    std::map<double, int> result;
+    for (const Blend_task& task : blend.schedules()[0].tasks)
+      if (task.type != Blend_task_type::MORPH) ++result[task.end];
+    return result;
+  };
+  const std::map<double, int> two = ends("in two steps"), one = ends("at one time");
+  REQUIRE(two.size() == 2);
+  CHECK(two.begin()->first < internal::Part_morph::change);
+  CHECK(two.rbegin()->first > internal::Part_morph::change);
+  CHECK((two.begin()->second == 3 || two.rbegin()->second == 3)); // two walls and a column
+  CHECK(one == std::map<double, int>{{internal::Part_morph::change, 5}});
+  CHECK(ends("") == two);
+}
+
+TEST_CASE("What would come off what held it is exchanged with that")
+{
+  // A bar on two rods that become one: if the rods changed first, one end of the bar would hang in the air.
+  const Named_box base = {"base", {0, 0.05, 0}, {1.4, 0.1, 0.6}}, wall = {"wall", {0.6, 0.5, 0}, {0.1, 0.8, 0.5}};
+  const std::vector<Named_box> from = {base,
+                                       wall,
+                                       {"rod", {-0.4, 0.35, 0}, {0.3, 0.5, 0.3}},
+                                       {"other", {0.5, 0.35, 0}, {0.1, 0.5, 0.12}},
+                                       {"bar", {0.0, 0.65, 0}, {1.0, 0.1, 0.3}}};
+  const std::vector<Named_box> to = {
+      base, wall, {"pin", {-0.4, 0.35, 0}, {0.03, 0.5, 0.03}}, {"sail", {-0.4, 0.78, 0}, {0.5, 0.36, 0.5}}};
+  Correspondence correspondence = same_parts(2);
+  correspondence.pairs.insert(correspondence.pairs.end(), {{2, 2}, {3, 2}, {4, 3}});
+  auto found = steps(from, to, correspondence);
+  CHECK(found.at("rod~") == found.at("other~"));
+  CHECK(found.at("bar~") != Exchange_step::NONE);
+  CHECK(found.at("bar~") == found.at("rod~"));
+}
+
+TEST_CASE("Large parts on a small one are not left hanging in the air")
+{
+  // A panel on a hook on a pole, and a sign on a link on a pin, far from that.
+  const Named_box base = {"base", {0, 0.05, 0}, {2.4, 0.1, 0.6}}, wall = {"wall", {1.1, 0.5, 0}, {0.1, 0.96, 0.5}};
+  const std::vector<Named_box> from = {base,
+                                       wall,
+                                       {"pole", {-0.9, 0.4, 0}, {0.3, 0.6, 0.3}},
+                                       {"hook", {-0.9, 0.74, 0}, {0.04, 0.08, 0.04}},
+                                       {"panel", {-0.9, 0.88, 0}, {0.5, 0.2, 0.5}}};
+  const std::vector<Named_box> to = {base,
+                                     wall,
+                                     {"pin", {-0.1, 0.125, 0}, {0.05, 0.05, 0.05}},
+                                     {"link", {-0.1, 0.19, 0}, {0.005, 0.08, 0.04}},
+                                     {"sign", {-0.1, 0.33, 0}, {0.02, 0.2, 0.8}}};
+  auto found = steps(from, to, same_parts(5));
+  CHECK(found.at("panel~") != Exchange_step::NONE);
+  CHECK(found.at("panel~") == found.at("pole~"));
+  CHECK(found.at("~sign") == found.at("~pin"));
+}
+
+TEST_CASE("Old and new parts are in one place at no time, though they hold on to different parts")
+{
+  std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {1.2, 0.2, 0.8}},
+                                 {"back", {-0.55, 0.5, 0}, {0.1, 0.6, 0.8}},
+                                 {"top", {0, 0.85, 0}, {1.2, 0.1, 0.8}}},
+                         to = from;
+  from.push_back({"lamp", {0.35, 0.54, 0}, {0.2, 0.52, 0.2}}); // hangs from the top
+  to.push_back({"vase", {0.43, 0.46, 0}, {0.04, 0.52, 0.04}}); // stands on the shelf
+  auto found = steps(from, to, same_parts(3));
+  CHECK(found.at("lamp~") != Exchange_step::NONE);
+  CHECK(found.at("lamp~") == found.at("~vase"));
+}
+
+TEST_CASE("What holds on to the place where something else did takes its place")
+{
+  const std::vector<Named_box> pot = {{"pot", {0, 0.2, 0}, {0.6, 0.4, 0.6}},
+                                      {"post", {0, 0.6, -0.25}, {0.1, 0.4, 0.1}}};
+  std::vector<Named_box> from = pot, to = pot;
+  from.push_back({"cactus", {-0.05, 0.55, 0.1}, {0.2, 0.3, 0.2}});
+  to.push_back({"leaf", {0.11, 0.7, 0.1}, {0.02, 0.6, 0.1}}); // beside it
+  auto found = steps(from, to, same_parts(2));
+  CHECK(found.at("cactus~") != Exchange_step::NONE);
+  CHECK(found.at("cactus~") == found.at("~leaf"));
+}
+
+TEST_CASE("What takes no other part's place comes and goes by itself")
+{
+  std::vector<Named_box> with_knob = on_walls();
+  with_knob.push_back({"knob", {0.62, 0.6, 0}, {0.04, 0.05, 0.05}});
+  auto found = steps(on_walls(), with_knob, same_parts(4));
+  CHECK(found.at("~knob") == Exchange_step::NONE);
+}
