@@ -15,6 +15,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -44,18 +45,19 @@ double side_of_cells(const Blend_structure& blend)
   return std::max(least, blend.stage.boxes[0].merged(blend.stage.boxes[1]).sizes().maxCoeff() / most_cells);
 }
 
-/// The cells that a surface goes through, in order.
+/// The cells whose middles a surface is near, in order. Those beside its box are looked at, too, so that rounding of
+/// the box does not matter.
 std::vector<Cell> cells_of(const contacts::Triangle_tree& tree, double side)
 {
-  const double squared_radius = 0.75 * side * side; // of the sphere around a cell
+  const double squared_radius = 0.7 * side * side; // of a sphere around a cell, not quite to its corners
   const auto cell = [&](const Point& p) -> Cell {
     return {int(std::floor(p.x() / side)), int(std::floor(p.y() / side)), int(std::floor(p.z() / side))};
   };
   const Cell low = cell(tree.box().min()), high = cell(tree.box().max());
   std::vector<Cell> result;
-  for (int x = low[0]; x <= high[0]; ++x)
-    for (int y = low[1]; y <= high[1]; ++y)
-      for (int z = low[2]; z <= high[2]; ++z)
+  for (int x = low[0] - 1; x <= high[0] + 1; ++x)
+    for (int y = low[1] - 1; y <= high[1] + 1; ++y)
+      for (int z = low[2] - 1; z <= high[2] + 1; ++z)
         if (tree.is_near(side * Point(x + 0.5, y + 0.5, z + 0.5), squared_radius)) result.push_back({x, y, z});
   return result;
 }
@@ -90,10 +92,10 @@ struct Hold
 };
 
 /// Finds out what to exchange first.
-class Exchange
+class Exchange_search
 {
 public:
-  explicit Exchange(const Blend_structure& blend)
+  explicit Exchange_search(const Blend_structure& blend)
       : blend_(blend), seen_(all_parts(blend).seen()), groups_(blend.parts.size()), places_(groups_)
   {
     unite_groups();
@@ -107,11 +109,13 @@ public:
   std::vector<Part_change> changes() const;
 
 private:
-  using Is_first = std::vector<char>; ///< by group, whether it changes in the first step
+  using Is_first = std::vector<char>;    ///< by group that is exchanged, whether it changes in the first step
+  using Parts_there = std::vector<char>; ///< by part, whether the mixed shape has it
 
   bool is_matched(std::size_t part) const { return blend_.parts[part].is_matched(); }
   /// The end of an unmatched part.
   std::size_t end(std::size_t part) const { return std::size_t(blend_.parts[part].end()); }
+  /// How much of the shape a part is: its diagonal, as a thin part is seen as well as a solid one.
   double size(std::size_t part) const { return blend_.parts[part].size; }
   double distance(const Point& place, std::size_t part) const
   {
@@ -119,14 +123,17 @@ private:
     return (seen_[part].tree.nearest(place, triangle) - place).norm();
   }
   /// Where a part touches another one.
-  Point touch(std::size_t part, std::size_t other) const
+  Point place_of_touch(std::size_t part, std::size_t other) const
   {
     return seen_[part].tree.nearly_closest(seen_[other].tree).first;
   }
-  /// Whether the mixed shape has a part.
-  bool is_there(std::size_t part, const Is_first& is_first) const
+  /// By part, whether the mixed shape has it.
+  Parts_there parts_there(const Is_first& is_first) const
   {
-    return is_matched(part) || (numbers_[part] && (end(part) == 1) == bool(is_first[*numbers_[part]]));
+    Parts_there result(seen_.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = is_matched(i) || (numbers_[i] && (end(i) == 1) == bool(is_first[*numbers_[i]]));
+    return result;
   }
 
   /// By set, the ends that have parts of it.
@@ -137,9 +144,9 @@ private:
   void number_groups();
   void find_holds();
   void find_joined();
-  double rivalry(const Is_first& is_first) const;
-  double come_off(const Is_first& is_first) const;
-  double hanging(const Is_first& is_first) const;
+  double rivalry(const Parts_there& is_there) const;
+  double come_off(const Parts_there& is_there) const;
+  double hanging(const Parts_there& is_there) const;
   double cost(const Is_first& is_first) const;
   void improve(Is_first& is_first, const std::vector<std::size_t>& order) const;
   std::vector<std::size_t> groups_from_the_ground() const;
@@ -157,7 +164,7 @@ private:
   std::vector<std::array<std::size_t, 2>> joined_; ///< parts that touch, at the end or in the mixed shape
 };
 
-std::vector<std::array<bool, 2>> Exchange::ends_of(const Disjoint_sets& sets) const
+std::vector<std::array<bool, 2>> Exchange_search::ends_of(const Disjoint_sets& sets) const
 {
   std::vector<std::array<bool, 2>> result(sets.size(), {false, false});
   for (std::size_t i = 0; i < sets.size(); ++i)
@@ -165,25 +172,27 @@ std::vector<std::array<bool, 2>> Exchange::ends_of(const Disjoint_sets& sets) co
   return result;
 }
 
-void Exchange::unite_groups()
+void Exchange_search::unite_groups()
 {
+  const auto unite = [&](std::size_t a, std::size_t b) { // parts that morph change by themselves
+    if (!is_matched(a) && !is_matched(b)) groups_.unite(a, b);
+  };
   const auto part_of = [&](int end, std::size_t given) { return parts_of(blend_.parts, end, given).front(); };
   for (const auto& [s, t] : blend_.unlike)
-    groups_.unite(part_of(0, s), part_of(1, t));
+    unite(part_of(0, s), part_of(1, t));
   std::optional<std::size_t> standing;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     if (is_matched(i)) continue;
     const Blend_part& part = blend_.parts[i];
-    if (const auto image = blend_.stage.images[end(i)][part.given(part.end())])
-      groups_.unite(i, part_of(part.end(), *image));
+    if (const auto image = blend_.stage.images[end(i)][part.given(part.end())]) unite(i, part_of(part.end(), *image));
     if (part.end_tree(part.end()).box().min().y() > Blend_part::on_ground) continue;
     if (!standing) standing = i;
-    groups_.unite(i, *standing);
+    unite(i, *standing);
   }
 }
 
 /// Unites old and new parts without counterpart that hold on to one place: a cactus and leaves in a pot.
-void Exchange::unite_what_is_held_alike()
+void Exchange_search::unite_what_is_held_alike()
 {
   constexpr double near = 0.1; // over the height
   const std::vector<std::array<bool, 2>> ends = ends_of(groups_);
@@ -197,15 +206,16 @@ void Exchange::unite_what_is_held_alike()
     for (std::size_t i : {0u, 1u}) {
       const std::size_t part = touch.parts[i], holder = touch.parts[1 - i];
       if (is_matched(part) || (ends[groups_[part]][0] && ends[groups_[part]][1])) continue;
-      feet[end(part)].push_back({part, groups_[holder], this->touch(part, holder)});
+      feet[end(part)].push_back({part, groups_[holder], place_of_touch(part, holder)});
     }
   for (const Foot& a : feet[0])
     for (const Foot& b : feet[1])
-      if (a.holder == b.holder && (distance(a.place, b.part) < near || distance(b.place, a.part) < near))
+      if (a.holder == b.holder && groups_[a.part] != groups_[b.part] &&
+          quantized(std::min(distance(a.place, b.part), distance(b.place, a.part))) < quantized(near))
         groups_.unite(a.part, b.part);
 }
 
-void Exchange::find_rivals()
+void Exchange_search::find_rivals()
 {
   const double side = side_of_cells(blend_);
   std::array<std::vector<std::pair<std::size_t, std::vector<Cell>>>, 2> cells; // by end, of its unmatched parts
@@ -219,7 +229,7 @@ void Exchange::find_rivals()
     }
 }
 
-void Exchange::number_groups()
+void Exchange_search::number_groups()
 {
   places_ = groups_;
   for (const Touch& touch : blend_.touches)
@@ -238,17 +248,18 @@ void Exchange::number_groups()
   }
 }
 
-void Exchange::find_joined()
+void Exchange_search::find_joined()
 {
-  constexpr double near = 0.02; // over the height
+  constexpr double near = 0.02;                  // over the height
+  std::set<std::array<std::size_t, 2>> touching; // at an end
   for (const Touch& touch : blend_.touches)
-    joined_.push_back(touch.parts);
+    touching.insert(touch.parts);
   for (std::size_t a = 0; a < seen_.size(); ++a)
     for (std::size_t b = a + 1; b < seen_.size(); ++b)
-      if (seen_[a].tree.is_within(seen_[b].tree, near * near)) joined_.push_back({a, b});
+      if (touching.count({a, b}) > 0 || seen_[a].tree.is_within(seen_[b].tree, near * near)) joined_.push_back({a, b});
 }
 
-void Exchange::find_holds()
+void Exchange_search::find_holds()
 {
   std::vector<int> count(seen_.size(), 0); // of touches
   for (const Touch& touch : blend_.touches)
@@ -258,7 +269,7 @@ void Exchange::find_holds()
     for (std::size_t i : {0u, 1u}) {
       const std::size_t part = touch.parts[i], holder = touch.parts[1 - i];
       if (!numbers_[part] || !numbers_[holder] || numbers_[part] == numbers_[holder]) continue;
-      const Point place = this->touch(part, holder);
+      const Point place = place_of_touch(part, holder);
       Hold hold{part, holder, size(part) / count[part], {}};
       for (std::size_t other = 0; other < seen_.size(); ++other)
         if (other != part && other != holder && seen_[other].tree.box().exteriorDistance(place) < off)
@@ -269,22 +280,22 @@ void Exchange::find_holds()
 }
 
 /// Sizes of what is in one place with something else, and of places where there is nothing any more.
-double Exchange::rivalry(const Is_first& is_first) const
+double Exchange_search::rivalry(const Parts_there& is_there) const
 {
   double result = 0;
   for (const auto& [old_part, new_part, size] : rivals_)
-    if (is_there(old_part, is_first) == is_there(new_part, is_first)) result += size;
+    if (is_there[old_part] == is_there[new_part]) result += size;
   return result;
 }
 
 /// Sizes of what has come off what it touched, as far as nothing else is in its place.
-double Exchange::come_off(const Is_first& is_first) const
+double Exchange_search::come_off(const Parts_there& is_there) const
 {
   double result = 0;
   for (const Hold& hold : holds_) {
-    if (!is_there(hold.part, is_first) || is_there(hold.holder, is_first)) continue;
+    if (!is_there[hold.part] || is_there[hold.holder]) continue;
     const auto found = std::find_if(hold.nearest.begin(), hold.nearest.end(),
-                                    [&](const auto& other) { return is_there(other.second, is_first); });
+                                    [&](const auto& other) { return is_there[other.second]; });
     const double gap = found == hold.nearest.end() ? off : std::min(found->first, off);
     result += hold.size * gap / off;
   }
@@ -292,45 +303,50 @@ double Exchange::come_off(const Is_first& is_first) const
 }
 
 /// Sizes of all that does not hang together with the largest part of the shape.
-double Exchange::hanging(const Is_first& is_first) const
+double Exchange_search::hanging(const Parts_there& is_there) const
 {
   Disjoint_sets components(seen_.size());
   for (const auto& [a, b] : joined_)
-    if (is_there(a, is_first) && is_there(b, is_first)) components.unite(a, b);
+    if (is_there[a] && is_there[b]) components.unite(a, b);
   std::vector<double> sizes(components.size(), 0);
   for (std::size_t i = 0; i < sizes.size(); ++i)
-    if (is_there(i, is_first)) sizes[components[i]] += size(i);
+    if (is_there[i]) sizes[components[i]] += size(i);
   return std::accumulate(sizes.begin(), sizes.end(), 0.) - *std::max_element(sizes.begin(), sizes.end());
 }
 
-double Exchange::cost(const Is_first& is_first) const
+double Exchange_search::cost(const Is_first& is_first) const
 {
   constexpr double worth = 0.18; // of the share that changes in the lesser step
   constexpr double least = 0.15; // such a share
-  double first = 0;
+  const Parts_there is_there = parts_there(is_first);
+  double share = 0; // that changes first
   for (std::size_t group = 0; group < sizes_.size(); ++group)
-    if (is_first[group]) first += sizes_[group];
-  const double lesser = std::min(first, size_ - first) / size_;
-  if (first > 0 && first < size_ && lesser < least) return 1 - lesser; // so that a search leads out of there
-  return (rivalry(is_first) + come_off(is_first) + hanging(is_first)) / size_ - worth * lesser;
+    if (is_first[group]) share += sizes_[group] / size_;
+  const double lesser = std::min(share, 1 - share);
+  const auto count = std::size_t(std::count(is_first.begin(), is_first.end(), true));
+  const bool is_mixed = count > 0 && count < is_first.size();
+  // Too little is as bad as can be, and the worse the less it is, so that the search finds out of there.
+  if (is_mixed && quantized(lesser) < quantized(least)) return 1 - lesser;
+  return (rivalry(is_there) + come_off(is_there) + hanging(is_there)) / size_ - (is_mixed ? worth * lesser : 0);
 }
 
-std::vector<std::size_t> Exchange::groups_from_the_ground() const
+std::vector<std::size_t> Exchange_search::groups_from_the_ground() const
 {
-  std::vector<double> heights(sizes_.size(), 0); // times sizes
+  std::vector<Point> places(sizes_.size(), Point::Zero()); // middles times sizes
   for (std::size_t i = 0; i < seen_.size(); ++i)
-    if (numbers_[i]) heights[*numbers_[i]] += size(i) * seen_[i].tree.box().center().y();
+    if (numbers_[i]) places[*numbers_[i]] += size(i) * seen_[i].tree.box().center();
   std::vector<std::size_t> result(sizes_.size());
   std::iota(result.begin(), result.end(), std::size_t(0));
   const auto key = [&](std::size_t group) {
-    return std::pair(quantized(heights[group] / sizes_[group]), quantized(sizes_[group]));
+    const Point place = places[group] / sizes_[group];
+    return std::tuple(quantized(place.y()), quantized(sizes_[group]), quantized(place.x()), quantized(place.z()));
   };
   std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   return result;
 }
 
 /// Moves groups to the other step, as long as that is better.
-void Exchange::improve(Is_first& is_first, const std::vector<std::size_t>& order) const
+void Exchange_search::improve(Is_first& is_first, const std::vector<std::size_t>& order) const
 {
   double least = cost(is_first);
   for (bool is_better = true; is_better;) {
@@ -346,17 +362,19 @@ void Exchange::improve(Is_first& is_first, const std::vector<std::size_t>& order
   }
 }
 
-Exchange::Is_first Exchange::best() const
+Exchange_search::Is_first Exchange_search::best() const
 {
   constexpr std::size_t starts = 8; // of the search, in one direction
   const std::size_t count = sizes_.size();
-  const std::vector<std::size_t> order = groups_from_the_ground();
   Is_first result(count, false);
-  double least = count > 1 ? std::min(cost(result), cost(Is_first(count, true))) : 0; // the cost of no mixed shape
+  if (count < 2) return result;
+  const std::vector<std::size_t> order = groups_from_the_ground();
+  double least = std::min(cost(result), cost(Is_first(count, true))); // of no mixed shape
   for (bool from_the_ground : {true, false})
-    for (std::size_t i = 1; i < starts && count > 1; ++i) {
-      Is_first is_first(count, !from_the_ground);
+    for (std::size_t i = 1, last = 0; i < starts; ++i) {
       const std::size_t cut = std::clamp(i * count / starts, std::size_t(1), count - 1);
+      if (std::exchange(last, cut) == cut) continue;
+      Is_first is_first(count, !from_the_ground);
       for (std::size_t k = 0; k < cut; ++k)
         is_first[order[k]] = from_the_ground;
       improve(is_first, order);
@@ -365,7 +383,7 @@ Exchange::Is_first Exchange::best() const
   return result;
 }
 
-std::vector<Part_change> Exchange::changes() const
+std::vector<Part_change> Exchange_search::changes() const
 {
   const Is_first is_first = best();
   std::vector<Part_change> result;
@@ -380,6 +398,6 @@ std::vector<Part_change> Exchange::changes() const
 
 } // namespace
 
-std::vector<Part_change> part_changes(const Blend_structure& blend) { return Exchange(blend).changes(); }
+std::vector<Part_change> part_changes(const Blend_structure& blend) { return Exchange_search(blend).changes(); }
 
 } // namespace CGAL::Shape_correspondence::internal

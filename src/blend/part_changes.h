@@ -16,7 +16,7 @@ enum class Exchange_step { NONE, FIRST, SECOND };
 struct Part_change
 {
   Exchange_step step = Exchange_step::NONE;
-  std::size_t set = 0; ///< of parts that come or go by themselves: those of one set do so together
+  std::size_t set = 0; ///< parts that come or go by themselves do so together if theirs is the same
 };
 
 /// By part, how it changes.
@@ -26,10 +26,10 @@ struct Part_change
 /// what stands on the ground, and old and new parts without counterpart that hold on to one place.
 ///
 /// Between the steps there is a *mixed shape*: new parts of the groups that change first, old parts of the others, and
-/// all that is matched. It costs as much as the parts of it are, by size, that are in the place of others or have come
-/// off what held them. The steps with the least cost are found by local search, from steps in order of height. They are
-/// worth while if that is less than a fraction of the size of what changes in the lesser step; if not, all parts are in
-/// the second one.
+/// all that is matched. It costs as much, by size, as old and new parts are in one place or have left a place empty,
+/// have come off what held them, or hang together with nothing. The steps with the least cost are found by local
+/// search, from steps in order of height. They are taken if that is less than a fraction of the size of what changes in
+/// the lesser step; if not, all parts are in the second one.
 std::vector<Part_change> part_changes(const Blend_structure& blend);
 
 } // namespace CGAL::Shape_correspondence::internal

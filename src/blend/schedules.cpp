@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,7 +58,7 @@ void come_and_go(const Blend_structure& blend, const std::vector<Part_change>& c
     const Blend_part& part = blend.parts[i];
     if (part.is_matched() || changes[i].step != Exchange_step::NONE) continue;
     Coming_set& set = coming[changes[i].set];
-    set.height += part.mesh.points.row(1).mean() * part.size;
+    set.height += part.trees[0].box().center().y() * part.size;
     set.size += part.size;
     set.parts.push_back(i);
   }

@@ -167,3 +167,21 @@ TEST_CASE("What takes no other part's place comes and goes by itself")
   auto found = steps(on_walls(), with_knob, same_parts(4));
   CHECK(found.at("~knob") == Exchange_step::NONE);
 }
+
+TEST_CASE("An old part whose mirror image stays goes before what is new comes")
+{
+  std::vector<Named_box> boxes = {{"base", {0, 0.5, 0}, {1, 1, 0.8}}, {"left knob", {-0.55, 0.5, 0}, {0.1, 0.1, 0.1}}};
+  Box_model target = upright(boxes);
+  boxes.push_back({"right knob", {0.55, 0.5, 0}, {0.1, 0.1, 0.1}});
+  Box_model source = upright(boxes);
+  for (Box_model* model : {&source, &target}) {
+    structure(model->graph).frame.mirror_x = true;
+    structure(model->graph).frame.origin.x() = 0;
+  }
+  const Shape_blend blend = blend_of(source, target, same_parts(2));
+  const std::vector<Blend_task>& tasks = blend.schedules()[0].tasks;
+  REQUIRE(tasks.size() == 3);
+  CHECK(tasks[1].type == Blend_task_type::MORPH);
+  CHECK(tasks[2].type == Blend_task_type::SHRINK);
+  CHECK(tasks[2].end < 0.5);
+}
