@@ -51,11 +51,15 @@ Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source, const Charted_shape& target)
 {
   constexpr double as_near = 0.02; // of the unit box: members that are hardly farther than the nearest one match, too
+  constexpr double tie = 1e-3; // of distances in the shapes: of assignments as good, the order of parts chooses none
   const Points from = places(source, sets.source), to = places(target, sets.target);
   Eigen::MatrixXd cost(from.cols(), to.cols());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j)
-      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm())) * comparison_grid;
+    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
+      const Point way = source.charts[sets.source[std::size_t(i)]](Point::Zero()) -
+                        target.charts[sets.target[std::size_t(j)]](Point::Zero());
+      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm() + tie * way.norm())) * comparison_grid;
+    }
   const bool fewer_sources = cost.rows() <= cost.cols();
   if (!fewer_sources) cost.transposeInPlace();
   Part_pairs result;

@@ -3,13 +3,17 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/directions.h"
+#include "blend/Blend_stage.h"
 #include "blend_checks.h"
+#include "box_models.h"
 #include "box_shapes.h"
+#include "map/matched_members.h"
 #include "map/piece_of.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -185,4 +189,28 @@ TEST_CASE("The least rotation turns one direction to the other, opposite ones to
         const double cosine = from.normalized().dot(to.normalized());
         CHECK(2 * rotation.w() * rotation.w() - 1 == Approx(cosine).margin(1e-6));
       }
+}
+
+TEST_CASE("Of two assignments that are as good by relative places, distances choose one, not the order of parts")
+{
+  // In the boxes around the blocks, either source block is as far from both target blocks.
+  const auto blocks = [](double z, bool is_first_left) {
+    const box_models::Named_box left = {"left", {-0.5, 0.35, z}, {0.2, 0.5, 0.2}},
+                                right = {"right", {0.5, 0.35, -z}, {0.2, 0.5, 0.2}};
+    box_models::Box_model result = box_models::model_of(
+        {{"base", {0, 0.05, 0}, {1.6, 0.1, 1}}, is_first_left ? left : right, is_first_left ? right : left});
+    structure(result.graph).frame.axes.setIdentity();
+    return result;
+  };
+  const box_models::Box_model source = blocks(0.2, true);
+  for (bool is_first_left : {true, false}) {
+    const box_models::Box_model target = blocks(-0.1, is_first_left);
+    const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{source.graph, source.shape, 0},
+                                                         internal::Blend_input{target.graph, target.shape, 0}};
+    const internal::Blend_stage stage(inputs, Blend_size::SAME);
+    const auto found =
+        internal::matched_members(stage.charted[0], stage.charted[1], {{0, 0}, {1, 1}, {1, 2}, {2, 1}, {2, 2}});
+    const std::size_t left = is_first_left ? 1 : 2;
+    CHECK(found == Part_pairs{{0, 0}, {1, left}, {2, 3 - left}});
+  }
 }
