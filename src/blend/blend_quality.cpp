@@ -241,14 +241,6 @@ std::string filled_in(std::string sentence, double value, const Worst_parts& wor
 
 } // namespace
 
-std::size_t number_of_faults(const Blend_quality& quality, const Blend_structure& blend)
-{
-  const std::vector<Blend_measure>& measures = blend_measures();
-  return std::size_t(std::count_if(measures.begin(), measures.end(), [&](const Blend_measure& measure) {
-    return beyond_ends(measure, quality, blend) > measure.tolerance;
-  }));
-}
-
 Blend_check check(const In_between_shape& shape)
 {
   const std::vector<Worst_parts> worst = Shape_measure(shape).worst();

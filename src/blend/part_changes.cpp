@@ -96,7 +96,11 @@ class Exchange_search
 {
 public:
   explicit Exchange_search(const Blend_structure& blend)
-      : blend_(blend), seen_(all_parts(blend).seen()), groups_(blend.parts.size()), places_(groups_)
+      : blend_(blend),
+        seen_(all_parts(blend).seen()),
+        groups_(blend.parts.size()),
+        places_(groups_),
+        always_joined_(groups_)
   {
     unite_groups();
     unite_what_is_held_alike();
@@ -161,7 +165,8 @@ private:
   double size_ = 0;                                 ///< of all of them
   std::vector<Rivals> rivals_;
   std::vector<Hold> holds_;
-  std::vector<std::array<std::size_t, 2>> joined_; ///< parts that touch, at the end or in the mixed shape
+  Disjoint_sets always_joined_;                    ///< matched parts that touch, at an end or in the mixed shape
+  std::vector<std::array<std::size_t, 2>> joined_; ///< others that do
 };
 
 std::vector<std::array<bool, 2>> Exchange_search::ends_of(const Disjoint_sets& sets) const
@@ -254,9 +259,16 @@ void Exchange_search::find_joined()
   std::set<std::array<std::size_t, 2>> touching; // at an end
   for (const Touch& touch : blend_.touches)
     touching.insert(touch.parts);
+  const auto is_never_there = [&](std::size_t part) { return !is_matched(part) && !numbers_[part]; };
   for (std::size_t a = 0; a < seen_.size(); ++a)
-    for (std::size_t b = a + 1; b < seen_.size(); ++b)
-      if (touching.count({a, b}) > 0 || seen_[a].tree.is_within(seen_[b].tree, near * near)) joined_.push_back({a, b});
+    for (std::size_t b = a + 1; b < seen_.size(); ++b) {
+      if (is_never_there(a) || is_never_there(b)) continue;
+      if (touching.count({a, b}) == 0 && !seen_[a].tree.is_within(seen_[b].tree, near * near)) continue;
+      if (is_matched(a) && is_matched(b))
+        always_joined_.unite(a, b);
+      else
+        joined_.push_back({a, b});
+    }
 }
 
 void Exchange_search::find_holds()
@@ -305,7 +317,7 @@ double Exchange_search::come_off(const Parts_there& is_there) const
 /// Sizes of all that does not hang together with the largest part of the shape.
 double Exchange_search::hanging(const Parts_there& is_there) const
 {
-  Disjoint_sets components(seen_.size());
+  Disjoint_sets components = always_joined_;
   for (const auto& [a, b] : joined_)
     if (is_there[a] && is_there[b]) components.unite(a, b);
   std::vector<double> sizes(components.size(), 0);
