@@ -23,14 +23,12 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Whether a map does not do: the surfaces are not alike, or one is torn or turned over on the way.
+/// Whether a map does not do: the surfaces are not alike, or one is torn on the way.
 bool is_torn(const Part_morph& morph)
 {
   constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
-  constexpr double most_turned = 0.12;                          // of either surface
   constexpr double most_jump = 0.08;                            // where the second surface takes over
   constexpr double most_misfit_of_open = 0.1;                   // of surfaces with rims, which are seen to gape
-  if (morph.turned_share() > most_turned) return true;
   bool are_closed = true;
   for (int surface : {0, 1}) {
     const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));

@@ -3,13 +3,10 @@
 
 #include "blend/Blend_stage.h"
 
-#include "base/quantized.h"
 #include "base/quarter_turn.h"
 #include "blend/Shape_look.h"
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -39,8 +36,7 @@ Shape_frame staged_frame(const Blend_input& input)
 
 Blend_stage::Blend_stage(const std::array<Blend_input, 2>& inputs, Blend_size size)
     : are_symmetric(is_mirrored_in_x(inputs[0]) && is_mirrored_in_x(inputs[1])),
-      graphs{inputs[0].graph, inputs[1].graph},
-      quarter_turns_{inputs[0].quarter_turns, inputs[1].quarter_turns}
+      graphs{inputs[0].graph, inputs[1].graph}
 {
   for (std::size_t end : {0u, 1u}) {
     structure(graphs[end]).frame = staged_frame(inputs[end]);
@@ -94,34 +90,9 @@ void Blend_stage::add(const Blend_input& input, std::size_t end)
   asymmetry[end] = mirror_residual(surfaces, pointers_to(trees));
 }
 
-Points Blend_stage::to_stage(int end, const Points& given) const
-{
-  const auto e = std::size_t(end);
-  return to_common_frame(structure(graphs[e]).frame, quarter_turns_[e], given);
-}
-
 Points Blend_stage::to_world(const Points& points, double done) const
 {
   return structure(graphs[0]).frame.axes * (std::pow(heights[0], 1 - done) * std::pow(heights[1], done)) * points;
-}
-
-std::vector<Point> Blend_stage::places_of(int end, const Contact& contact) const
-{
-  const Shape_structure& shape = structure(graphs[std::size_t(end)]);
-  std::vector<Point> result;
-  std::vector<Contact::Parameters> regions = {contact.parameters};
-  regions.insert(regions.end(), contact.further.begin(), contact.further.end());
-  for (const Contact::Parameters& parameters : regions) {
-    Point sum = Point::Zero();
-    for (std::size_t i : {0u, 1u}) {
-      const Point on_part = evaluate(shape.parts[contact.parts[i]], parameters[i]);
-      sum += to_stage(end, on_part);
-    }
-    result.push_back(sum / 2);
-  }
-  const auto key = [](const Point& p) { return std::tuple(quantized(p.x()), quantized(p.y()), quantized(p.z())); };
-  std::sort(result.begin(), result.end(), [&](const Point& p, const Point& q) { return key(p) < key(q); });
-  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

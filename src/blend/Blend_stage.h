@@ -38,23 +38,16 @@ struct Blend_stage
   std::array<Mirror_images, 2> images;      ///< none if the ends are not symmetric
   std::array<contacts::Box, 2> boxes;       ///< of the shapes
   std::array<double, 2> widest_gap;         ///< that it takes to join all parts
-  std::array<double, 2> asymmetry = {0, 0}; ///< `Blend_quality::asymmetry`
+  std::array<double, 2> asymmetry = {0, 0}; ///< `mirror_residual()`, if both are symmetric
   std::array<double, 2> heights;            ///< of the shapes in the world
   /// As they are given, but in the world at these heights, in the axes of the source.
   std::array<Segmented_shape, 2> shapes;
 
-  /// Points of a shape as it is given, on the stage.
-  Points to_stage(int end, const Points& given) const;
   /// From the stage to the world when a share of the change of size is done: sizes change by equal factors in equal
   /// times.
   Points to_world(const Points& points, double done) const;
-  /// Where two parts touch, in order along the axes: between the places on the curves or sheets of both, of all
-  /// regions.
-  std::vector<Point> places_of(int end, const Contact& contact) const;
 
 private:
-  std::array<int, 2> quarter_turns_;
-
   Segmented_shape moved(const Blend_input& input, const Point& up, std::size_t end) const;
   void add(const Blend_input& input, std::size_t end);
 };

@@ -19,7 +19,7 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
     parts.push_back(std::move(part));
   unlike = found.all;
   touches = internal::touches(stage, parts, options.contact_tolerance);
-  roots = internal::roots(stage, parts, touches);
+  roots = internal::roots(parts, touches);
   for (int end : {0, 1}) {
     std::vector<Seen_surface> seen;
     bool has_unmatched = false;

@@ -30,27 +30,6 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
   surfaces_[1].lay(0, surfaces_[0]);
 }
 
-double Part_morph::turned_share() const
-{
-  constexpr double turned = 0.5; // cosine
-  const Point extents = (charts_[0].half_extents() + charts_[1].half_extents()) / 2;
-  double result = 0;
-  for (const Moving_surface& mesh : surfaces_) {
-    const Points before = extents.asDiagonal() * mesh.coordinates[0],
-                 after = extents.asDiagonal() * mesh.coordinates[1];
-    double sum = 0, all = 0;
-    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-      const Point from = contacts::area_vector(triangle_of(before, mesh.triangles, t)),
-                  to = contacts::area_vector(triangle_of(after, mesh.triangles, t));
-      const double area = std::max(from.norm(), to.norm());
-      if (from.dot(to) < turned * from.norm() * to.norm()) sum += area;
-      all += area;
-    }
-    if (all > 0) result = std::max(result, sum / all);
-  }
-  return result;
-}
-
 double Part_morph::misfit(bool at_change) const
 {
   double result = 0;

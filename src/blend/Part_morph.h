@@ -31,9 +31,6 @@ public:
   const Eigen::Matrix3Xi& triangles(int surface) const { return surfaces_[std::size_t(surface)].triangles; }
   /// The points of a surface at `t`, also where it is not the one that there is.
   Points points(int surface, double t) const;
-  /// The share that turns by more than 60 degrees on the way, where a hull goes from one of its layers to the other: of
-  /// the surface that has more of it.
-  double turned_share() const;
   /// How far both surfaces are from each other, in coordinates from -1 to 1 relative to outlines: the root mean square
   /// over the one that is farther from the other.
   /// \param at_change where the one takes over from the other, not at their ends

@@ -36,7 +36,7 @@ const std::vector<Blend_measure>& blend_measures()
       {"apart", &Blend_quality::apart, Shape_blend::apart_tolerance,
        "how much wider gaps it takes to join all parts than there"},
       {"asymmetry", &Blend_quality::asymmetry, Shape_blend::symmetry_tolerance,
-       "distance of the shape from its mirror image"},
+       "how much farther the shape is from its mirror image than the ends"},
       {"torn", &Blend_quality::torn, Shape_blend::torn_tolerance, "share of the surface that is torn or folded"},
       {"overlap", &Blend_quality::overlap, Shape_blend::overlap_tolerance,
        "share of the surface that lies inside other parts"}};
@@ -176,7 +176,8 @@ private:
     if (!blend_.stage.are_symmetric) return worst;
     for (const Seen_surface& seen : seen_)
       worst.improve(mirror_residual({&seen.points}, trees_), seen.number, seen.number);
-    worst.value = mirror_residual(points_, trees_);
+    const auto& [source, target] = blend_.stage.asymmetry;
+    worst.value = std::max(0., mirror_residual(points_, trees_) - std::max(source, target));
     return worst;
   }
 
@@ -215,24 +216,16 @@ private:
   Tree_pointers trees_;
 };
 
-/// How much more there is of a measure than the ends have themselves.
-double beyond_ends(const Blend_measure& measure, const Blend_quality& quality, const Blend_structure& blend)
-{
-  const auto& [source, target] = blend.stage.asymmetry;
-  const bool is_asymmetry = measure.value == &Blend_quality::asymmetry;
-  return quality.*measure.value - (is_asymmetry ? std::max(source, target) : 0);
-}
-
 /// A sentence with a measure and the parts where it is worst.
-std::string filled_in(std::string sentence, double value, const Worst_parts& worst, const Blend_structure& blend)
+std::string filled_in(std::string sentence, const Worst_parts& worst, const Blend_structure& blend)
 {
   std::ostringstream number;
-  number << std::setprecision(2) << value;
+  number << std::setprecision(2) << worst.value;
   const auto put = [&](const std::string& word, const std::string& text) {
     if (const std::size_t at = sentence.find(word); at != std::string::npos) sentence.replace(at, word.size(), text);
   };
   const auto quoted = [&](std::size_t part) { return '\'' + blend.parts[part].name + '\''; };
-  put("SHARE", std::to_string(std::lround(100 * value)) + " %");
+  put("SHARE", std::to_string(std::lround(100 * worst.value)) + " %");
   put("NUMBER", number.str());
   put("SECOND", quoted(worst.parts[1]));
   put("FIRST", quoted(worst.parts[0]));
@@ -248,8 +241,7 @@ Blend_check check(const In_between_shape& shape)
   for (std::size_t i = 0; i < worst.size(); ++i) {
     const Blend_measure& measure = blend_measures()[i];
     result.quality.*measure.value = worst[i].value;
-    const double value = beyond_ends(measure, result.quality, shape.blend);
-    if (value > measure.tolerance) result.faults.push_back(filled_in(sentences[i], value, worst[i], shape.blend));
+    if (worst[i].value > measure.tolerance) result.faults.push_back(filled_in(sentences[i], worst[i], shape.blend));
   }
   return result;
 }

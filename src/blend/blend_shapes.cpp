@@ -95,10 +95,8 @@ Segmented_shape Shape_blend::operator()(double t) const
 
 Blend_check Shape_blend::check(double t) const
 {
-  if (t > 0 && t < 1) return internal::check(In_between_shape(*blend_, schedules_[0].tasks, t));
-  Blend_check result;
-  result.quality.asymmetry = blend_->stage.asymmetry[t <= 0 ? 0 : 1];
-  return result;
+  if (t <= 0 || t >= 1) return {};
+  return internal::check(In_between_shape(*blend_, schedules_[0].tasks, t));
 }
 
 std::vector<Blend_surface> Shape_blend::surfaces() const

@@ -22,12 +22,19 @@ struct Chain
   Point sum = Point::Zero(); ///< of the places where matched parts hold it
   int places = 0;
 
+  void add(const Point& place) { sum += place, ++places; }
   Point root() const
   {
     if (places > 0) return sum / places;
     return {box.center().x(), box.min().y(), box.center().z()};
   }
 };
+
+/// The middle of what two boxes that touch have in common, or of the gap between them.
+Point middle_of_touch(const contacts::Box& a, const contacts::Box& b)
+{
+  return (a.min().cwiseMax(b.min()) + a.max().cwiseMin(b.max())) / 2;
+}
 
 } // namespace
 
@@ -52,27 +59,21 @@ std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_par
   return result;
 }
 
-std::vector<Point> roots(const Blend_stage& stage, const std::vector<Blend_part>& parts,
-                         const std::vector<Touch>& touches)
+std::vector<Point> roots(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
 {
   Disjoint_sets sets(parts.size());
-  for (const auto& [pair, gaps] : touches)
-    if (!parts[pair[0]].is_matched() && !parts[pair[1]].is_matched()) sets.unite(pair[0], pair[1]);
+  for (const Touch& touch : touches)
+    if (!parts[touch.parts[0]].is_matched() && !parts[touch.parts[1]].is_matched())
+      sets.unite(touch.parts[0], touch.parts[1]);
   std::vector<Chain> chains(parts.size()); // by set
   for (std::size_t part = 0; part < parts.size(); ++part)
     chains[sets[part]].box.extend(parts[part].trees[0].box());
-  for (int end : {0, 1})
-    for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts)
-      for (std::size_t i : {0u, 1u}) {
-        const std::size_t part = parts_of(parts, end, contact.parts[i]).front(), holds = contact.parts[1 - i];
-        if (parts[part].is_matched() || !parts[parts_of(parts, end, holds).front()].is_matched()) continue;
-        for (const Point& place : stage.places_of(end, contact)) {
-          std::size_t triangle = 0;
-          const Blend_part& piece = parts[nearest_piece(parts, end, holds, place)];
-          chains[sets[part]].sum += piece.end_tree(end).nearest(place, triangle);
-          ++chains[sets[part]].places;
-        }
-      }
+  for (const Touch& touch : touches)
+    for (std::size_t i : {0u, 1u}) {
+      const Blend_part &part = parts[touch.parts[i]], &holder = parts[touch.parts[1 - i]];
+      if (part.is_matched() || !holder.is_matched()) continue;
+      chains[sets[touch.parts[i]]].add(middle_of_touch(part.trees[0].box(), holder.end_tree(part.end()).box()));
+    }
   std::vector<Point> result;
   for (std::size_t part = 0; part < parts.size(); ++part)
     result.push_back(chains[sets[part]].root());

@@ -32,7 +32,6 @@ std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_par
 
 /// By part, what it shrinks to and grows from if it is not matched: the middle of the places where matched parts hold
 /// it and the unmatched parts that hang together with it, or the foot of these if nothing holds them.
-std::vector<Point> roots(const Blend_stage& stage, const std::vector<Blend_part>& parts,
-                         const std::vector<Touch>& touches);
+std::vector<Point> roots(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches);
 
 } // namespace CGAL::Shape_correspondence::internal

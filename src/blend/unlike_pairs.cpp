@@ -101,7 +101,6 @@ Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>
               growth = are_whole ? Point(wholes[1].cwiseQuotient(wholes[0])) : Point::Ones(),
               grown = (growth.asDiagonal() * boxes.source.axes()).colwise().norm().transpose().cwiseProduct(from);
   const auto stretch_of = [&](const Point& extents) { return std::abs(std::log(extents.maxCoeff() / to.maxCoeff())); };
-  turn = internal::turn(boxes);
   change = std::min(change_of_extents(from, to), change_of_extents(grown, to));
   stretch = std::min(stretch_of(from), stretch_of(grown));
   size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
@@ -113,8 +112,8 @@ Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>
 
 bool Difference::keeps_shape() const
 {
-  constexpr double most_turn = 0.6, most_change = 1.2, most_stretch = 0.6;
-  return turn <= most_turn && change <= most_change && stretch <= most_stretch;
+  constexpr double most_change = 1.2, most_stretch = 0.6;
+  return change <= most_change && stretch <= most_stretch;
 }
 
 bool Difference::is_little() const

@@ -40,7 +40,6 @@ struct Difference
   /// Whether the place is in the same region.
   bool stays_near() const;
 
-  double turn;    ///< in radians
   double change;  ///< of the extents, in logarithms, summed
   double stretch; ///< of the longest extent, in logarithms
   double way;     ///< of its middle, in the box around the whole
@@ -48,7 +47,7 @@ struct Difference
 };
 
 /// The pairs of parts that become each other:
-/// - Of those that correspond, all but those whose parts, or pieces of them, would have to turn, to change their
+/// - Of those that correspond, all but those whose parts, or pieces of them, would have to change their
 ///   proportions or to travel much: legs cut up for a star base, slats across spindles. As a part is divided as a
 ///   whole, a pair goes with all others of its parts, and with their mirror images.
 /// - Leftover parts that are alike in place and size, if none of both is nearly as much in the place of another: two

@@ -29,12 +29,6 @@ inline double squared_distance(const Box& box, const Point& p)
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
 }
 
-/// Indices of one triangle in either of two trees.
-struct Triangle_pair
-{
-  std::size_t first = 0, second = 0;
-};
-
 /// A bounding volume hierarchy of triangles. By hand, since distances between two surfaces need two trees that are
 /// traversed at once: CGAL's AABB_tree finds the nearest point of one surface, which for all vertices is slower and
 /// misses pairs of points within edges (`benchmark_parts` compares them).
@@ -111,18 +105,6 @@ public:
   {
     Closest_pair best;
     Closest_search search(best, enough, nearly);
-    improve_closest(0, other, 0, search);
-    return best;
-  }
-
-  /// The same, from a start.
-  /// \param near triangles of either tree that are likely to be near each other, which saves time; set to those that
-  /// the points are on
-  Closest_pair nearly_closest(const Triangle_tree& other, double enough, Triangle_pair& near) const
-  {
-    Closest_pair best;
-    improve_by_triangles(triangles_[near.first], other.triangles_[near.second], best);
-    Closest_search search(best, enough, nearly, &near);
     improve_closest(0, other, 0, search);
     return best;
   }
@@ -244,9 +226,7 @@ private:
     /// \param best closest points so far
     /// \param enough distance at which the search may end
     /// \param share points are closer only if their distance over `enough` is at most this share of the best one's
-    /// \param triangles if not null, set to those that the best points are on
-    Closest_search(Closest_pair& best, double enough, double share, Triangle_pair* triangles = nullptr)
-        : best_(best), enough_(enough), share_(share), triangles_(triangles)
+    Closest_search(Closest_pair& best, double enough, double share) : best_(best), enough_(enough), share_(share)
     {
       set_limit();
     }
@@ -260,9 +240,7 @@ private:
       if (box_of(first).squaredExteriorDistance(box_of(second)) >= limit_) return;
       const double before = best_.squared;
       improve_by_triangles(first, second, best_, limit_);
-      if (!(best_.squared < before)) return;
-      if (triangles_) *triangles_ = {t, u};
-      set_limit();
+      if (best_.squared < before) set_limit();
     }
 
   private:
@@ -275,7 +253,6 @@ private:
 
     Closest_pair& best_;
     double enough_, share_, limit_ = 0;
-    Triangle_pair* triangles_;
   };
 
   void improve_closest(std::size_t node, const Triangle_tree& other, std::size_t other_node,

@@ -179,12 +179,6 @@ inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_p
   }
 }
 
-/// The closest points of two triangles, without a limit.
-inline void improve_by_triangles(const Triangle& a, const Triangle& b, Closest_pair& best)
-{
-  improve_by_triangles(a, b, best, best.squared);
-}
-
 /// Whether two triangles are within the root of `squared` of each other.
 inline bool are_within(const Triangle& a, const Triangle& b, double squared)
 {

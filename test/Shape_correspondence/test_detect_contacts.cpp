@@ -210,7 +210,7 @@ TEST_CASE("Triangles of one plane do not cross, whatever rounding makes of it")
     const auto corner = [&](double x) { return Point(turn * Point(x + place(random), place(random), 0)); };
     const Triangle one = {corner(0), corner(0), corner(0)}, other = {corner(2), corner(2), corner(2)};
     internal::contacts::Closest_pair found;
-    internal::contacts::improve_by_triangles(one, other, found);
+    internal::contacts::improve_by_triangles(one, other, found, found.squared);
     REQUIRE(found.squared >= 0.999);
     REQUIRE(!internal::contacts::are_within(one, other, 0.9));
   }

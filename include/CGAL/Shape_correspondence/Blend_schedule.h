@@ -68,7 +68,8 @@ struct Blend_quality
   double gap = 0;       ///< by how much the gap of parts that touch at both ends is wider than is due, at most
   double apart = 0;     ///< by how much wider gaps than at the ends it takes to join all parts, 0 within
                         ///< `Shape_blend::contact_tolerance`
-  double asymmetry = 0; ///< root mean square distance from the mirror image, if both ends have a mirror plane in common
+  double asymmetry = 0; ///< by how much the root mean square distance from the mirror image exceeds those of the ends,
+                        ///< if both have a mirror plane
   double torn = 0;      ///< share of the surface that is folded over, or stretched far more than its part
   double overlap = 0;   ///< share of the surface that is inside closed parts, but not inside them at either end
 };
@@ -79,7 +80,7 @@ struct Blend_measure
 {
   const char* name;             ///< as in `Blend_quality`
   double Blend_quality::*value; ///< pointer to the member
-  double tolerance;             ///< more is a fault; of `asymmetry`, more beyond that of the ends
+  double tolerance;             ///< more is a fault
   const char* meaning;          ///< in a few words
 };
 

@@ -74,7 +74,7 @@ class Shape_blend
 public:
   // Fractions of the shape's height
   static constexpr double contact_tolerance = 0.005;  ///< of `Blend_quality::gap`
-  static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`, above that of the ends
+  static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`
   static constexpr double apart_tolerance = 0.02;     ///< of `Blend_quality::apart`
   static constexpr double travel_tolerance = 0.1;     ///< of `Blend_quality::travel`
   static constexpr double rotation_tolerance = 0.5;   ///< of `Blend_quality::rotation`, in radians

@@ -48,15 +48,6 @@ void append_line(std::string& lines, char keyword, const Numbers& numbers)
   lines += '\n';
 }
 
-/// \param asymmetry of the ends
-Json tolerances_json(double asymmetry)
-{
-  Json result;
-  for (const Blend_measure& measure : blend_measures())
-    result[measure.name] = measure.tolerance + (measure.value == &Blend_quality::asymmetry ? asymmetry : 0);
-  return result;
-}
-
 } // namespace
 
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
@@ -141,7 +132,8 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   std::vector<Blend_check> checks(static_cast<std::size_t>(frames));
   internal::for_each_index<CGAL::Parallel_if_available_tag>(
       checks.size(), [&](std::size_t frame) { checks[frame] = blend.check(double(frame) / (frames - 1)); });
-  result["tolerances"] = tolerances_json(std::max(checks.front().quality.asymmetry, checks.back().quality.asymmetry));
+  for (const Blend_measure& measure : blend_measures())
+    result["tolerances"][measure.name] = measure.tolerance;
   result["frames"] = Json::array();
   for (int frame = 0; frame < frames; ++frame) {
     const Blend_check& check = checks[static_cast<std::size_t>(frame)];
