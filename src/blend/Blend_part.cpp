@@ -3,14 +3,10 @@
 
 #include "blend/Blend_part.h"
 
-#include "base/quantized.h"
 #include "blend/Blend_stage.h"
-#include "blend/mirror_images.h"
-#include "blend/pair_boxes.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
 
-#include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <algorithm>
@@ -33,8 +29,7 @@ bool is_torn(const Part_morph& morph)
   for (int surface : {0, 1}) {
     const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
     const Points points = morph.points(surface, Part_morph::change); // where it is farthest from what it was
-    const Surface_extent extent = rest.extent(points);
-    if (rest.torn_area(points, extent) > most_torn * extent.area) return true;
+    if (rest.torn_area(points) > most_torn * rest.extent(points).area) return true;
     are_closed = are_closed && rest.is_closed();
   }
   return (!are_closed && morph.misfit(false) > most_misfit_of_open) || morph.misfit(true) > most_jump;
@@ -46,14 +41,11 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
   const auto uses = [&](std::size_t Piece_pair::*part) {
     return std::count_if(all.begin(), all.end(), [&](const Piece_pair& other) { return other.*part == pair.*part; });
   };
-  Blend_task task;
-  task.source = pair.source;
-  task.target = pair.target;
-  task.type = !corresponds                    ? Blend_task_type::EXCHANGE
-              : uses(&Piece_pair::target) > 1 ? Blend_task_type::MERGE
-              : uses(&Piece_pair::source) > 1 ? Blend_task_type::SPLIT
-                                              : Blend_task_type::MORPH;
-  return task;
+  const Blend_task_type type = !corresponds                    ? Blend_task_type::EXCHANGE
+                               : uses(&Piece_pair::target) > 1 ? Blend_task_type::MERGE
+                               : uses(&Piece_pair::source) > 1 ? Blend_task_type::SPLIT
+                                                               : Blend_task_type::MORPH;
+  return {type, pair.source, pair.target};
 }
 
 /// The part that a pair becomes; without a morph if its surfaces, or pieces of theirs, have no map.
@@ -62,11 +54,10 @@ Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
   Blend_part result;
   result.name = stage.charted[0].parts[pair.source]->name + '~' + stage.charted[1].parts[pair.target]->name;
   const Part_chart &from = stage.charted[0].charts[pair.source], &to = stage.charted[1].charts[pair.target];
-  const Part_mesh &source = stage.meshes[0][pair.source], &target = stage.meshes[1][pair.target];
-  const Part_mesh first = piece_of(source.points, source.triangles, from, pair.source_piece);
-  const Part_mesh second = piece_of(target.points, target.triangles, to, pair.target_piece);
-  const Pair_charts boxes = pair_boxes({&first.points, &second.points}, {from.axes(), to.axes()});
-  const auto morph = std::make_shared<const Part_morph>(boxes, first, second);
+  const Part_mesh source = piece_of(stage.meshes[0][pair.source], from, pair.source_piece);
+  const Part_mesh target = piece_of(stage.meshes[1][pair.target], to, pair.target_piece);
+  const Pair_charts boxes = pair_boxes({&source.points, &target.points}, {from.axes(), to.axes()});
+  const auto morph = std::make_shared<const Part_morph>(boxes, source, target);
   if (is_torn(*morph)) return result;
   result.morph = morph;
   result.needless_turn = needless_turn(boxes);
@@ -74,17 +65,32 @@ Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
   return result;
 }
 
-/// All pairs of parts, with those of mirror images.
-Part_pairs paired_parts(const Blend_stage& stage, const Correspondence& correspondence)
+/// The parts that are matched.
+std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
+                                      Unlike_pairs& unlike)
 {
-  Part_pairs result = part_pairs(correspondence.pairs);
-  add_mirrored(result, stage.images[0], stage.images[1]);
-  result = matched_members(stage.charted[0], stage.charted[1], result);
-  add_mirrored(result, stage.images[0], stage.images[1]);
-  return result;
+  const auto& [source, target] = stage.charted;
+  Part_pairs given = part_pairs(correspondence.pairs);
+  stage.add_mirrored(given);
+  given = matched_members(source, target, given);
+  stage.add_mirrored(given);
+  while (true) {
+    const std::vector<Piece_pair> pairs = piece_pairs(source, target, like_pairs(stage, given, unlike));
+    Part_pairs torn;
+    std::vector<Blend_part> result;
+    for (const Piece_pair& pair : pairs) {
+      const std::pair parts(pair.source, pair.target);
+      result.push_back(matched_part(stage, pair));
+      result.back().task = task_of(pair, pairs, std::binary_search(given.begin(), given.end(), parts));
+      if (!result.back().is_matched()) torn.push_back(parts);
+    }
+    if (torn.empty()) return result;
+    stage.add_mirrored(torn);
+    unlike.torn.insert(torn.begin(), torn.end()); // with them go all other pairs of their parts
+  }
 }
 
-Blend_obstacle obstacle_of(int end, std::size_t given, const Unlike_pairs& unlike)
+Blend_obstacle obstacle_of(std::size_t end, std::size_t given, const Unlike_pairs& unlike)
 {
   Blend_obstacle result = Blend_obstacle::NONE;
   for (const auto& pair : unlike.all) {
@@ -95,16 +101,15 @@ Blend_obstacle obstacle_of(int end, std::size_t given, const Unlike_pairs& unlik
   return result;
 }
 
-Blend_part unmatched_part(const Blend_stage& stage, int end, std::size_t given, const Unlike_pairs& unlike)
+Blend_part unmatched_part(const Blend_stage& stage, std::size_t end, std::size_t given, const Unlike_pairs& unlike)
 {
-  const auto e = std::size_t(end);
   Blend_part result;
-  const std::string& name = structure(stage.graphs[e]).parts[given].name;
+  const std::string& name = stage.charted[end].parts[given]->name;
   result.name = end == 0 ? name + '~' : '~' + name;
   result.task.type = end == 0 ? Blend_task_type::SHRINK : Blend_task_type::GROW;
   result.task.obstacle = obstacle_of(end, given, unlike);
   (end == 0 ? result.task.source : result.task.target) = given;
-  result.mesh = stage.meshes[e][given];
+  result.mesh = stage.meshes[end][given];
   result.set_ends();
   return result;
 }
@@ -129,46 +134,15 @@ std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end,
   return result;
 }
 
-std::size_t nearest_piece(const std::vector<Blend_part>& parts, int end, std::size_t given, const Point& p)
+std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence, Part_pairs& unlike)
 {
-  const std::vector<std::size_t> pieces = parts_of(parts, end, given);
-  const auto distance = [&](std::size_t piece) {
-    std::size_t triangle = 0;
-    return quantized((parts[piece].end_tree(end).nearest(p, triangle) - p).norm());
-  };
-  return *std::min_element(pieces.begin(), pieces.end(),
-                           [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-}
-
-std::vector<Blend_part> unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
-                                        const std::vector<Blend_part>& matched)
-{
-  std::vector<Blend_part> result;
-  for (int end : {0, 1})
-    for (std::size_t part = 0; part < stage.meshes[std::size_t(end)].size(); ++part)
-      if (parts_of(matched, end, part).empty()) result.push_back(unmatched_part(stage, end, part, unlike));
+  Unlike_pairs found;
+  std::vector<Blend_part> result = matched_parts(stage, correspondence, found);
+  for (std::size_t end : {0u, 1u})
+    for (std::size_t part = 0; part < stage.meshes[end].size(); ++part)
+      if (parts_of(result, int(end), part).empty()) result.push_back(unmatched_part(stage, end, part, found));
+  unlike = std::move(found.all);
   return result;
-}
-
-std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
-                                      Unlike_pairs& unlike)
-{
-  const Part_pairs given = paired_parts(stage, correspondence);
-  while (true) {
-    const std::vector<Piece_pair> pairs =
-        piece_pairs(stage.charted[0], stage.charted[1], like_pairs(stage, given, unlike));
-    Part_pairs torn;
-    std::vector<Blend_part> result;
-    for (const Piece_pair& pair : pairs) {
-      const std::pair parts(pair.source, pair.target);
-      result.push_back(matched_part(stage, pair));
-      result.back().task = task_of(pair, pairs, std::binary_search(given.begin(), given.end(), parts));
-      if (!result.back().is_matched()) torn.push_back(parts);
-    }
-    if (torn.empty()) return result;
-    add_mirrored(torn, stage.images[0], stage.images[1]);
-    unlike.torn.insert(torn.begin(), torn.end()); // with them go all other pairs of their parts
-  }
 }
 
 } // namespace CGAL::Shape_correspondence::internal

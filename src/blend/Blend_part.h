@@ -10,8 +10,6 @@
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -20,23 +18,21 @@
 namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
-struct Unlike_pairs;
 
 /// A part of the shapes in between: what becomes of one part, or of a piece of one. If it is matched, it has two
 /// surfaces that follow each other; if not, one. Ends are numbered: 0 is the source, 1 the target.
 struct Blend_part
 {
-  using Tree = contacts::Triangle_tree;
   static constexpr double on_ground = 0.02; ///< of the height: what is no higher stands on the ground
 
   std::string name;
   Blend_task task;
-  std::shared_ptr<const Part_morph> morph; ///< of a matched part
-  Part_mesh mesh;                          ///< of another one, which shrinks or grows
-  double needless_turn = 0;                ///< of a matched part, beyond the least one, in radians
-  std::vector<Tree> trees;                 ///< by surface, at its end
-  std::vector<Rest_surface> rests;         ///< by surface
-  double size = 0;                         ///< the longer diagonal of the boxes of its surfaces
+  std::shared_ptr<const Part_morph> morph;    ///< of a matched part
+  Part_mesh mesh;                             ///< of another one, which shrinks or grows
+  double needless_turn = 0;                   ///< of a matched part, beyond the least one, in radians
+  std::vector<contacts::Triangle_tree> trees; ///< by surface, at its end
+  std::vector<Rest_surface> rests;            ///< by surface
+  double size = 0;                            ///< the longer diagonal of the boxes of its surfaces
 
   bool is_matched() const { return bool(morph); }
   /// Of an unmatched part: the end that has it.
@@ -54,7 +50,7 @@ struct Blend_part
   /// The surface at an end and its points there. \pre the end has the part
   int end_surface(int at_end) const { return morph ? at_end : 0; }
   Points end_points(int at_end) const { return points(end_surface(at_end), at_end); }
-  const Tree& end_tree(int at_end) const { return trees[std::size_t(end_surface(at_end))]; }
+  const contacts::Triangle_tree& end_tree(int at_end) const { return trees[std::size_t(end_surface(at_end))]; }
 
   /// Sets what follows from the surfaces: trees, rests and size.
   void set_ends();
@@ -62,19 +58,12 @@ struct Blend_part
 
 /// What becomes of a part of an end, or of pieces of it.
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
-/// The one of these that is nearest to a point at the end.
-std::size_t nearest_piece(const std::vector<Blend_part>& parts, int end, std::size_t given, const Point& p);
 
-/// The parts of a blend that are matched: one for every two parts, or pieces of parts, that correspond or are left
-/// over alike and, if the ends are symmetric, for their mirror images.
+/// The parts of a blend. First those that are matched: one for every two parts, or pieces of parts, that correspond or
+/// are left over alike and, if the ends are symmetric, for their mirror images. Then the others, those of the source
+/// first.
 /// \param unlike gets the pairs that correspond but do not morph
-std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
-                                      Unlike_pairs& unlike);
-
-/// The parts that are not matched, those of the source first.
-/// \param unlike pairs that correspond but do not morph
-std::vector<Blend_part> unmatched_parts(const Blend_stage& stage, const Unlike_pairs& unlike,
-                                        const std::vector<Blend_part>& matched);
+std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence, Part_pairs& unlike);
 
 inline contacts::Box box_of(const Points& points) { return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()}; }
 

@@ -3,10 +3,14 @@
 
 #include "blend/Blend_stage.h"
 
+#include "base/quantized.h"
 #include "base/quarter_turn.h"
-#include "blend/Shape_look.h"
+#include "map/Surface_pair.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -32,7 +36,62 @@ Shape_frame staged_frame(const Blend_input& input)
   return frame;
 }
 
+/// Whether the mirror image of a box is near to another box.
+bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, double tolerance)
+{
+  const contacts::Box image = contacts::Box(mirrored(box.min())).extend(mirrored(box.max()));
+  return (image.min() - other.min()).cwiseAbs().maxCoeff() <= tolerance &&
+         (image.max() - other.max()).cwiseAbs().maxCoeff() <= tolerance;
+}
+
+/// Pairs of parts nearest to being mirror images of each other come first.
+Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::vector<contacts::Triangle_tree>& trees)
+{
+  constexpr double tolerance = 0.05; // of the height: how far a part is from the mirror image of another at most
+  std::vector<std::tuple<Steps, std::size_t, std::size_t>> likely;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = i; j < parts.size(); ++j) {
+      if (!are_mirror_images(trees[i].box(), trees[j].box(), 2 * tolerance)) continue;
+      const double distance =
+          std::max(mirror_residual({parts[i]}, {&trees[j]}), mirror_residual({parts[j]}, {&trees[i]}));
+      if (distance <= tolerance) likely.emplace_back(quantized(distance), i, j);
+    }
+  std::sort(likely.begin(), likely.end());
+  Mirror_images result(parts.size());
+  for (const auto& [distance, i, j] : likely)
+    if (!result[i] && !result[j]) result[i] = j, result[j] = i;
+  return result;
+}
+
 } // namespace
+
+double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees)
+{
+  constexpr Eigen::Index samples = 24; // of a surface
+  double sum = 0;
+  Eigen::Index count = 0;
+  std::size_t last = 0; // what is nearest to a point is likely to be that to the next one, too
+  for (const Points* points : surfaces) {
+    const Eigen::Index n = std::min(points->cols(), samples);
+    count += n;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Point p = mirrored(points->col(i * points->cols() / n));
+      Point nearest;
+      std::size_t triangle;
+      double squared = std::numeric_limits<double>::infinity();
+      const auto improve = [&](std::size_t tree) {
+        if (contacts::squared_distance(trees[tree]->box(), p) < squared &&
+            trees[tree]->improve_nearest(p, nearest, squared, triangle))
+          last = tree;
+      };
+      improve(last);
+      for (std::size_t tree = 0; tree < trees.size(); ++tree)
+        improve(tree);
+      sum += squared;
+    }
+  }
+  return std::sqrt(sum / double(count));
+}
 
 Blend_stage::Blend_stage(const std::array<Blend_input, 2>& inputs, Blend_size size)
     : are_symmetric(is_mirrored_in_x(inputs[0]) && is_mirrored_in_x(inputs[1])),
@@ -72,10 +131,8 @@ Segmented_shape Blend_stage::moved(const Blend_input& input, const Point& up, st
 void Blend_stage::add(const Blend_input& input, std::size_t end)
 {
   const std::vector<Shape_part>& parts = input.shape.parts();
-  std::vector<const Points*> given, surfaces;
-  for (const Shape_part& part : parts)
-    given.push_back(&part.mesh.points);
-  charted[end] = charted_shape(graphs[end], input.quarter_turns, given);
+  charted[end] = charted_shape(graphs[end], input.quarter_turns, mesh_surfaces(input.shape));
+  std::vector<const Points*> surfaces;
   std::vector<contacts::Triangle_tree> trees;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     surfaces.push_back(&charted[end].surfaces[i]);
@@ -88,6 +145,16 @@ void Blend_stage::add(const Blend_input& input, std::size_t end)
   if (!are_symmetric) return;
   images[end] = mirror_images(surfaces, trees);
   asymmetry[end] = mirror_residual(surfaces, pointers_to(trees));
+}
+
+void Blend_stage::add_mirrored(Part_pairs& pairs) const
+{
+  for (std::size_t i = 0, count = pairs.size(); i < count; ++i) {
+    const auto source = images[0][pairs[i].first], target = images[1][pairs[i].second];
+    if (source && target) pairs.emplace_back(*source, *target);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 Points Blend_stage::to_world(const Points& points, double done) const

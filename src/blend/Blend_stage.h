@@ -3,13 +3,14 @@
 
 #pragma once
 
-#include "blend/mirror_images.h"
+#include "blend/Shape_look.h"
 
 #include <CGAL/Shape_correspondence/Blend_options.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -21,6 +22,14 @@ struct Blend_input
   const Segmented_shape& shape;
   int quarter_turns;
 };
+
+inline Point mirrored(const Point& p) { return {-p.x(), p.y(), p.z()}; }
+
+/// Root mean square distance of some points of surfaces, mirrored in x = 0, from surfaces.
+double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees);
+
+/// By part, its mirror image in x = 0, if it has one: a part that is its own image has itself.
+using Mirror_images = std::vector<std::optional<std::size_t>>;
 
 /// Both shapes on one stage, by end, 0 the source and 1 the target: they stand on the ground, y = 0, the middles of
 /// their boxes above the origin, of height 1, turned so that they look alike. A shape with a mirror plane has it at
@@ -43,6 +52,8 @@ struct Blend_stage
   /// As they are given, but in the world at these heights, in the axes of the source.
   std::array<Segmented_shape, 2> shapes;
 
+  /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
+  void add_mirrored(Part_pairs& pairs) const;
   /// From the stage to the world when a share of the change of size is done: sizes change by equal factors in equal
   /// times.
   Points to_world(const Points& points, double done) const;

@@ -3,21 +3,13 @@
 
 #include "blend/Blend_structure.h"
 
-#include "blend/unlike_pairs.h"
-
-#include <utility>
-
 namespace CGAL::Shape_correspondence::internal {
 
 Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Correspondence& correspondence,
                                  const Blend_options& options)
     : stage(inputs, options.size)
 {
-  Unlike_pairs found;
-  parts = matched_parts(stage, correspondence, found);
-  for (Blend_part& part : unmatched_parts(stage, found, parts))
-    parts.push_back(std::move(part));
-  unlike = found.all;
+  parts = blend_parts(stage, correspondence, unlike);
   touches = internal::touches(stage, parts, options.contact_tolerance);
   roots = internal::roots(parts, touches);
   for (int end : {0, 1}) {

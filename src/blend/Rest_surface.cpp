@@ -31,51 +31,48 @@ double squared_longest_edge(const contacts::Triangle& corners)
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
-/// By the ends of edges, the triangles there. Points in one place are one.
-std::map<std::pair<int, int>, std::vector<int>> triangles_by_edge(const Points& points,
-                                                                  const Eigen::Matrix3Xi& triangles)
+/// Of the box around points.
+Point sizes_of(const Points& points)
 {
-  const std::vector<int> places = first_in_place(points);
-  std::map<std::pair<int, int>, std::vector<int>> result;
-  for (int t = 0; t < int(triangles.cols()); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const int a = places[std::size_t(triangles(i, t))], b = places[std::size_t(triangles((i + 1) % 3, t))];
-      result[std::minmax(a, b)].push_back(t);
-    }
-  return result;
+  constexpr double least = 1e-4; // of the shape's height
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).cwiseMax(least);
 }
 
 } // namespace
 
 Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
-    : triangles_(triangles), longest_(triangles.cols())
+    : triangles_(triangles), extent_(extent(points)), sizes_(sizes_of(points)), longest_(triangles.cols())
 {
   constexpr double smooth = 0.5; // cosine of the angle between normals
   constexpr double least_thickness =
       1e-9; // volume over area, in square roots of areas: with less, both sides are in one place
+  constexpr int samples = 24;
   const Points normals = doubled_normals(points, triangles_);
   const Eigen::VectorXd areas = normals.colwise().norm();
-  for (const auto& [edge, sides] : triangles_by_edge(points, triangles_)) {
-    is_closed_ = is_closed_ && sides.size() % 2 == 0;
-    if (sides.size() != 2) continue;
-    const int a = sides[0], b = sides[1];
-    if (normals.col(a).dot(normals.col(b)) >= smooth * areas[a] * areas[b]) smooth_.push_back({a, b});
-  }
-  extent_ = extent(points);
-  is_closed_ = is_closed_ && std::abs(extent_.volume) > least_thickness * std::pow(extent_.area, 1.5);
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
-    longest_[t] = squared_longest_edge(triangle_of(points, triangles_, t));
-  constexpr int samples = 24;
+  const std::vector<int> places = first_in_place(points);
+  std::map<std::pair<int, int>, std::vector<int>> sides; // of edges: by the places of their ends, the triangles there
   double passed = 0, next = 0;
-  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  for (int t = 0; t < int(triangles_.cols()); ++t) {
+    longest_[t] = squared_longest_edge(triangle_of(points, triangles_, t));
     for (passed += areas[t]; next < passed; next += areas.sum() / samples)
       chosen_.push_back(t);
+    for (int i = 0; i < 3; ++i) {
+      const int a = places[std::size_t(triangles_(i, t))], b = places[std::size_t(triangles_((i + 1) % 3, t))];
+      sides[std::minmax(a, b)].push_back(t);
+    }
+  }
+  is_closed_ = std::abs(extent_.volume) > least_thickness * std::pow(extent_.area, 1.5);
+  for (const auto& [edge, there] : sides) {
+    is_closed_ = is_closed_ && there.size() % 2 == 0;
+    if (there.size() != 2) continue;
+    const int a = there[0], b = there[1];
+    if (normals.col(a).dot(normals.col(b)) >= smooth * areas[a] * areas[b]) smooth_.push_back({a, b});
+  }
 }
 
 Surface_extent Rest_surface::extent(const Points& points) const
 {
   Surface_extent result;
-  result.sizes = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
   const Point middle = points.rowwise().mean();
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const contacts::Triangle corners = triangle_of(points, triangles_, t);
@@ -86,23 +83,21 @@ Surface_extent Rest_surface::extent(const Points& points) const
   return result;
 }
 
-double Rest_surface::torn_area(const Points& points, const Surface_extent& extent) const
+double Rest_surface::torn_area(const Points& points) const
 {
-  constexpr double folded = -0.5;     // cosine of the angle between normals
-  constexpr double least_size = 1e-4; // of the shape's height
-  constexpr double most_stretch = 3;  // of an edge, over that of the whole surface
+  constexpr double folded = -0.5;    // cosine of the angle between normals
+  constexpr double most_stretch = 3; // of an edge, over that of the whole surface
   const Points normals = doubled_normals(points, triangles_);
-  const Eigen::VectorXd areas = normals.colwise().norm() / 2;
+  const Eigen::VectorXd areas = normals.colwise().norm(); // doubled
   std::vector<char> is_torn(std::size_t(triangles_.cols()), 0);
   for (const auto& [a, b] : smooth_)
-    if (normals.col(a).dot(normals.col(b)) < folded * 4 * areas[a] * areas[b])
+    if (normals.col(a).dot(normals.col(b)) < folded * areas[a] * areas[b])
       is_torn[std::size_t(areas[a] < areas[b] ? a : b)] = 1;
-  const double growth = (extent.sizes.array().max(least_size) / extent_.sizes.array().max(least_size)).maxCoeff(),
-               most = most_stretch * std::max(1., growth);
+  const double growth = sizes_of(points).cwiseQuotient(sizes_).maxCoeff(), most = most_stretch * std::max(1., growth);
   double result = 0;
   for (Eigen::Index t = 0; t < areas.size(); ++t)
     if (is_torn[std::size_t(t)] || squared_longest_edge(triangle_of(points, triangles_, t)) > most * most * longest_[t])
-      result += areas[t];
+      result += areas[t] / 2;
   return result;
 }
 

@@ -14,8 +14,7 @@ namespace CGAL::Shape_correspondence::internal {
 struct Surface_extent
 {
   double area = 0;
-  double volume = 0;           ///< signed, positive if the triangles look outwards; of a closed surface
-  Point sizes = Point::Zero(); ///< of the box around it
+  double volume = 0; ///< signed, positive if the triangles look outwards; of a closed surface
 };
 
 /// A surface of a part of a blend as it is at its end of the blend, which it is compared with on the way.
@@ -31,8 +30,7 @@ public:
 
   /// The area of the triangles that are folded back onto a neighbour that they continue at rest, or much longer than
   /// at rest where the whole surface is not.
-  /// \param extent of the surface there
-  double torn_area(const Points& points, const Surface_extent& extent) const;
+  double torn_area(const Points& points) const;
 
   /// Some points evenly over the area, at rest.
   Points samples(const Points& points) const;
@@ -41,6 +39,7 @@ private:
   Eigen::Matrix3Xi triangles_;
   bool is_closed_ = true;
   Surface_extent extent_;
+  Point sizes_;                            ///< of the box around it, not quite 0
   std::vector<std::array<int, 2>> smooth_; ///< neighbouring triangles that continue each other
   Eigen::VectorXd longest_;                ///< by triangle, its longest edge, squared
   std::vector<Eigen::Index> chosen_;       ///< triangles

@@ -5,12 +5,12 @@
 
 #include "base/quantized.h"
 #include "blend/Blend_stage.h"
-#include "blend/mirror_images.h"
 #include "blend/unlike_pairs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -75,19 +75,48 @@ Part_chart chart_of(const contacts::Box& box)
   return Part_chart::box(corners, Eigen::Matrix3d::Identity());
 }
 
+/// A row for each point: how it moves along an axis with each coefficient of a motion that has controls there.
+Eigen::MatrixXd kernels(const Points& points, const Points& controls, std::size_t axis)
+{
+  constexpr double across = 0.35; // how much distances along the other axes count
+  Point metric = Point::Constant(across);
+  metric[axis] = 1;
+  const Points scaled = metric.asDiagonal() * points, scaled_controls = metric.asDiagonal() * controls;
+  const Eigen::Index n = controls.cols();
+  Eigen::MatrixXd result(points.cols(), n + 4);
+  for (Eigen::Index i = 0; i < n; ++i)
+    result.col(i) = -(scaled.colwise() - scaled_controls.col(i)).colwise().norm().transpose();
+  result.col(n).setOnes();
+  result.rightCols(3) = points.transpose();
+  return result;
+}
+
 } // namespace
 
 Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike,
                        int end)
     : end_(end), box_(stage.boxes[std::size_t(end)]), cells_(lattice_cells(box_))
 {
-  add_whole(stage.boxes);
+  constexpr double on_ground = 0.02, elsewhere = 0.3;  // of the height: the ground is held firmly, all else softly
+  add_box(stage.boxes, 2, Point::Constant(elsewhere)); // the ground is held in its middle, too
+  for (Control& control : controls_)
+    if (control.at.y() <= box_.min().y()) control.smoothing[1] = on_ground;
   add_surfaces(stage, parts);
   add_sets(stage, unlike);
+  const auto n = Eigen::Index(controls_.size());
+  Points at(3, n), smoothing(3, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    at.col(i) = controls_[std::size_t(i)].at;
+    smoothing.col(i) = controls_[std::size_t(i)].smoothing;
+  }
   const Points nodes = lattice_nodes(box_, cells_);
   for (std::size_t axis : {0u, 1u, 2u}) {
-    solvers_[axis].compute(system(axis));
-    node_kernels_[axis] = kernels(nodes, axis);
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 4, n + 4);
+    system.topRows(n) = kernels(at, at, axis);
+    system.diagonal().head(n) += smoothing.row(axis).transpose();
+    system.bottomLeftCorner(4, n) = system.topRightCorner(n, 4).transpose();
+    solvers_[axis].compute(system);
+    node_kernels_[axis] = kernels(nodes, at, axis);
   }
 }
 
@@ -100,25 +129,20 @@ void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, c
     controls_.push_back({at.col(i), at_other_end.col(i), smoothing});
 }
 
-/// The ground is held firmly in height, all else of the box around the whole softly.
-void Space_warp::add_whole(const std::array<contacts::Box, 2>& boxes)
-{
-  constexpr double on_ground = 0.02, elsewhere = 0.3; // of the height
-  constexpr int cells = 2;                            // the ground is held in its middle, too
-  add_box(boxes, cells, Point::Constant(elsewhere));
-  for (Control& control : controls_)
-    if (control.at.y() <= boxes[std::size_t(end_)].min().y()) control.smoothing[1] = on_ground;
-}
-
 /// Adds a point on a matched part, or on the nearest of its pieces.
 void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near)
 {
   constexpr double smoothing = 0.005; // of the height
-  const std::size_t part = nearest_piece(parts, end_, given, near);
-  const contacts::Triangle_tree& tree = parts[part].end_tree(end_);
-  std::size_t triangle = 0;
-  const Point at = tree.nearest(near, triangle);
-  controls_.push_back({at, at, Point::Constant(smoothing), part, nearest_place(tree, near)});
+  Control control;
+  Steps least = std::numeric_limits<Steps>::max();
+  for (std::size_t part : parts_of(parts, end_, given)) {
+    std::size_t triangle = 0;
+    const Point nearest = parts[part].end_tree(end_).nearest(near, triangle);
+    const Steps distance = quantized((nearest - near).norm());
+    if (distance < least) least = distance, control = {nearest, nearest, Point::Constant(smoothing), part};
+  }
+  control.place = nearest_place(parts[control.part].end_tree(end_), near);
+  controls_.push_back(control);
 }
 
 /// Points of matched parts and, so that the warp between symmetric shapes is symmetric, of their mirror images.
@@ -152,37 +176,6 @@ void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
     const Difference difference(stage, {chart_of(boxes[0]), chart_of(boxes[1])});
     if (difference.stays_near()) add_box(boxes, 1, difference.keeps_shape() ? alike : other);
   }
-}
-
-Eigen::MatrixXd Space_warp::kernels(const Points& points, std::size_t axis) const
-{
-  constexpr double across = 0.35; // how much distances along the other axes count
-  Point metric = Point::Constant(across);
-  metric[axis] = 1;
-  const Points scaled = metric.asDiagonal() * points;
-  const auto n = Eigen::Index(controls_.size());
-  Eigen::MatrixXd result(points.cols(), n + 4);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Point control = metric.cwiseProduct(controls_[std::size_t(i)].at);
-    result.col(i) = -(scaled.colwise() - control).colwise().norm().transpose();
-  }
-  result.col(n).setOnes();
-  result.rightCols(3) = points.transpose();
-  return result;
-}
-
-Eigen::MatrixXd Space_warp::system(std::size_t axis) const
-{
-  const auto n = Eigen::Index(controls_.size());
-  Points at(3, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    at.col(i) = controls_[std::size_t(i)].at;
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n + 4, n + 4);
-  result.topRows(n) = kernels(at, axis);
-  for (Eigen::Index i = 0; i < n; ++i)
-    result(i, i) += controls_[std::size_t(i)].smoothing[axis];
-  result.bottomLeftCorner(4, n) = result.topRightCorner(n, 4).transpose();
-  return result;
 }
 
 Points Space_warp::ways(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces, double t) const

@@ -46,13 +46,9 @@ private:
   };
 
   void add_box(const std::array<contacts::Box, 2>& boxes, int cells, const Point& smoothing);
-  void add_whole(const std::array<contacts::Box, 2>& boxes);
   void add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts);
   void add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near);
   void add_sets(const Blend_stage& stage, const Part_pairs& unlike);
-  /// A row for each point: how it moves along an axis with each coefficient of the motion.
-  Eigen::MatrixXd kernels(const Points& points, std::size_t axis) const;
-  Eigen::MatrixXd system(std::size_t axis) const;
 
   int end_;
   contacts::Box box_;    ///< around the shape

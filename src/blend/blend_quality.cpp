@@ -3,8 +3,6 @@
 
 #include "blend/blend_quality.h"
 
-#include "blend/mirror_images.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -190,7 +188,7 @@ private:
 
   Worst_parts torn() const
   {
-    return share(worst_matched([](const Seen_surface& seen) { return seen.rest.torn_area(seen.points, seen.extent); }));
+    return share(worst_matched([](const Seen_surface& seen) { return seen.rest.torn_area(seen.points); }));
   }
 
   /// How much of the surface is inside other parts, more than at the ends; what comes or goes may be.

@@ -7,7 +7,6 @@
 #include "base/quantized.h"
 #include "blend/Blend_part.h"
 #include "blend/Blend_stage.h"
-#include "blend/pair_boxes.h"
 
 #include <algorithm>
 #include <array>
@@ -33,43 +32,33 @@ Points samples(const Part_chart& chart)
 /// The extents of the box around a whole shape, which may be flat.
 Point extents_of(const contacts::Box& whole) { return whole.sizes().cwiseMax(2 * Part_chart::least_half_extent); }
 
+/// A place in units of the box around a whole shape.
+Point relative_place(const contacts::Box& whole, const Point& p)
+{
+  return (p - whole.min()).cwiseQuotient(extents_of(whole));
+}
+
 /// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
-contacts::Box relative_box(const Blend_stage& stage, const Part_of_end& of)
+contacts::Box relative_box(const contacts::Box& whole, const Part_mesh& part)
 {
   constexpr double around = 0.03;
-  const contacts::Box &whole = stage.boxes[of.end], box = box_of(stage.meshes[of.end][of.part].points);
-  const Point low = (box.min() - whole.min()).cwiseQuotient(extents_of(whole)),
-              high = (box.max() - whole.min()).cwiseQuotient(extents_of(whole));
-  return {low.array() - around, high.array() + around};
+  const contacts::Box box = box_of(part.points);
+  return {relative_place(whole, box.min()).array() - around, relative_place(whole, box.max()).array() + around};
 }
 
-/// How much extents change, in logarithms, summed.
-double change_of_extents(const Point& from, const Point& to)
+/// How much of the place of the smaller one of a source part and a target part is that of the other one, too.
+double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target)
 {
-  constexpr double thin = 0.05; // of the height: among thin parts, how many times as thick is hardly seen
-  return ((from.array() + thin) / (to.array() + thin)).log().abs().sum();
+  const contacts::Box a = relative_box(stage.boxes[0], stage.meshes[0][source]),
+                      b = relative_box(stage.boxes[1], stage.meshes[1][target]);
+  return a.intersects(b) ? a.intersection(b).volume() / std::min(a.volume(), b.volume()) : 0;
 }
-
-/// A source part and a target part, and how much of their place they share.
-struct Placed_pair
-{
-  std::size_t source, target;
-  double shared;
-
-  /// Whether one of both parts is nearly as much in the place of one of these.
-  bool has_rival(const std::vector<Placed_pair>& all) const
-  {
-    constexpr double nearly = 0.8; // of the shared place
-    return std::any_of(all.begin(), all.end(), [&](const Placed_pair& other) {
-      return (other.source == source) != (other.target == target) &&
-             quantized(other.shared) >= quantized(nearly * shared);
-    });
-  }
-};
 
 /// Adds pairs of leftover parts.
 void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs& paired)
 {
+  constexpr double same_place = 0.4; // how much of their place is shared by parts that are in one, at least
+  constexpr double nearly = 0.8;     // of the shared place
   std::vector<char> is_source(stage.meshes[0].size(), 0), is_target(stage.meshes[1].size(), 0); // of any pair
   for (const Part_pairs* pairs : std::array<const Part_pairs*, 2>{&paired, &unlike.all})
     for (const auto& [s, t] : *pairs)
@@ -78,15 +67,20 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
   for (std::size_t s = 0; s < is_source.size(); ++s)
     for (std::size_t t = 0; t < is_target.size(); ++t)
       if (!is_source[s] && !is_target[t]) leftover.emplace_back(s, t);
-  std::vector<Placed_pair> alike;
+  Eigen::MatrixXd alike = Eigen::MatrixXd::Zero(is_source.size(), is_target.size()); // what they share of their place
   for (const auto& [s, t] : leftover) {
     const double shared = shared_place(stage, s, t);
     if (shared <= same_place || unlike.torn.count({s, t}) > 0) continue;
-    if (Difference(stage, {stage.charted[0].charts[s], stage.charted[1].charts[t]}).is_little())
-      alike.push_back({s, t, shared});
+    if (Difference(stage, {stage.charted[0].charts[s], stage.charted[1].charts[t]}).is_little()) alike(s, t) = shared;
   }
-  for (const Placed_pair& placed : alike)
-    if (!placed.has_rival(alike)) paired.emplace_back(placed.source, placed.target);
+  for (const auto& [s, t] : leftover) {
+    const Steps least = quantized(nearly * alike(s, t));
+    const auto rivals = [&](const Eigen::VectorXd& all) {
+      return (all.unaryExpr(&quantized).array() >= least).count();
+    };
+    const bool has_rival = rivals(alike.row(s)) + rivals(alike.col(t)) > 2; // of others: itself it is in both
+    if (alike(s, t) > 0 && !has_rival) paired.emplace_back(s, t);
+  }
   std::sort(paired.begin(), paired.end());
 }
 
@@ -94,20 +88,24 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
 
 Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole)
 {
+  constexpr double thin = 0.05; // of the height: among thin parts, how many times as thick is hardly seen
   const Points a = samples(charts[0]), b = samples(charts[1]);
   const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
-  const std::array<Point, 2> wholes = {extents_of(stage.boxes[0]), extents_of(stage.boxes[1])};
+  const auto& [whole, other_whole] = stage.boxes;
+  const Point extents = extents_of(whole), other_extents = extents_of(other_whole);
   const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
-              growth = are_whole ? Point(wholes[1].cwiseQuotient(wholes[0])) : Point::Ones(),
+              growth = are_whole ? Point(other_extents.cwiseQuotient(extents)) : Point::Ones(),
               grown = (growth.asDiagonal() * boxes.source.axes()).colwise().norm().transpose().cwiseProduct(from);
-  const auto stretch_of = [&](const Point& extents) { return std::abs(std::log(extents.maxCoeff() / to.maxCoeff())); };
-  change = std::min(change_of_extents(from, to), change_of_extents(grown, to));
+  const auto change_of = [&](const Point& half) {
+    return ((half.array() + thin) / (to.array() + thin)).log().abs().sum();
+  };
+  const auto stretch_of = [&](const Point& half) { return std::abs(std::log(half.maxCoeff() / to.maxCoeff())); };
+  change = std::min(change_of(from), change_of(grown));
   stretch = std::min(stretch_of(from), stretch_of(grown));
   size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
-  const auto relative_place = [&](std::size_t end) -> Point {
-    return (charts[end](Point::Zero()) - stage.boxes[end].min()).cwiseQuotient(wholes[end]);
-  };
-  way = (relative_place(1) - relative_place(0)).cwiseProduct((wholes[0] + wholes[1]) / 2).norm();
+  const Point place = relative_place(whole, charts[0](Point::Zero())),
+              other_place = relative_place(other_whole, charts[1](Point::Zero()));
+  way = (other_place - place).cwiseProduct((extents + other_extents) / 2).norm();
 }
 
 bool Difference::keeps_shape() const
@@ -128,17 +126,6 @@ bool Difference::stays_near() const
   return way <= most_way + by_size * size;
 }
 
-double shared_place(const Blend_stage& stage, const Part_of_end& a, const Part_of_end& b)
-{
-  const contacts::Box box = relative_box(stage, a), other = relative_box(stage, b);
-  return box.intersects(other) ? box.intersection(other).volume() / box.volume() : 0;
-}
-
-double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target)
-{
-  return std::max(shared_place(stage, {0, source}, {1, target}), shared_place(stage, {1, target}, {0, source}));
-}
-
 Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike)
 {
   const std::size_t sources = stage.meshes[0].size();
@@ -155,8 +142,8 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
     is_unlike[sets[s]] = 1;
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
-    if (known) continue;
-    known = !Difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece)).is_little();
+    const auto charts = piece_charts(piece, stage.charted[0], stage.charted[1]);
+    known = known || !Difference(stage, charts, is_whole(piece)).is_little();
   }
   Part_pairs result;
   unlike.all.clear();

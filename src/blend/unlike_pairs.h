@@ -8,21 +8,18 @@
 #include "shape/Triangle_tree.h"
 
 #include <array>
-#include <cstddef>
 #include <set>
-#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-using Pair_set = std::set<Part_pairs::value_type>;
-
 /// The pairs that correspond but do not morph.
 struct Unlike_pairs
 {
   Part_pairs all;
-  Pair_set torn; ///< of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map
+  std::set<Part_pairs::value_type>
+      torn; ///< of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map
 };
 
 /// How much has to happen to a part, a piece, or the box around several parts to become another. Lengths are over the
@@ -54,17 +51,5 @@ struct Difference
 ///   that correspond, but to others, too, or two without counterparts.
 /// \param unlike those that are torn become no parts; `all` is set
 Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike);
-
-/// A part of the source, end 0, or of the target, end 1, by index.
-struct Part_of_end
-{
-  std::size_t end, part;
-};
-
-/// How much of the place of a part is that of another one, too, in the boxes around the shapes.
-double shared_place(const Blend_stage& stage, const Part_of_end& a, const Part_of_end& b);
-/// The same of the smaller one of a source part and a target part: what is more than `same_place` is in one place.
-double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target);
-constexpr double same_place = 0.4;
 
 } // namespace CGAL::Shape_correspondence::internal

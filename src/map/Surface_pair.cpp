@@ -25,7 +25,7 @@ Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape
   std::array<Part_mesh, 2> wholes, pieces;
   for (std::size_t s = 0; s < 2; ++s) {
     wholes[s] = {shapes[s].surfaces[part[s]], meshes[s]->triangles};
-    pieces[s] = piece_of(wholes[s].points, wholes[s].triangles, shapes[s].charts[part[s]], boxes[s]);
+    pieces[s] = piece_of(wholes[s], shapes[s].charts[part[s]], boxes[s]);
   }
   Pair_charts charts = pair_charts(pair, shapes[0], shapes[1], pieces[0].points, pieces[1].points);
   finely_charted(pieces[0], charts.source, longest_edge);

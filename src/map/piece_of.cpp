@@ -234,11 +234,10 @@ private:
 
 } // namespace
 
-Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart,
-                   const Chart_box& box)
+Part_mesh piece_of(const Part_mesh& part, const Part_chart& chart, const Chart_box& box)
 {
-  if (is_whole(box)) return {points, triangles};
-  Part_cutter cutter(points, triangles, chart);
+  if (is_whole(box)) return part;
+  Part_cutter cutter(part.points, part.triangles, chart);
   for (int axis = 0; axis < 3; ++axis) {
     if (box.min()[axis] > -1) cutter.cut(axis, box.min()[axis], true);
     if (box.max()[axis] < 1) cutter.cut(axis, box.max()[axis], false);

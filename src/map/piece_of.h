@@ -10,7 +10,6 @@
 namespace CGAL::Shape_correspondence::internal {
 
 /// The piece of a part that a box of its chart cuts out, closed if the part is. All of it for the whole chart.
-Part_mesh piece_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Part_chart& chart,
-                   const Chart_box& box);
+Part_mesh piece_of(const Part_mesh& part, const Part_chart& chart, const Chart_box& box);
 
 } // namespace CGAL::Shape_correspondence::internal

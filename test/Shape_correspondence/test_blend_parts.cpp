@@ -72,7 +72,7 @@ TEST_CASE("Pieces of a part are closed, within it, and make up its volume, also 
   low.max()[axis] = high.min()[axis] = at;
   double sum = 0;
   for (const internal::Chart_box& box : {low, high}) {
-    const Part_mesh piece = internal::piece_of(part.points, part.triangles, chart, box);
+    const Part_mesh piece = internal::piece_of(part, chart, box);
     CHECK(is_closed(piece));
     sum += volume(piece);
     internal::Chart_box reach;
@@ -107,7 +107,7 @@ TEST_CASE("Pieces of a bent part are within it")
   for (int axis : {1, 2}) {
     internal::Chart_box half = internal::whole_chart();
     half.max()[axis] = 0;
-    const Part_mesh piece = internal::piece_of(hoop.points, hoop.triangles, chart, half);
+    const Part_mesh piece = internal::piece_of(hoop, chart, half);
     double farthest = 0;
     for (Eigen::Index t = 0; t < piece.triangles.cols(); ++t) {
       const auto corner = [&](int i) -> Point { return piece.points.col(piece.triangles(i, t)); };
@@ -124,7 +124,7 @@ TEST_CASE("A piece where a part has nothing is a speck of it")
   const Part_mesh part = ring(0.2);
   const internal::Part_chart chart = internal::Part_chart::box(part.points, Eigen::Matrix3d::Identity());
   const internal::Chart_box hole(Point(-0.4, -0.4, -1), Point(0.4, 0.4, 1));
-  const Part_mesh piece = internal::piece_of(part.points, part.triangles, chart, hole);
+  const Part_mesh piece = internal::piece_of(part, chart, hole);
   CHECK(is_closed(piece));
   CHECK(volume(piece) > 0);
   CHECK((piece.points.rowwise().maxCoeff() - piece.points.rowwise().minCoeff()).maxCoeff() < 0.01);

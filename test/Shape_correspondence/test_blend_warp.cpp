@@ -2,8 +2,7 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "blend/Blend_part.h"
-#include "blend/mirror_images.h"
+#include "blend/Blend_stage.h"
 #include "blend_checks.h"
 #include "box_models.h"
 
