@@ -41,7 +41,7 @@ Point sizes_of(const Points& points)
 } // namespace
 
 Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
-    : triangles_(triangles), extent_(extent(points)), sizes_(sizes_of(points)), longest_(triangles.cols())
+    : triangles_(triangles), sizes_(sizes_of(points)), longest_(triangles.cols())
 {
   constexpr double smooth = 0.5; // cosine of the angle between normals
   constexpr double least_thickness =
@@ -61,7 +61,8 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
       sides[std::minmax(a, b)].push_back(t);
     }
   }
-  is_closed_ = std::abs(extent_.volume) > least_thickness * std::pow(extent_.area, 1.5);
+  const auto [area, volume] = extent(points);
+  is_closed_ = std::abs(volume) > least_thickness * std::pow(area, 1.5);
   for (const auto& [edge, there] : sides) {
     is_closed_ = is_closed_ && there.size() % 2 == 0;
     if (there.size() != 2) continue;

@@ -24,8 +24,7 @@ public:
   Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles);
 
   bool is_closed() const { return is_closed_; }
-  const Surface_extent& extent() const { return extent_; }
-  /// The same surface elsewhere.
+  /// Of the surface where its points are elsewhere.
   Surface_extent extent(const Points& points) const;
 
   /// The area of the triangles that are folded back onto a neighbour that they continue at rest, or much longer than
@@ -37,8 +36,7 @@ public:
 
 private:
   Eigen::Matrix3Xi triangles_;
-  bool is_closed_ = true;
-  Surface_extent extent_;
+  bool is_closed_;
   Point sizes_;                            ///< of the box around it, not quite 0
   std::vector<std::array<int, 2>> smooth_; ///< neighbouring triangles that continue each other
   Eigen::VectorXd longest_;                ///< by triangle, its longest edge, squared

@@ -18,8 +18,8 @@ struct Blend_stage;
 struct Unlike_pairs
 {
   Part_pairs all;
-  std::set<Part_pairs::value_type>
-      torn; ///< of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map
+  /// Of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map.
+  std::set<Part_pairs::value_type> torn;
 };
 
 /// How much has to happen to a part, a piece, or the box around several parts to become another. Lengths are over the
