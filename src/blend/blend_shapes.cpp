@@ -25,10 +25,10 @@ namespace {
 void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
 {
   if (name.empty()) return;
-  const auto chosen = std::find_if(schedules.begin(), schedules.end(),
-                                   [&](const Blend_schedule& schedule) { return schedule.name == name; });
-  if (chosen == schedules.end()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
-  schedules = {*chosen};
+  schedules.erase(std::remove_if(schedules.begin(), schedules.end(),
+                                 [&](const Blend_schedule& schedule) { return schedule.name != name; }),
+                  schedules.end());
+  if (schedules.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
 }
 
 void check_options(const Blend_options& options)
@@ -61,16 +61,13 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   choose(schedules_, options.schedule);
 }
 
-std::vector<std::string> Shape_blend::schedule_names() { return internal::schedule_names(); }
+std::vector<std::string> Shape_blend::schedule_names() { return {"in two steps", "at one time"}; }
 
 std::vector<Shape_blend> Shape_blend::different_blends() const
 {
   std::vector<Shape_blend> result;
   for (const Blend_schedule& schedule : schedules_) {
-    const auto is_same = [&](const Shape_blend& other) {
-      return have_same_times(schedule.tasks, other.schedules_[0].tasks);
-    };
-    if (std::any_of(result.begin(), result.end(), is_same)) continue;
+    if (!result.empty() && have_same_times(schedule.tasks, schedules_[0].tasks)) continue; // there are two at most
     result.push_back(*this);
     result.back().schedules_ = {schedule};
   }

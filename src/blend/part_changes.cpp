@@ -7,6 +7,8 @@
 #include "base/quantized.h"
 #include "blend/In_between_shape.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <bitset>
@@ -109,9 +111,9 @@ public:
     const Parts_there is_there = best();
     std::vector<Part_change> result;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
-      const Exchange_step step = !is_exchanged(i)        ? Exchange_step::NONE
-                                 : is_first(i, is_there) ? Exchange_step::FIRST
-                                                         : Exchange_step::SECOND;
+      const Exchange_step step = !is_exchanged(i)         ? Exchange_step::NONE
+                                 : is_there[i] != old_[i] ? Exchange_step::FIRST
+                                                          : Exchange_step::SECOND;
       result.push_back({step, places_[i]});
     }
     return result;
@@ -132,12 +134,6 @@ private:
     return (seen_[part].tree.nearest(place, triangle) - place).norm();
   }
   bool is_exchanged(std::size_t part) const { return ends_[places_[part]].all(); }
-  bool may_be_there(std::size_t part) const { return is_matched(part) || is_exchanged(part); }
-  /// Whether a part is exchanged in the first step.
-  bool is_first(std::size_t part, const Parts_there& is_there) const
-  {
-    return is_exchanged(part) && bool(is_there[part]) == (end(part) == 1);
-  }
   /// By set, the ends that have unmatched parts of it.
   std::vector<std::bitset<2>> ends_of(const Disjoint_sets& sets) const
   {
@@ -193,13 +189,14 @@ private:
     constexpr double near = 0.1; // over the height
     const Disjoint_sets groups = groups_;
     const std::vector<std::bitset<2>> ends = ends_of(groups);
+    const auto is_alone = [&](const Hold& hold) { return !ends[groups[hold.part]].all(); };
     const auto have_one_place = [&](const Hold& a, const Hold& b) {
       return quantized(std::min(distance(a.place, b.part), distance(b.place, a.part))) < quantized(near);
     };
     for (const Hold& a : holds_)
       for (const Hold& b : holds_)
-        if (end(a.part) < end(b.part) && groups[a.holder] == groups[b.holder] && !ends[groups[a.part]].all() &&
-            !ends[groups[b.part]].all() && groups_[a.part] != groups_[b.part] && have_one_place(a, b))
+        if (end(a.part) < end(b.part) && is_alone(a) && is_alone(b) && groups[a.holder] == groups[b.holder] &&
+            have_one_place(a, b))
           groups_.unite(a.part, b.part);
   }
 
@@ -226,6 +223,7 @@ private:
     ends_ = ends_of(places_);
     std::map<std::size_t, Group> exchanged; // by set
     for (std::size_t i = 0; i < groups_.size(); ++i) {
+      old_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 0));
       if (!is_exchanged(i)) continue;
       exchanged[groups_[i]].push_back(i);
       size_ += size(i);
@@ -233,14 +231,11 @@ private:
     for (const auto& [number, group] : exchanged)
       exchanged_.push_back(group);
     const auto key = [&](const Group& group) {
-      double weight = 0;
-      Point place = Point::Zero();
-      for (std::size_t part : group) {
-        weight += size(part);
-        place += size(part) * seen_[part].tree.box().center();
-      }
-      place /= weight;
-      return std::tuple(quantized(place.y()), quantized(weight), quantized(place.x()), quantized(place.z()));
+      Eigen::Vector4d sum = Eigen::Vector4d::Zero(); // of middles times sizes, and of sizes
+      for (std::size_t part : group)
+        sum += size(part) * seen_[part].tree.box().center().homogeneous();
+      const Point place = sum.hnormalized();
+      return std::tuple(quantized(place.y()), quantized(sum[3]), quantized(place.x()), quantized(place.z()));
     };
     std::stable_sort(exchanged_.begin(), exchanged_.end(),
                      [&](const Group& a, const Group& b) { return key(a) < key(b); });
@@ -254,7 +249,6 @@ private:
       touching.insert(touch.parts);
     for (std::size_t a = 0; a < seen_.size(); ++a)
       for (std::size_t b = a + 1; b < seen_.size(); ++b) {
-        if (!may_be_there(a) || !may_be_there(b)) continue;
         if (touching.count({a, b}) == 0 && !seen_[a].tree.is_within(seen_[b].tree, near * near)) continue;
         if (is_matched(a) && is_matched(b))
           always_joined_.unite(a, b);
@@ -304,7 +298,7 @@ private:
     constexpr double least = 0.15; // such a share
     double first = 0;              // size of what changes first
     for (std::size_t i = 0; i < seen_.size(); ++i)
-      if (is_first(i, is_there)) first += size(i);
+      if (is_there[i] != old_[i]) first += size(i);
     const double lesser = std::min(first, size_ - first) / size_; // 0 if all changes at one time
     // Too little is as bad as can be, and the worse the less it is, so that the search finds out of there.
     if (lesser > 0 && quantized(lesser) < quantized(least)) return 1 - lesser;
@@ -336,25 +330,17 @@ private:
     return least;
   }
 
-  /// What is matched or exchanged, as an end has it.
-  Parts_there as_at(std::size_t at_end) const
-  {
-    Parts_there result(seen_.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = is_matched(i) || (is_exchanged(i) && end(i) == at_end);
-    return result;
-  }
-
-  /// The best mixed shape, or what the source has if there is none that is better.
+  /// The best mixed shape, or `old_` if there is none that is better.
   Parts_there best() const
   {
     constexpr std::size_t starts = 8; // of the search, from an end
     const std::size_t count = exchanged_.size();
-    const std::array<Parts_there, 2> ends = {as_at(0), as_at(1)};
-    Parts_there result = ends[0];
-    if (count < 2) return result;
-    double least = std::min(cost(ends[0]), cost(ends[1]));
-    for (const Parts_there& start : ends)
+    if (count < 2) return old_;
+    Parts_there result = old_, all = old_;
+    for (const Group& group : exchanged_)
+      move(group, all);
+    double least = std::min(cost(old_), cost(all)); // of no mixed shape
+    for (const Parts_there& start : {old_, all})
       for (std::size_t i = 1; i < starts; ++i) {
         const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1); // from the ground up
         Parts_there is_there = start;
@@ -374,6 +360,7 @@ private:
   Disjoint_sets places_;                           ///< what groups, touches and rivals join
   std::vector<std::bitset<2>> ends_;               ///< of these
   std::vector<Group> exchanged_;                   ///< from the ground up
+  Parts_there old_;                                ///< before anything is exchanged
   double size_ = 0;                                ///< of all of them
   Disjoint_sets always_joined_;                    ///< matched parts that touch, at an end or in the mixed shape
   std::vector<std::array<std::size_t, 2>> joined_; ///< others that do
