@@ -17,6 +17,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// due.
 struct In_between_shape
 {
+  /// \param tasks none: all parts of both ends are there as a whole
   In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t);
 
   const Blend_structure& blend;

@@ -21,16 +21,6 @@ using namespace internal;
 
 namespace {
 
-/// Leaves the schedule that is asked for alone, if one is.
-void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
-{
-  if (name.empty()) return;
-  schedules.erase(std::remove_if(schedules.begin(), schedules.end(),
-                                 [&](const Blend_schedule& schedule) { return schedule.name != name; }),
-                  schedules.end());
-  if (schedules.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
-}
-
 void check_options(const Blend_options& options)
 {
   constexpr int most_samples = 1000;
@@ -58,7 +48,10 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   remove_unlikely_pairs(likely, options.min_confidence);
   blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);
   schedules_ = ranked_schedules(*blend_, options);
-  choose(schedules_, options.schedule);
+  if (options.schedule.empty()) return;
+  const auto is_other = [&](const Blend_schedule& schedule) { return schedule.name != options.schedule; };
+  schedules_.erase(std::remove_if(schedules_.begin(), schedules_.end(), is_other), schedules_.end());
+  if (schedules_.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + options.schedule + "'");
 }
 
 std::vector<std::string> Shape_blend::schedule_names() { return {"in two steps", "at one time"}; }

@@ -7,8 +7,6 @@
 #include "base/quantized.h"
 #include "blend/In_between_shape.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <bitset>
@@ -26,25 +24,6 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 using Cell = std::array<int, 3>;
-
-/// All parts of both ends, where they are when surfaces of matched parts change.
-std::vector<Seen_surface> all_parts(const Blend_structure& blend)
-{
-  const double t = Part_morph::change;
-  std::vector<Blend_task> tasks;
-  for (const Blend_part& part : blend.parts) {
-    tasks.push_back(part.task);
-    (part.is_at(0) ? tasks.back().begin : tasks.back().end) = t; // old parts are still whole, new ones already
-  }
-  return In_between_shape(blend, tasks, t).seen();
-}
-
-/// The side of the cells in which places are compared, over the height.
-double side_of_cells(const Blend_structure& blend)
-{
-  constexpr double least = 0.06, most_cells = 64; // along an axis
-  return std::max(least, blend.stage.boxes[0].merged(blend.stage.boxes[1]).sizes().maxCoeff() / most_cells);
-}
 
 /// The cells whose middles a surface is near, in order. Those beside its box are looked at, too, so that rounding of
 /// the box does not matter.
@@ -96,7 +75,10 @@ class Exchange_search
 {
 public:
   explicit Exchange_search(const Blend_structure& blend)
-      : blend_(blend), seen_(all_parts(blend)), groups_(blend.parts.size()), always_joined_(groups_)
+      : blend_(blend),
+        seen_(In_between_shape(blend, {}, Part_morph::change).seen()),
+        groups_(blend.parts.size()),
+        always_joined_(groups_)
   {
     find_holds();
     unite_groups();
@@ -202,7 +184,9 @@ private:
 
   void find_rivals()
   {
-    const double side = side_of_cells(blend_);
+    constexpr double least_side = 0.06, most_cells = 64; // over the height; along an axis
+    const contacts::Box whole = blend_.stage.boxes[0].merged(blend_.stage.boxes[1]);
+    const double side = std::max(least_side, whole.sizes().maxCoeff() / most_cells);
     std::array<std::map<std::size_t, std::vector<Cell>>, 2> cells; // by end and unmatched part
     for (std::size_t i = 0; i < seen_.size(); ++i)
       if (!is_matched(i)) cells[end(i)][i] = cells_of(seen_[i].tree, side);
@@ -353,7 +337,7 @@ private:
   }
 
   const Blend_structure& blend_;
-  const std::vector<Seen_surface> seen_; ///< all parts
+  const std::vector<Seen_surface> seen_; ///< all parts, where they are when surfaces of matched parts change
   std::vector<Hold> holds_;
   Disjoint_sets groups_;
   std::vector<Rivals> rivals_;

@@ -8,8 +8,6 @@
 #include "blend/blend_quality.h"
 #include "blend/part_changes.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
