@@ -1,8 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/blend_quality.h"
-
+#include "blend/In_between_shape.h"
 #include "blend/mirror_images.h"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -225,13 +224,13 @@ std::string filled_in(std::string sentence, const Worst_parts& worst, const Blen
 
 } // namespace
 
-Blend_check check(const In_between_shape& shape)
+Blend_check In_between_shape::check() const
 {
   auto measure = blend_measures().begin();
   Blend_check result;
-  for (const auto& [sentence, worst] : Shape_measure(shape).worst()) {
+  for (const auto& [sentence, worst] : Shape_measure(*this).worst()) {
     result.quality.*measure->value = worst.value;
-    if (worst.value > measure->tolerance) result.faults.push_back(filled_in(sentence, worst, shape.blend));
+    if (worst.value > measure->tolerance) result.faults.push_back(filled_in(sentence, worst, blend));
     ++measure;
   }
   return result;

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/blend_quality.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
 #include "matching/unlikely_pairs.h"
@@ -86,7 +85,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 Blend_check Shape_blend::check(double t) const
 {
   if (t <= 0 || t >= 1) return {};
-  return internal::check(In_between_shape(*blend_, schedules_[0].tasks, t));
+  return In_between_shape(*blend_, schedules_[0].tasks, t).check();
 }
 
 std::vector<Blend_surface> Shape_blend::surfaces() const

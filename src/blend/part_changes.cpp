@@ -7,6 +7,8 @@
 #include "base/quantized.h"
 #include "blend/In_between_shape.h"
 
+#include <boost/dynamic_bitset.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bitset>
@@ -90,7 +92,7 @@ public:
 
   std::vector<Part_change> changes() const
   {
-    const Parts_there is_there = best();
+    const Parts is_there = best();
     std::vector<Part_change> result;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       const Exchange_step step = !is_exchanged(i)         ? Exchange_step::NONE
@@ -102,8 +104,7 @@ public:
   }
 
 private:
-  using Group = std::vector<std::size_t>; ///< parts
-  using Parts_there = std::vector<char>;  ///< by part, whether the mixed shape has it
+  using Parts = boost::dynamic_bitset<>; ///< by part, whether it is one of them
 
   bool is_matched(std::size_t part) const { return blend_.parts[part].is_matched(); }
   /// The end of an unmatched part.
@@ -205,24 +206,24 @@ private:
     for (const Rivals& rivals : rivals_)
       places_.unite(rivals.old_part, rivals.new_part);
     ends_ = ends_of(places_);
-    std::map<std::size_t, Group> exchanged; // by set
+    std::map<std::size_t, Parts> exchanged; // by set
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       old_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 0));
       if (!is_exchanged(i)) continue;
-      exchanged[groups_[i]].push_back(i);
+      exchanged.try_emplace(groups_[i], groups_.size()).first->second.set(i);
       size_ += size(i);
     }
     for (const auto& [number, group] : exchanged)
       exchanged_.push_back(group);
-    const auto key = [&](const Group& group) {
+    const auto key = [&](const Parts& group) {
       Eigen::Vector4d sum = Eigen::Vector4d::Zero(); // of middles times sizes, and of sizes
-      for (std::size_t part : group)
-        sum += size(part) * seen_[part].tree.box().center().homogeneous();
+      for (std::size_t i = group.find_first(); i != Parts::npos; i = group.find_next(i))
+        sum += size(i) * seen_[i].tree.box().center().homogeneous();
       const Point place = sum.hnormalized();
       return std::tuple(quantized(place.y()), quantized(sum[3]), quantized(place.x()), quantized(place.z()));
     };
     std::stable_sort(exchanged_.begin(), exchanged_.end(),
-                     [&](const Group& a, const Group& b) { return key(a) < key(b); });
+                     [&](const Parts& a, const Parts& b) { return key(a) < key(b); });
   }
 
   void find_joined()
@@ -242,7 +243,7 @@ private:
   }
 
   /// Sizes of what is in one place with something else, and of places where there is nothing any more.
-  double rivalry(const Parts_there& is_there) const
+  double rivalry(const Parts& is_there) const
   {
     double result = 0;
     for (const auto& [old_part, new_part, size] : rivals_)
@@ -251,7 +252,7 @@ private:
   }
 
   /// Sizes of what has come off what it touched, as far as nothing else is in its place.
-  double come_off(const Parts_there& is_there) const
+  double come_off(const Parts& is_there) const
   {
     double result = 0;
     for (const Hold& hold : holds_) {
@@ -265,7 +266,7 @@ private:
   }
 
   /// Sizes of all that does not hang together with the largest part of the shape.
-  double hanging(const Parts_there& is_there) const
+  double hanging(const Parts& is_there) const
   {
     Disjoint_sets components = always_joined_;
     for (const auto& [a, b] : joined_)
@@ -276,7 +277,7 @@ private:
     return std::accumulate(sizes.begin(), sizes.end(), 0.) - *std::max_element(sizes.begin(), sizes.end());
   }
 
-  double cost(const Parts_there& is_there) const
+  double cost(const Parts& is_there) const
   {
     constexpr double worth = 0.18; // of the share that changes in the lesser step
     constexpr double least = 0.15; // such a share
@@ -289,47 +290,40 @@ private:
     return (rivalry(is_there) + come_off(is_there) + hanging(is_there)) / size_ - worth * lesser;
   }
 
-  /// Moves a group to the other step.
-  static void move(const Group& group, Parts_there& is_there)
-  {
-    for (std::size_t part : group)
-      is_there[part] = !is_there[part];
-  }
-
   /// Moves groups to the other step, as long as that is better. \return the cost
-  double improve(Parts_there& is_there) const
+  double improve(Parts& is_there) const
   {
     double least = cost(is_there);
     for (bool is_better = true; is_better;) {
       is_better = false;
-      for (const Group& group : exchanged_) {
-        move(group, is_there);
+      for (const Parts& group : exchanged_) {
+        is_there ^= group;
         const double value = cost(is_there);
         if (quantized(value) < quantized(least))
           least = value, is_better = true;
         else
-          move(group, is_there);
+          is_there ^= group;
       }
     }
     return least;
   }
 
   /// The best mixed shape, or `old_` if there is none that is better.
-  Parts_there best() const
+  Parts best() const
   {
     constexpr std::size_t starts = 8; // of the search, from an end
     const std::size_t count = exchanged_.size();
     if (count < 2) return old_;
-    Parts_there result = old_, all = old_;
-    for (const Group& group : exchanged_)
-      move(group, all);
+    Parts result = old_, all = old_;
+    for (const Parts& group : exchanged_)
+      all ^= group;
     double least = std::min(cost(old_), cost(all)); // of no mixed shape
-    for (const Parts_there& start : {old_, all})
+    for (const Parts& start : {old_, all})
       for (std::size_t i = 1; i < starts; ++i) {
         const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1); // from the ground up
-        Parts_there is_there = start;
+        Parts is_there = start;
         for (std::size_t k = 0; k < moved; ++k)
-          move(exchanged_[k], is_there);
+          is_there ^= exchanged_[k];
         const double value = improve(is_there);
         if (quantized(value) < quantized(least)) least = value, result = is_there;
       }
@@ -343,8 +337,8 @@ private:
   std::vector<Rivals> rivals_;
   Disjoint_sets places_;                           ///< what groups, touches and rivals join
   std::vector<std::bitset<2>> ends_;               ///< of these
-  std::vector<Group> exchanged_;                   ///< from the ground up
-  Parts_there old_;                                ///< before anything is exchanged
+  std::vector<Parts> exchanged_;                   ///< the groups that are, from the ground up
+  Parts old_;                                      ///< what the mixed shape has before anything is exchanged
   double size_ = 0;                                ///< of all of them
   Disjoint_sets always_joined_;                    ///< matched parts that touch, at an end or in the mixed shape
   std::vector<std::array<std::size_t, 2>> joined_; ///< others that do

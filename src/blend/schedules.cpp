@@ -5,7 +5,6 @@
 
 #include "base/for_each_index.h"
 #include "base/quantized.h"
-#include "blend/blend_quality.h"
 #include "blend/part_changes.h"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 {
   std::vector<Blend_quality> qualities(static_cast<std::size_t>(samples));
   for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
-    qualities[i] = check(In_between_shape(blend, tasks, double(i + 1) / (samples + 1))).quality;
+    qualities[i] = In_between_shape(blend, tasks, double(i + 1) / (samples + 1)).check().quality;
   });
   Blend_quality worst;
   for (const Blend_quality& quality : qualities)
