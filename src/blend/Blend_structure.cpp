@@ -14,14 +14,10 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
   roots = internal::roots(parts, touches);
   for (int end : {0, 1}) {
     std::vector<Seen_surface> seen;
-    bool has_unmatched = false;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (!parts[i].is_at(end)) continue;
-      seen.emplace_back(parts, i, parts[i].end_surface(end), parts[i].end_points(end));
-      has_unmatched = has_unmatched || !parts[i].is_matched();
-    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].is_at(end)) seen.emplace_back(parts, i, parts[i].end_surface(end), parts[i].end_points(end));
     looks[std::size_t(end)] = Shape_look(seen);
-    if (has_unmatched) warps[std::size_t(end)].emplace(stage, parts, unlike, end);
+    if (!seen.empty() && !seen.back().part.is_matched()) warps[std::size_t(end)].emplace(stage, parts, unlike, end);
   }
 }
 

@@ -55,9 +55,9 @@ void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
     const Points ways = warp->ways(blend.parts, at_end, time); // of the nodes of the warp
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (blend.parts[i].is_matched() || blend.parts[i].end() != end) continue;
-      const Blend_task& task = tasks[i];
-      const double done = std::clamp((time - task.begin) / (task.end - task.begin), 0., 1.),
-                   remaining = end == 0 ? 1 - done : done;
+      double done = end; // old parts have not begun, new ones have ended
+      if (!tasks.empty()) done = std::clamp((time - tasks[i].begin) / (tasks[i].end - tasks[i].begin), 0., 1.);
+      const double remaining = end == 0 ? 1 - done : done;
       if (remaining > least_remaining) surfaces[i] = 0;
       points[i] = warp->moved(blend.shrunk(i, remaining), ways);
     }

@@ -17,6 +17,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// due.
 struct In_between_shape
 {
+  /// \param tasks none: all parts of both ends are there as a whole
   In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t);
 
   const Blend_structure& blend;
@@ -31,6 +32,8 @@ struct In_between_shape
   Points points_of(std::size_t part, int surface) const;
   /// The parts that are there.
   std::vector<Seen_surface> seen() const;
+  /// The measures of the shape, and which tolerances it exceeds.
+  Blend_check check() const;
 
 private:
   void place_unmatched(const std::vector<Blend_task>& tasks);

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -43,9 +44,8 @@ double share_inside(const Points& samples, const Seen_surface& surface)
 
 Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
 {
-  Tree_pointers result;
-  for (const contacts::Triangle_tree& tree : trees)
-    result.push_back(&tree);
+  Tree_pointers result(trees.size());
+  std::iota(result.begin(), result.end(), trees.data());
   return result;
 }
 

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/blend_quality.h"
+#include "blend/In_between_shape.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +12,7 @@
 #include <iomanip>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -44,22 +47,6 @@ const std::vector<Blend_measure>& blend_measures()
 namespace internal {
 namespace {
 
-/// What is said of each measure that exceeds its tolerance, in the order of `blend_measures()`: capitals stand for the
-/// measure and for the parts where it is worst.
-constexpr const char* sentences[] = {
-    "The shape is higher or lower than is due by SHARE.",
-    "The convex hull is larger or smaller than is due by SHARE.",
-    "The volume is larger or smaller than is due by SHARE.",
-    "Of the parts that are due to stand on the ground, SHARE do not.",
-    "FIRST, which both ends have, is larger or smaller than is due by SHARE.",
-    "FIRST turns by NUMBER radians more than it has to.",
-    "FIRST is NUMBER of the height off its way.",
-    "The contact of FIRST and SECOND is open by NUMBER of the height.",
-    "Parts are farther from all others than at the ends by NUMBER of the height.",
-    "It is farther from its mirror image than the ends by NUMBER of the height, most of all FIRST.",
-    "SHARE of the surface are torn or folded, most of all at FIRST.",
-    "SHARE of the surface have gone into other parts, most of all FIRST into SECOND."};
-
 /// A measure of a shape, and the parts where it is worst.
 struct Worst_parts
 {
@@ -84,29 +71,33 @@ public:
   explicit Shape_measure(const In_between_shape& shape)
       : shape_(shape), blend_(shape.blend), seen_(shape.seen()), look_(seen_)
   {
-    for (const Seen_surface& surface : seen_) {
-      points_.push_back(&surface.points);
+    for (const Seen_surface& surface : seen_)
       trees_.push_back(&surface.tree);
-    }
   }
 
-  /// In the order of `blend_measures()`.
-  std::vector<Worst_parts> worst() const
+  /// In the order of `blend_measures()`, with what is said of a measure that exceeds its tolerance: capitals stand for
+  /// the measure and for the parts where it is worst.
+  std::vector<std::pair<std::string, Worst_parts>> worst() const
   {
     const auto& [source, target] = blend_.looks;
     const double supports = due(source.supports, target.supports);
-    return {{off_due(look_.height, shape_.due_box().sizes().y())},
-            {off_due(look_.hull, due_volume(source.hull, target.hull))},
-            {off_due(look_.volume, due_volume(source.volume, target.volume))},
-            {supports > 0 ? std::max(0., 1 - look_.supports / supports) : 0},
-            gone(),
-            worst_matched([](const Seen_surface& seen) { return seen.part.needless_turn; }),
-            travel(),
-            gap(),
-            {apart()},
-            asymmetry(),
-            torn(),
-            overlap()};
+    return {
+        {"The shape is higher or lower than is due by SHARE.", {off_due(look_.height, shape_.due_box().sizes().y())}},
+        {"The convex hull is larger or smaller than is due by SHARE.",
+         {off_due(look_.hull, due_volume(source.hull, target.hull))}},
+        {"The volume is larger or smaller than is due by SHARE.",
+         {off_due(look_.volume, due_volume(source.volume, target.volume))}},
+        {"Of the parts that are due to stand on the ground, SHARE do not.",
+         {supports > 0 ? std::max(0., 1 - look_.supports / supports) : 0}},
+        {"FIRST, which both ends have, is larger or smaller than is due by SHARE.", gone()},
+        {"FIRST turns by NUMBER radians more than it has to.",
+         worst_matched([](const Seen_surface& seen) { return seen.part.needless_turn; })},
+        {"FIRST is NUMBER of the height off its way.", travel()},
+        {"The contact of FIRST and SECOND is open by NUMBER of the height.", gap()},
+        {"Parts are farther from all others than at the ends by NUMBER of the height.", {apart()}},
+        {"It is farther from its mirror image than the ends by NUMBER of the height, most of all FIRST.", asymmetry()},
+        {"SHARE of the surface are torn or folded, most of all at FIRST.", torn()},
+        {"SHARE of the surface have gone into other parts, most of all FIRST into SECOND.", overlap()}};
   }
 
 private:
@@ -154,8 +145,9 @@ private:
     for (const Touch& contact : blend_.touches) {
       if (!contact.is_kept()) continue;
       const auto [a, b] = contact.parts; // matched, so that they are there and come first
-      const double allowed = contact.allowed_gap(shape_.time);
-      worst.improve(std::max(0., std::sqrt(trees_[a]->nearly_closest(*trees_[b], allowed).squared) - allowed), a, b);
+      const double allowed = due(contact.gaps[0], contact.gaps[1]);
+      worst.improve(std::max(0., std::sqrt(seen_[a].tree.nearly_closest(seen_[b].tree, allowed).squared) - allowed), a,
+                    b);
     }
     return worst;
   }
@@ -172,10 +164,13 @@ private:
   {
     Worst_parts worst;
     if (!blend_.stage.are_symmetric) return worst;
-    for (const Seen_surface& seen : seen_)
+    std::vector<const Points*> points;
+    for (const Seen_surface& seen : seen_) {
+      points.push_back(&seen.points);
       worst.improve(mirror_residual({&seen.points}, trees_), seen.number, seen.number);
+    }
     const auto& [source, target] = blend_.stage.asymmetry;
-    worst.value = std::max(0., mirror_residual(points_, trees_) - std::max(source, target));
+    worst.value = std::max(0., mirror_residual(points, trees_) - std::max(source, target));
     return worst;
   }
 
@@ -210,8 +205,7 @@ private:
   const Blend_structure& blend_;
   const std::vector<Seen_surface> seen_; ///< in the order of parts
   const Shape_look look_;
-  std::vector<const Points*> points_; ///< of these
-  Tree_pointers trees_;
+  Tree_pointers trees_; ///< of these
 };
 
 /// A sentence with a measure and the parts where it is worst.
@@ -219,27 +213,24 @@ std::string filled_in(std::string sentence, const Worst_parts& worst, const Blen
 {
   std::ostringstream number;
   number << std::setprecision(2) << worst.value;
-  const auto put = [&](const std::string& word, const std::string& text) {
-    if (const std::size_t at = sentence.find(word); at != std::string::npos) sentence.replace(at, word.size(), text);
-  };
   const auto quoted = [&](std::size_t part) { return '\'' + blend.parts[part].name + '\''; };
-  put("SHARE", std::to_string(std::lround(100 * worst.value)) + " %");
-  put("NUMBER", number.str());
-  put("SECOND", quoted(worst.parts[1]));
-  put("FIRST", quoted(worst.parts[0]));
+  boost::replace_first(sentence, "SHARE", std::to_string(std::lround(100 * worst.value)) + " %");
+  boost::replace_first(sentence, "NUMBER", number.str());
+  boost::replace_first(sentence, "SECOND", quoted(worst.parts[1]));
+  boost::replace_first(sentence, "FIRST", quoted(worst.parts[0]));
   return sentence;
 }
 
 } // namespace
 
-Blend_check check(const In_between_shape& shape)
+Blend_check In_between_shape::check() const
 {
-  const std::vector<Worst_parts> worst = Shape_measure(shape).worst();
+  auto measure = blend_measures().begin();
   Blend_check result;
-  for (std::size_t i = 0; i < worst.size(); ++i) {
-    const Blend_measure& measure = blend_measures()[i];
-    result.quality.*measure.value = worst[i].value;
-    if (worst[i].value > measure.tolerance) result.faults.push_back(filled_in(sentences[i], worst[i], shape.blend));
+  for (const auto& [sentence, worst] : Shape_measure(*this).worst()) {
+    result.quality.*measure->value = worst.value;
+    if (worst.value > measure->tolerance) result.faults.push_back(filled_in(sentence, worst, blend));
+    ++measure;
   }
   return result;
 }

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/blend_quality.h"
 #include "blend/schedules.h"
 #include "map/check_model.h"
 #include "matching/unlikely_pairs.h"
@@ -20,16 +19,6 @@ namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
-
-/// Leaves the schedule that is asked for alone, if one is.
-void choose(std::vector<Blend_schedule>& schedules, const std::string& name)
-{
-  if (name.empty()) return;
-  const auto chosen = std::find_if(schedules.begin(), schedules.end(),
-                                   [&](const Blend_schedule& schedule) { return schedule.name == name; });
-  if (chosen == schedules.end()) throw Invalid_input("Shape_blend: there is no schedule '" + name + "'");
-  schedules = {*chosen};
-}
 
 void check_options(const Blend_options& options)
 {
@@ -58,19 +47,19 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   remove_unlikely_pairs(likely, options.min_confidence);
   blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);
   schedules_ = ranked_schedules(*blend_, options);
-  choose(schedules_, options.schedule);
+  if (options.schedule.empty()) return;
+  const auto is_other = [&](const Blend_schedule& schedule) { return schedule.name != options.schedule; };
+  schedules_.erase(std::remove_if(schedules_.begin(), schedules_.end(), is_other), schedules_.end());
+  if (schedules_.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + options.schedule + "'");
 }
 
-std::vector<std::string> Shape_blend::schedule_names() { return internal::schedule_names(); }
+std::vector<std::string> Shape_blend::schedule_names() { return {"in two steps", "at one time"}; }
 
 std::vector<Shape_blend> Shape_blend::different_blends() const
 {
   std::vector<Shape_blend> result;
   for (const Blend_schedule& schedule : schedules_) {
-    const auto is_same = [&](const Shape_blend& other) {
-      return have_same_times(schedule.tasks, other.schedules_[0].tasks);
-    };
-    if (std::any_of(result.begin(), result.end(), is_same)) continue;
+    if (!result.empty() && have_same_times(schedule.tasks, schedules_[0].tasks)) continue; // there are two at most
     result.push_back(*this);
     result.back().schedules_ = {schedule};
   }
@@ -96,7 +85,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 Blend_check Shape_blend::check(double t) const
 {
   if (t <= 0 || t >= 1) return {};
-  return internal::check(In_between_shape(*blend_, schedules_[0].tasks, t));
+  return In_between_shape(*blend_, schedules_[0].tasks, t).check();
 }
 
 std::vector<Blend_surface> Shape_blend::surfaces() const

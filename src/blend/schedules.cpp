@@ -5,14 +5,12 @@
 
 #include "base/for_each_index.h"
 #include "base/quantized.h"
-#include "blend/blend_quality.h"
 #include "blend/part_changes.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,60 +18,44 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-Blend_quality worst(const Blend_quality& a, const Blend_quality& b)
-{
-  Blend_quality result;
-  for (const Blend_measure& measure : blend_measures())
-    result.*measure.value = std::max(a.*measure.value, b.*measure.value);
-  return result;
-}
-
 /// Rates a schedule by shapes in between, the worst of each measure.
 Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_task>& tasks, int samples)
 {
   std::vector<Blend_quality> qualities(static_cast<std::size_t>(samples));
   for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
-    qualities[i] = check(In_between_shape(blend, tasks, double(i + 1) / (samples + 1))).quality;
+    qualities[i] = In_between_shape(blend, tasks, double(i + 1) / (samples + 1)).check().quality;
   });
-  return std::accumulate(qualities.begin(), qualities.end(), Blend_quality(), worst);
+  Blend_quality worst;
+  for (const Blend_quality& quality : qualities)
+    for (const Blend_measure& measure : blend_measures())
+      worst.*measure.value = std::max(worst.*measure.value, quality.*measure.value);
+  return worst;
 }
-
-using Times = std::array<double, 2>; ///< begin and end
-
-/// Unmatched parts that come or go together, by themselves.
-struct Coming_set
-{
-  double height = 0, size = 0; ///< sums over its parts, of heights times sizes and of sizes
-  std::vector<std::size_t> parts;
-};
 
 /// What is not exchanged goes before exchanges, one set after the other from the ground up, or comes after them, each
 /// so quickly that it is hardly seen small.
-void come_and_go(const Blend_structure& blend, const std::vector<Part_change>& changes, std::vector<Times>& times)
+void come_and_go(const Blend_structure& blend, const std::vector<Part_change>& changes, std::vector<Blend_task>& tasks)
 {
   constexpr double longest = 0.08;
-  constexpr std::array<Times, 2> bounds = {{{0.15, 0.35}, {0.55, 0.75}}}; // of all times, by end
-  std::map<std::size_t, Coming_set> coming;
-  for (std::size_t i = 0; i < blend.parts.size(); ++i) {
+  constexpr double bounds[2][2] = {{0.15, 0.35}, {0.55, 0.75}};             // of all times, by end
+  std::vector<Eigen::Vector4d> sums(tasks.size(), Eigen::Vector4d::Zero()); // by set: middles times sizes, and sizes
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    sums[changes[i].set] += blend.parts[i].size * blend.parts[i].trees[0].box().center().homogeneous();
+  std::array<std::map<Steps, std::vector<Blend_task*>>, 2> turns; // by end and height
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
     const Blend_part& part = blend.parts[i];
     if (part.is_matched() || changes[i].step != Exchange_step::NONE) continue;
-    Coming_set& set = coming[changes[i].set];
-    set.height += part.trees[0].box().center().y() * part.size;
-    set.size += part.size;
-    set.parts.push_back(i);
-  }
-  std::array<std::map<Steps, std::vector<std::size_t>>, 2> turns; // by end and height, the parts
-  for (const auto& [number, set] : coming) {
-    auto& turn = turns[std::size_t(blend.parts[number].end())][quantized(set.height / set.size)];
-    turn.insert(turn.end(), set.parts.begin(), set.parts.end());
+    turns[std::size_t(part.end())][quantized(sums[changes[i].set].hnormalized().y())].push_back(&tasks[i]);
   }
   for (std::size_t end : {0u, 1u}) {
     const double step = (bounds[end][1] - bounds[end][0]) / double(std::max<std::size_t>(turns[end].size(), 1));
     const double length = std::min(longest, step);
     double middle = bounds[end][0] + step / 2;
-    for (const auto& [height, parts] : turns[end]) {
-      for (std::size_t part : parts)
-        times[part] = {middle - length / 2, middle + length / 2};
+    for (const auto& [height, turn] : turns[end]) {
+      for (Blend_task* task : turn) {
+        task->begin = middle - length / 2;
+        task->end = middle + length / 2;
+      }
       middle += step;
     }
   }
@@ -88,30 +70,19 @@ std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vec
   const bool has_steps = !at_one_time && std::any_of(changes.begin(), changes.end(), [](const Part_change& change) {
     return change.step == Exchange_step::FIRST;
   });
-  std::vector<Times> times(changes.size(), {0, 1});
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  std::vector<Blend_task> result;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    result.push_back(blend.parts[i].task);
     const Exchange_step step = changes[i].step;
     if (step == Exchange_step::NONE) continue;
-    const double time = !has_steps ? Part_morph::change : step == Exchange_step::FIRST ? first : second;
-    times[i] = {time - instant, time};
+    result.back().end = !has_steps ? Part_morph::change : step == Exchange_step::FIRST ? first : second;
+    result.back().begin = result.back().end - instant;
   }
-  come_and_go(blend, changes, times);
-  std::vector<Blend_task> result;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    result.push_back(blend.parts[i].task);
-    result.back().begin = times[i][0];
-    result.back().end = times[i][1];
-  }
+  come_and_go(blend, changes, result);
   return result;
 }
 
 } // namespace
-
-const std::vector<std::string>& schedule_names()
-{
-  static const std::vector<std::string> names = {"in two steps", "at one time"};
-  return names;
-}
 
 bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_task>& b)
 {
@@ -125,7 +96,7 @@ std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const
   constexpr double most_apart = 0.05; // over the height: what comes off by more is worse than a jump
   const std::vector<Part_change> changes = part_changes(blend);
   std::vector<Blend_schedule> result;
-  for (const std::string& name : schedule_names())
+  for (const std::string& name : Shape_blend::schedule_names())
     result.push_back({name, timed_tasks(blend, changes, !result.empty()), {}});
   Blend_schedule &in_steps = result[0], &at_once = result[1];
   if (options.progress && !options.progress(0)) return result;

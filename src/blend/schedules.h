@@ -7,13 +7,9 @@
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
-#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
-
-/// The names of all schedules.
-const std::vector<std::string>& schedule_names();
 
 bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_task>& b);
 

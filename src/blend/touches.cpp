@@ -8,35 +8,14 @@
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
+#include <boost/range/adaptor/map.hpp>
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace CGAL::Shape_correspondence::internal {
-namespace {
-
-/// Unmatched parts that touch each other.
-struct Chain
-{
-  contacts::Box box;
-  Point sum = Point::Zero(); ///< of the places where matched parts hold it
-  int places = 0;
-
-  void add(const Point& place) { sum += place, ++places; }
-  Point root() const
-  {
-    if (places > 0) return sum / places;
-    return {box.center().x(), box.min().y(), box.center().z()};
-  }
-};
-
-/// The middle of what two boxes that touch have in common, or of the gap between them.
-Point middle_of_touch(const contacts::Box& a, const contacts::Box& b)
-{
-  return (a.min().cwiseMax(b.min()) + a.max().cwiseMin(b.max())) / 2;
-}
-
-} // namespace
 
 std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
 {
@@ -53,30 +32,33 @@ std::vector<Touch> touches(const Blend_stage& stage, const std::vector<Blend_par
             found.try_emplace(pair, Touch{pair}).first->second.gaps[std::size_t(end)] = gap;
         }
     }
-  std::vector<Touch> result;
-  for (const auto& [pair, touch] : found)
-    result.push_back(touch);
-  return result;
+  return boost::copy_range<std::vector<Touch>>(found | boost::adaptors::map_values);
 }
 
 std::vector<Point> roots(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
 {
-  Disjoint_sets sets(parts.size());
+  Disjoint_sets sets(parts.size()); // of unmatched parts that touch each other
   for (const Touch& touch : touches)
     if (!parts[touch.parts[0]].is_matched() && !parts[touch.parts[1]].is_matched())
       sets.unite(touch.parts[0], touch.parts[1]);
-  std::vector<Chain> chains(parts.size()); // by set
+  std::vector<contacts::Box> boxes(parts.size());                    // by set
+  Eigen::Matrix4Xd places = Eigen::Matrix4Xd::Zero(4, parts.size()); // by set: those that hold it, summed, and how many
   for (std::size_t part = 0; part < parts.size(); ++part)
-    chains[sets[part]].box.extend(parts[part].trees[0].box());
+    boxes[sets[part]].extend(parts[part].trees[0].box());
   for (const Touch& touch : touches)
     for (std::size_t i : {0u, 1u}) {
       const Blend_part &part = parts[touch.parts[i]], &holder = parts[touch.parts[1 - i]];
       if (part.is_matched() || !holder.is_matched()) continue;
-      chains[sets[touch.parts[i]]].add(middle_of_touch(part.trees[0].box(), holder.end_tree(part.end()).box()));
+      const contacts::Box touched = part.trees[0].box().intersection(holder.end_tree(part.end()).box()); // or the gap
+      places.col(Eigen::Index(sets[touch.parts[i]])) += touched.center().homogeneous();
     }
   std::vector<Point> result;
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    result.push_back(chains[sets[part]].root());
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const contacts::Box& box = boxes[sets[part]];
+    const Eigen::Vector4d held = places.col(Eigen::Index(sets[part]));
+    result.push_back(held[3] > 0 ? Point(held.hnormalized())
+                                 : Point(box.center().x(), box.min().y(), box.center().z()));
+  }
   return result;
 }
 

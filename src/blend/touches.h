@@ -20,10 +20,7 @@ struct Touch
   std::array<std::size_t, 2> parts;
   std::array<double, 2> gaps = {none, none}; ///< between the surfaces, by end; `none` where they do not touch
 
-  bool is_at(std::size_t end) const { return gaps[end] < none; }
-  bool is_kept() const { return is_at(0) && is_at(1); }
-  /// How wide the gap of what touches at both ends may be at `t`.
-  double allowed_gap(double t) const { return (1 - t) * gaps[0] + t * gaps[1]; }
+  bool is_kept() const { return gaps[0] < none && gaps[1] < none; }
 };
 
 /// What touches, as the graphs have it: of pieces of a part, those that are near.

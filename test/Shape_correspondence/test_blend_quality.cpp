@@ -2,7 +2,6 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "blend/blend_quality.h"
 #include "blend/schedules.h"
 #include "box_models.h"
 #include "model_files.h"
@@ -93,7 +92,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
   const auto checked = [&](std::size_t part, const std::function<void(Points&)>& harm) {
     internal::In_between_shape shape(blend, internal::ranked_schedules(blend, {})[0].tasks, 0.5);
     harm(shape.points[part]);
-    return internal::check(shape);
+    return shape.check();
   };
   const auto faults = [&](std::size_t part, const std::function<void(Points&)>& harm) {
     return checked(part, harm).faults;
@@ -116,7 +115,7 @@ TEST_CASE("What is wrong with a shape in between is told, with the part, by its 
     internal::In_between_shape shape(blend, internal::ranked_schedules(blend, {})[0].tasks, 0.5);
     for (std::size_t part : {base, column, top})
       shape.points[part].row(1) *= 0.7;
-    return internal::check(shape).faults;
+    return shape.check().faults;
   };
   CHECK(is_said(lowered(), "higher or lower than is due by 30 %"));
   CHECK(!is_said(faults(top, shifted({0, 0.05, 0})), "higher or lower"));
@@ -180,7 +179,7 @@ TEST_CASE("What is not symmetric any more is told, with the part")
   const auto faults = [&](std::size_t part, double by) {
     internal::In_between_shape shape(blend, internal::ranked_schedules(blend, {})[0].tasks, 0.5);
     shape.points[part].row(0).array() += by;
-    return internal::check(shape).faults;
+    return shape.check().faults;
   };
   CHECK(!is_told(faults(1, 0), "mirror image", "column~column"));
   CHECK(is_told(faults(1, 0.3), "farther from its mirror image", "column~column"));
