@@ -8,6 +8,7 @@
 #include "shape/all_vertices.h"
 #include "shape/convex_hull.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -17,30 +18,31 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double least_depth = 0.003; // of the height: what is nearer to a surface is on it
-
-/// Whether a point is inside, by the side of the nearest triangle that it is on; not where that is unclear.
-bool is_inside(const Point& p, const Seen_surface& surface)
+/// Whether rays from a point in most directions leave a surface, which may have holes.
+bool is_inside(const Point& p, const contacts::Triangle_tree& surface)
 {
-  constexpr double across = 0.7; // cosine of the angle between the normal and the way to the surface
-  std::size_t triangle = 0;
-  const Point way = surface.tree.nearest(p, triangle) - p;
-  const double depth = way.norm();
-  if (depth < least_depth) return false;
-  const Point normal = contacts::area_vector(surface.tree.triangles()[triangle]);
-  const bool looks_outwards = surface.extent.volume > 0;
-  return (looks_outwards ? 1 : -1) * normal.dot(way) > across * depth * normal.norm();
-}
-
-double share_inside(const Points& samples, const Seen_surface& surface)
-{
-  int inside = 0;
-  for (const auto& p : samples.colwise())
-    inside += surface.tree.box().contains(p) && is_inside(p, surface);
-  return samples.cols() > 0 ? double(inside) / double(samples.cols()) : 0;
+  static const std::array<Point, 3> along = {Point(1, 0.0123, 0.0217), Point(0.0171, 1, 0.0119),
+                                             Point(0.0223, 0.0137, 1)}; // not quite the axes, which edges may follow
+  constexpr double least_depth = 0.005;                                 // of the height: what is nearer is on it
+  constexpr int most = 5;                                               // of six
+  if (!surface.box().contains(p)) return false;
+  int votes = 0;
+  for (const Point& way : along)
+    votes += surface.crossings(p, way) % 2 + surface.crossings(p, -way) % 2;
+  return votes >= most && !surface.is_near(p, least_depth * least_depth);
 }
 
 } // namespace
+
+double share_inside(const Seen_surface& a, const Seen_surface& b)
+{
+  if (!a.tree.box().intersects(b.tree.box())) return 0;
+  const Points samples = a.rest.samples(a.points);
+  int inside = 0;
+  for (const auto& p : samples.colwise())
+    inside += is_inside(p, b.tree);
+  return samples.cols() > 0 ? double(inside) / double(samples.cols()) : 0;
+}
 
 Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
 {
@@ -105,10 +107,9 @@ Shape_look::Shape_look(const std::vector<Seen_surface>& surfaces)
     if (a.rest.is_closed()) volume += std::abs(a.extent.volume);
     supports += a.tree.box().min().y() <= Blend_part::on_ground;
     if (!a.part.is_matched()) continue;
-    const Points samples = a.rest.samples(a.points);
     for (const Seen_surface& b : surfaces) {
-      if (&a == &b || !b.part.is_matched() || !b.rest.is_closed() || !a.tree.box().intersects(b.tree.box())) continue;
-      if (const double share = share_inside(samples, b); share > 0) overlaps[{a.number, b.number}] = share;
+      if (&a == &b || !b.part.is_matched() || !b.rest.is_closed()) continue;
+      if (const double share = share_inside(a, b); share > 0) overlaps[{a.number, b.number}] = share;
     }
   }
   if (points.empty()) return;

@@ -37,6 +37,9 @@ struct Seen_surface
   Surface_extent extent;
 };
 
+/// The share of a surface that is inside another one, by samples.
+double share_inside(const Seen_surface& a, const Seen_surface& b);
+
 /// What shapes in between are compared by with those at the ends.
 struct Shape_look
 {

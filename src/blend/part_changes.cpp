@@ -42,7 +42,7 @@ std::vector<Cell> cells_of(const contacts::Triangle_tree& tree, double side)
   return result;
 }
 
-/// How much two surfaces are in one place, from 0 to 1.
+/// How much two surfaces share their cells, from 0 to 1.
 double shared_cells(const std::vector<Cell>& a, const std::vector<Cell>& b)
 {
   constexpr double beside = 0.4; // of the cells of the smaller one: what shares no more is beside the other one
@@ -51,6 +51,14 @@ double shared_cells(const std::vector<Cell>& a, const std::vector<Cell>& b)
   if (shared.empty()) return 0;
   const double share = double(shared.size()) / double(std::min(a.size(), b.size()));
   return std::max(0., (share - beside) / (1 - beside));
+}
+
+/// How much of a surface cannot be seen, as it is inside another one, if that is most of it.
+double hidden(const Seen_surface& a, const Seen_surface& b)
+{
+  constexpr double most = 0.65;
+  const double share = share_inside(a, b);
+  return share > most ? share : 0;
 }
 
 /// Over the height: what is farther from all else, where something held it, has come off.
@@ -85,7 +93,9 @@ public:
     find_holds();
     unite_groups();
     unite_what_is_held_alike();
-    find_rivals();
+    const std::vector<std::vector<Cell>> cells = this->cells();
+    find_rivals(cells);
+    find_filled_cells(cells);
     find_exchanged();
     find_joined();
   }
@@ -183,18 +193,51 @@ private:
           groups_.unite(a.part, b.part);
   }
 
-  void find_rivals()
+  /// By part, its cells.
+  std::vector<std::vector<Cell>> cells() const
   {
     constexpr double least_side = 0.06, most_cells = 64; // over the height; along an axis
     const contacts::Box whole = blend_.stage.boxes[0].merged(blend_.stage.boxes[1]);
     const double side = std::max(least_side, whole.sizes().maxCoeff() / most_cells);
-    std::array<std::map<std::size_t, std::vector<Cell>>, 2> cells; // by end and unmatched part
+    std::vector<std::vector<Cell>> result;
+    for (const Seen_surface& seen : seen_)
+      result.push_back(cells_of(seen.tree, side));
+    return result;
+  }
+
+  void find_rivals(const std::vector<std::vector<Cell>>& cells)
+  {
+    for (std::size_t a = 0; a < seen_.size(); ++a)
+      for (std::size_t b = a + 1; b < seen_.size(); ++b) {
+        if (is_matched(a) || is_matched(b) || end(a) == end(b))
+          continue; // of the others, those of the source come first
+        const double shared =
+            std::max({shared_cells(cells[a], cells[b]), hidden(seen_[a], seen_[b]), hidden(seen_[b], seen_[a])});
+        if (shared > 0) rivals_.push_back({a, b, shared * std::min(size(a), size(b))});
+      }
+  }
+
+  void find_filled_cells(const std::vector<std::vector<Cell>>& cells)
+  {
+    std::map<Cell, Parts> parts_at;
     for (std::size_t i = 0; i < seen_.size(); ++i)
-      if (!is_matched(i)) cells[end(i)][i] = cells_of(seen_[i].tree, side);
-    for (const auto& [old_part, old_cells] : cells[0])
-      for (const auto& [new_part, new_cells] : cells[1])
-        if (const double shared = shared_cells(old_cells, new_cells); shared > 0)
-          rivals_.push_back({old_part, new_part, shared * std::min(size(old_part), size(new_part))});
+      for (const Cell& cell : cells[i])
+        parts_at.try_emplace(cell, seen_.size()).first->second.set(i);
+    Parts of_source(seen_.size()), of_target(seen_.size());
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      of_source[i] = is_matched(i) || end(i) == 0;
+      of_target[i] = is_matched(i) || end(i) == 1;
+    }
+    for (const auto& [cell, parts] : parts_at) {
+      if (!parts.intersects(of_source) || !parts.intersects(of_target)) continue;
+      filled_cells_.push_back(parts);
+      for (std::size_t axis : {0u, 1u, 2u})
+        for (int step : {-1, 1}) {
+          Cell beside = cell;
+          beside[axis] += step;
+          if (const auto found = parts_at.find(beside); found != parts_at.end()) filled_cells_.back() |= found->second;
+        }
+    }
   }
 
   /// Finds the groups that are exchanged, from the ground up.
@@ -251,6 +294,14 @@ private:
     return result;
   }
 
+  /// The share of holes among the cells that both shapes fill.
+  double holes(const Parts& is_there) const
+  {
+    const auto count = std::count_if(filled_cells_.begin(), filled_cells_.end(),
+                                     [&](const Parts& near) { return !near.intersects(is_there); });
+    return double(count) / double(std::max<std::size_t>(filled_cells_.size(), 1));
+  }
+
   /// Sizes of what has come off what it touched, as far as nothing else is in its place.
   double come_off(const Parts& is_there) const
   {
@@ -279,15 +330,17 @@ private:
 
   double cost(const Parts& is_there) const
   {
-    constexpr double worth = 0.18; // of the share that changes in the lesser step
-    constexpr double least = 0.15; // such a share
-    double first = 0;              // size of what changes first
+    constexpr double of_rivals = 2, of_holes = 3; // weights; the others have 1
+    constexpr double worth = 0.3;                 // of the share that changes in the lesser step
+    constexpr double least = 0.15;                // such a share
+    double first = 0;                             // size of what changes first
     for (std::size_t i = 0; i < seen_.size(); ++i)
       if (is_there[i] != old_[i]) first += size(i);
     const double lesser = std::min(first, size_ - first) / size_; // 0 if all changes at one time
     // Too little is as bad as can be, and the worse the less it is, so that the search finds out of there.
     if (lesser > 0 && quantized(lesser) < quantized(least)) return 1 - lesser;
-    return (rivalry(is_there) + come_off(is_there) + hanging(is_there)) / size_ - worth * lesser;
+    return (of_rivals * rivalry(is_there) + come_off(is_there) + hanging(is_there)) / size_ +
+           of_holes * holes(is_there) - worth * lesser;
   }
 
   /// Moves groups to the other step, as long as that is better. \return the cost
@@ -335,12 +388,13 @@ private:
   std::vector<Hold> holds_;
   Disjoint_sets groups_;
   std::vector<Rivals> rivals_;
-  Disjoint_sets places_;                           ///< what groups, touches and rivals join
-  std::vector<std::bitset<2>> ends_;               ///< of these
-  std::vector<Parts> exchanged_;                   ///< the groups that are, from the ground up
-  Parts old_;                                      ///< what the mixed shape has before anything is exchanged
-  double size_ = 0;                                ///< of all of them
-  Disjoint_sets always_joined_;                    ///< matched parts that touch, at an end or in the mixed shape
+  std::vector<Parts> filled_cells_;  ///< those that both shapes fill, by the parts that are there or beside them
+  Disjoint_sets places_;             ///< what groups, touches and rivals join
+  std::vector<std::bitset<2>> ends_; ///< of these
+  std::vector<Parts> exchanged_;     ///< the groups that are, from the ground up
+  Parts old_;                        ///< what the mixed shape has before anything is exchanged
+  double size_ = 0;                  ///< of all of them
+  Disjoint_sets always_joined_;      ///< matched parts that touch, at an end or in the mixed shape
   std::vector<std::array<std::size_t, 2>> joined_; ///< others that do
 };
 

@@ -27,9 +27,9 @@ struct Part_change
 ///
 /// Between the steps there is a *mixed shape*: new parts of the groups that change first, old parts of the others, and
 /// all that is matched. It costs as much, by size, as old and new parts are in one place or have left a place empty,
-/// have come off what held them, or hang together with nothing. The steps with the least cost are found by local
-/// search, from steps in order of height. They are taken if that is less than a fraction of the size of what changes in
-/// the lesser step; if not, all parts are in the second one.
+/// have come off what held them, or hang together with nothing, and as there are holes in it. The steps with the least
+/// cost are found by local search, from steps in order of height. They are taken if that is less than a fraction of the
+/// size of what changes in the lesser step; if not, all parts are in the second one.
 std::vector<Part_change> part_changes(const Blend_structure& blend);
 
 } // namespace CGAL::Shape_correspondence::internal
