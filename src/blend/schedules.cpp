@@ -4,13 +4,10 @@
 #include "blend/schedules.h"
 
 #include "base/for_each_index.h"
-#include "base/quantized.h"
-#include "blend/part_changes.h"
+#include "blend/exchange_steps.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,53 +29,27 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
   return worst;
 }
 
-/// What is not exchanged goes before exchanges, one set after the other from the ground up, or comes after them, each
-/// so quickly that it is hardly seen small.
-void come_and_go(const Blend_structure& blend, const std::vector<Part_change>& changes, std::vector<Blend_task>& tasks)
-{
-  constexpr double longest = 0.08;
-  constexpr double bounds[2][2] = {{0.15, 0.35}, {0.55, 0.75}};             // of all times, by end
-  std::vector<Eigen::Vector4d> sums(tasks.size(), Eigen::Vector4d::Zero()); // by set: middles times sizes, and sizes
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-    sums[changes[i].set] += blend.parts[i].size * blend.parts[i].trees[0].box().center().homogeneous();
-  std::array<std::map<Steps, std::vector<Blend_task*>>, 2> turns; // by end and height
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const Blend_part& part = blend.parts[i];
-    if (part.is_matched() || changes[i].step != Exchange_step::NONE) continue;
-    turns[std::size_t(part.end())][quantized(sums[changes[i].set].hnormalized().y())].push_back(&tasks[i]);
-  }
-  for (std::size_t end : {0u, 1u}) {
-    const double step = (bounds[end][1] - bounds[end][0]) / double(std::max<std::size_t>(turns[end].size(), 1));
-    const double length = std::min(longest, step);
-    double middle = bounds[end][0] + step / 2;
-    for (const auto& [height, turn] : turns[end]) {
-      for (Blend_task* task : turn) {
-        task->begin = middle - length / 2;
-        task->end = middle + length / 2;
-      }
-      middle += step;
-    }
-  }
-}
-
 /// The tasks with their times. What is exchanged changes when surfaces of matched parts do, or in two steps, the one
-/// before that and the other one after it: the default of `Blend_options::samples` sees all of it.
-std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Part_change>& changes,
+/// before that and the other one after it: the default of `Blend_options::samples` sees all of it. What is not
+/// exchanged goes before all that, or comes after it, so quickly that it is hardly seen small.
+std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange_step>& steps,
                                     bool at_one_time)
 {
-  constexpr double instant = 0.004, first = 0.35, second = 0.55;
-  const bool has_steps = !at_one_time && std::any_of(changes.begin(), changes.end(), [](const Part_change& change) {
-    return change.step == Exchange_step::FIRST;
-  });
+  constexpr double instant = 0.004, quickly = 0.08, first = 0.35, second = 0.55;
+  const bool has_steps = !at_one_time && std::count(steps.begin(), steps.end(), Exchange_step::FIRST) > 0;
   std::vector<Blend_task> result;
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    result.push_back(blend.parts[i].task);
-    const Exchange_step step = changes[i].step;
-    if (step == Exchange_step::NONE) continue;
-    result.back().end = !has_steps ? Part_morph::change : step == Exchange_step::FIRST ? first : second;
-    result.back().begin = result.back().end - instant;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Blend_part& part = blend.parts[i];
+    Blend_task task = part.task;
+    if (steps[i] != Exchange_step::NONE) {
+      task.end = !has_steps ? Part_morph::change : steps[i] == Exchange_step::FIRST ? first : second;
+      task.begin = task.end - instant;
+    } else if (!part.is_matched()) {
+      task.end = part.end() == 0 ? first : second + quickly;
+      task.begin = task.end - quickly;
+    }
+    result.push_back(task);
   }
-  come_and_go(blend, changes, result);
   return result;
 }
 
@@ -94,10 +65,10 @@ bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_t
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options)
 {
   constexpr double most_apart = 0.05; // over the height: what comes off by more is worse than a jump
-  const std::vector<Part_change> changes = part_changes(blend);
+  const std::vector<Exchange_step> steps = exchange_steps(blend);
   std::vector<Blend_schedule> result;
   for (const std::string& name : Shape_blend::schedule_names())
-    result.push_back({name, timed_tasks(blend, changes, !result.empty()), {}});
+    result.push_back({name, timed_tasks(blend, steps, !result.empty()), {}});
   Blend_schedule &in_steps = result[0], &at_once = result[1];
   if (options.progress && !options.progress(0)) return result;
   in_steps.quality = quality_of(blend, in_steps.tasks, options.samples);

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blend/Part_morph.h"
-#include "blend/part_changes.h"
+#include "blend/exchange_steps.h"
 #include "box_models.h"
 
 #include <catch2/catch.hpp>
@@ -37,10 +37,10 @@ std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, c
   const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{source.graph, source.shape, 0},
                                                        internal::Blend_input{target.graph, target.shape, 0}};
   const internal::Blend_structure blend(inputs, correspondence, {});
-  const std::vector<internal::Part_change> changes = internal::part_changes(blend);
+  const std::vector<Exchange_step> found = internal::exchange_steps(blend);
   std::map<std::string, Exchange_step> result;
-  for (std::size_t i = 0; i < changes.size(); ++i)
-    result[blend.parts[i].name] = changes[i].step;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    result[blend.parts[i].name] = found[i];
   return result;
 }
 

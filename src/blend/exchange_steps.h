@@ -5,19 +5,12 @@
 
 #include "blend/Blend_structure.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// How an unmatched part changes: it comes or goes by itself, or is exchanged in the first or second of two steps.
+/// How a part changes: it morphs, comes or goes by itself, or is exchanged in the first or second of two steps.
 enum class Exchange_step { NONE, FIRST, SECOND };
-
-struct Part_change
-{
-  Exchange_step step = Exchange_step::NONE;
-  std::size_t set = 0; ///< parts that come or go by themselves do so together if theirs is the same
-};
 
 /// By part, how it changes.
 ///
@@ -30,6 +23,6 @@ struct Part_change
 /// have come off what held them, or hang together with nothing, and as there are holes in it. The steps with the least
 /// cost are found by local search, from steps in order of height. They are taken if that is less than a fraction of the
 /// size of what changes in the lesser step; if not, all parts are in the second one.
-std::vector<Part_change> part_changes(const Blend_structure& blend);
+std::vector<Exchange_step> exchange_steps(const Blend_structure& blend);
 
 } // namespace CGAL::Shape_correspondence::internal

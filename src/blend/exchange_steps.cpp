@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/part_changes.h"
+#include "blend/exchange_steps.h"
 
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
@@ -95,21 +95,17 @@ public:
     unite_what_is_held_alike();
     const std::vector<std::vector<Cell>> cells = this->cells();
     find_rivals(cells);
-    find_filled_cells(cells);
     find_exchanged();
+    find_filled_cells(cells);
     find_joined();
   }
 
-  std::vector<Part_change> changes() const
+  std::vector<Exchange_step> steps() const
   {
     const Parts is_there = best();
-    std::vector<Part_change> result;
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-      const Exchange_step step = !is_exchanged(i)         ? Exchange_step::NONE
-                                 : is_there[i] != old_[i] ? Exchange_step::FIRST
-                                                          : Exchange_step::SECOND;
-      result.push_back({step, places_[i]});
-    }
+    std::vector<Exchange_step> result(seen_.size(), Exchange_step::NONE);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (is_exchanged(i)) result[i] = is_there[i] != old_[i] ? Exchange_step::FIRST : Exchange_step::SECOND;
     return result;
   }
 
@@ -223,13 +219,8 @@ private:
     for (std::size_t i = 0; i < seen_.size(); ++i)
       for (const Cell& cell : cells[i])
         parts_at.try_emplace(cell, seen_.size()).first->second.set(i);
-    Parts of_source(seen_.size()), of_target(seen_.size());
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-      of_source[i] = is_matched(i) || end(i) == 0;
-      of_target[i] = is_matched(i) || end(i) == 1;
-    }
     for (const auto& [cell, parts] : parts_at) {
-      if (!parts.intersects(of_source) || !parts.intersects(of_target)) continue;
+      if (!parts.intersects(old_) || !parts.intersects(new_)) continue;
       filled_cells_.push_back(parts);
       for (std::size_t axis : {0u, 1u, 2u})
         for (int step : {-1, 1}) {
@@ -252,6 +243,7 @@ private:
     std::map<std::size_t, Parts> exchanged; // by set
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       old_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 0));
+      new_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 1));
       if (!is_exchanged(i)) continue;
       exchanged.try_emplace(groups_[i], groups_.size()).first->second.set(i);
       size_ += size(i);
@@ -367,11 +359,9 @@ private:
     constexpr std::size_t starts = 8; // of the search, from an end
     const std::size_t count = exchanged_.size();
     if (count < 2) return old_;
-    Parts result = old_, all = old_;
-    for (const Parts& group : exchanged_)
-      all ^= group;
-    double least = std::min(cost(old_), cost(all)); // of no mixed shape
-    for (const Parts& start : {old_, all})
+    Parts result = old_;
+    double least = std::min(cost(old_), cost(new_)); // of no mixed shape
+    for (const Parts& start : {old_, new_})
       for (std::size_t i = 1; i < starts; ++i) {
         const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1); // from the ground up
         Parts is_there = start;
@@ -392,7 +382,7 @@ private:
   Disjoint_sets places_;             ///< what groups, touches and rivals join
   std::vector<std::bitset<2>> ends_; ///< of these
   std::vector<Parts> exchanged_;     ///< the groups that are, from the ground up
-  Parts old_;                        ///< what the mixed shape has before anything is exchanged
+  Parts old_, new_;                  ///< the mixed shape when nothing is exchanged, and when all is
   double size_ = 0;                  ///< of all of them
   Disjoint_sets always_joined_;      ///< matched parts that touch, at an end or in the mixed shape
   std::vector<std::array<std::size_t, 2>> joined_; ///< others that do
@@ -400,6 +390,6 @@ private:
 
 } // namespace
 
-std::vector<Part_change> part_changes(const Blend_structure& blend) { return Exchange_search(blend).changes(); }
+std::vector<Exchange_step> exchange_steps(const Blend_structure& blend) { return Exchange_search(blend).steps(); }
 
 } // namespace CGAL::Shape_correspondence::internal
