@@ -64,7 +64,7 @@ bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_t
 
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options)
 {
-  constexpr double most_apart = 0.05; // over the height: what comes off by more is worse than a jump
+  constexpr double most_apart = 0.05, most_missing = 0.6; // with more, a mixed shape is worse than a jump
   const std::vector<Exchange_step> steps = exchange_steps(blend);
   std::vector<Blend_schedule> result;
   for (const std::string& name : Shape_blend::schedule_names())
@@ -78,7 +78,7 @@ std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const
   }
   if (options.progress && !options.progress(0.5)) return result;
   at_once.quality = quality_of(blend, at_once.tasks, options.samples);
-  if (in_steps.quality.apart > most_apart) std::swap(in_steps, at_once);
+  if (in_steps.quality.apart > most_apart || in_steps.quality.support > most_missing) std::swap(in_steps, at_once);
   return result;
 }
 

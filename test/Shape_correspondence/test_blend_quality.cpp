@@ -200,6 +200,31 @@ TEST_CASE("Parts that pass through each other are told")
   CHECK(blend.check(0).quality.overlap == 0);
 }
 
+TEST_CASE("What is inside a box without a lid is inside, what is above it is not")
+{
+  const Part_mesh box = box_shapes::box({0, 0.5, 0}, {1, 1, 1});
+  Part_mesh crate = {box.points, {}};
+  for (const auto& t : box.triangles.colwise())
+    if (box.points(1, t[0]) + box.points(1, t[1]) + box.points(1, t[2]) < 3) { // not of the upper face
+      crate.triangles.conservativeResize(3, crate.triangles.cols() + 1);
+      crate.triangles.rightCols(1) = t;
+    }
+  REQUIRE(crate.triangles.cols() < box.triangles.cols());
+  const auto share = [&](double height) {
+    std::vector<internal::Blend_part> parts(2);
+    parts[0].mesh = box_shapes::box({0, height, 0}, {0.2, 0.2, 0.2});
+    parts[1].mesh = crate;
+    std::vector<internal::Seen_surface> seen;
+    for (std::size_t i : {0u, 1u}) {
+      parts[i].set_ends();
+      seen.emplace_back(parts, i, 0, parts[i].mesh.points);
+    }
+    return internal::share_inside(seen[0], seen[1]);
+  };
+  CHECK(share(0.5) == 1);
+  CHECK(share(1.2) == 0);
+}
+
 TEST_CASE("Size goes over by equal factors in equal times; either shape may be given the other's size")
 {
   constexpr double scale = 27;

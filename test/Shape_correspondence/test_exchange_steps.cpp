@@ -96,6 +96,17 @@ TEST_CASE("What is exchanged has two times, or one if that is asked for")
   CHECK(ends("") == two);
 }
 
+TEST_CASE("There are no two steps if most of what is to stand would be missing between them")
+{
+  std::vector<Named_box> on_feet = {board, on_walls().back()};
+  for (int i = 0; i < 8; ++i)
+    on_feet.push_back(
+        {"foot_" + std::to_string(i), {0.3 * (i / 2) - 0.45, 0.28, 0.5 * (i % 2) - 0.25}, {0.1, 0.56, 0.1}});
+  const Shape_blend blend = blend_of(upright(on_feet), upright(on_column()), same_parts(1));
+  CHECK(blend.schedules()[0].name == "at one time");
+  CHECK(blend.schedules()[1].quality.support > 0.6);
+}
+
 TEST_CASE("What would come off what held it is exchanged with that")
 {
   // A bar on two rods that become one: if the rods changed first, one end of the bar would hang in the air.
@@ -146,6 +157,35 @@ TEST_CASE("Old and new parts are in one place at no time, though they hold on to
   auto found = steps(from, to, same_parts(3));
   CHECK(found.at("lamp~") != Exchange_step::NONE);
   CHECK(found.at("lamp~") == found.at("~vase"));
+}
+
+TEST_CASE("What would be hidden inside a new part is not kept beside it")
+{
+  // The old bar runs through the new block, but fills few of the cells of its faces.
+  std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {2, 0.2, 0.8}},
+                                 {"back", {-0.95, 0.5, 0}, {0.1, 0.6, 0.8}},
+                                 {"top", {0, 0.85, 0}, {2, 0.1, 0.8}}},
+                         to = from;
+  from.push_back({"bar", {-0.35, 0.5, 0}, {1.1, 0.04, 0.04}}); // holds on to the back
+  to.push_back({"block", {-0.2, 0.4, 0}, {1.0, 0.4, 0.6}});    // stands on the shelf
+  auto found = steps(from, to, same_parts(3));
+  CHECK(found.at("bar~") != Exchange_step::NONE);
+  CHECK(found.at("bar~") == found.at("~block"));
+}
+
+TEST_CASE("What both shapes fill is not left empty between the steps")
+{
+  // An old bar that ends where a new one begins, and a third of which are in one place: either has its counterpart
+  // elsewhere. If the old bar, whose group is lower, went first, there would be a hole between them.
+  const Named_box back = {"back", {0, 0.5, -0.3}, {2.4, 1, 0.1}};
+  const std::vector<Named_box> from = {
+      back, {"left bar", {-0.4, 0.5, -0.2}, {1.2, 0.08, 0.1}}, {"high", {-0.9, 0.85, -0.2}, {0.3, 0.2, 0.1}}};
+  const std::vector<Named_box> to = {
+      back, {"low", {0.9, 0.2, -0.2}, {0.3, 0.2, 0.1}}, {"right bar", {0.4, 0.5, -0.2}, {1.2, 0.08, 0.1}}};
+  auto found = steps(from, to, same_parts(3));
+  CHECK(found.at("left bar~") == Exchange_step::SECOND);
+  CHECK(found.at("~low") == Exchange_step::SECOND);
+  CHECK(found.at("~right bar") == Exchange_step::FIRST);
 }
 
 TEST_CASE("What holds on to the place where something else did takes its place")

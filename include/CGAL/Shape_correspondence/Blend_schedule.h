@@ -34,8 +34,8 @@ enum class Blend_task_type {
 enum class Blend_obstacle {
   NONE,  ///< it does, or has no counterpart
   TORN,  ///< it would be torn or folded, or has quite another surface
-  UNLIKE ///< it, or what else becomes the same part, would have to turn, to change its proportions, to travel or to
-         ///< be cut up too much
+  UNLIKE ///< it, or what else becomes the same part, would have to change its proportions, to travel or to be cut up
+         ///< too much
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

@@ -54,19 +54,19 @@ struct Blend_surface
 ///   smoothly onto the target's, which takes over from it at .45 of the time. A part that corresponds to many is cut
 ///   into closed pieces, one for each.
 /// - *Unmatched parts* have no counterpart, or would be torn on the way to it, or have quite another surface, or would
-///   have to turn, to change their proportions, to travel or to be cut up too much (`Blend_obstacle`). Two that are
+///   have to change their proportions, to travel or to be cut up too much (`Blend_obstacle`). Two that are
 ///   alike in place and size become each other (`Blend_task_type::EXCHANGE`). Unmatched parts ride on a warp of the
 ///   space around their end, a smoothing spline: it moves with the surfaces of matched parts, with the boxes of parts
 ///   that correspond, and with the box around the whole, and smoothly between these, so that parts hold on to what they
-///   touch. Old parts go as what takes their place comes, in an instant; others shrink to where they are held, or grow
-///   from there, in groups, one after the other, each quickly.
+///   touch. Old parts go as what takes their place comes, in an instant; before that, others quickly shrink to where
+///   they are held, and after it, they grow from there.
 /// - If both shapes have the mirror plane in common, the *mirror image* of a part becomes the mirror image of what the
 ///   part becomes, also where the correspondence has only one of the two.
 ///
 /// In a *schedule*, old parts are exchanged for new ones in two steps or at one time. In two steps, so that there is a
-/// mixed shape between them, is the best one, unless parts come apart in it (`Blend_quality::apart`), or no mixed shape
-/// hangs together. All schedules are rated by `Blend_quality`. `check()` returns which tolerances are
-/// exceeded. Deterministic.
+/// mixed shape between them, is the best one, unless parts come apart in it, most of what is to stand is missing
+/// (`Blend_quality::apart`, `support`), or no mixed shape hangs together. All schedules are rated by `Blend_quality`.
+/// `check()` returns which tolerances are exceeded. Deterministic.
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
