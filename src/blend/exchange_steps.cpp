@@ -185,7 +185,7 @@ private:
     for (const Hold& a : holds_)
       for (const Hold& b : holds_)
         if (end(a.part) < end(b.part) && is_alone(a) && is_alone(b) && groups[a.holder] == groups[b.holder] &&
-            have_one_place(a, b))
+            groups_[a.part] != groups_[b.part] && have_one_place(a, b))
           groups_.unite(a.part, b.part);
   }
 
@@ -205,11 +205,10 @@ private:
   {
     for (std::size_t a = 0; a < seen_.size(); ++a)
       for (std::size_t b = a + 1; b < seen_.size(); ++b) {
-        if (is_matched(a) || is_matched(b) || end(a) == end(b))
-          continue; // of the others, those of the source come first
+        if (is_matched(a) || is_matched(b) || end(a) == end(b)) continue;
         const double shared =
             std::max({shared_cells(cells[a], cells[b]), hidden(seen_[a], seen_[b]), hidden(seen_[b], seen_[a])});
-        if (shared > 0) rivals_.push_back({a, b, shared * std::min(size(a), size(b))});
+        if (shared > 0) rivals_.push_back({a, b, shared * std::min(size(a), size(b))}); // old ones come first
       }
   }
 
@@ -325,12 +324,13 @@ private:
     constexpr double of_rivals = 2, of_holes = 3; // weights; the others have 1
     constexpr double worth = 0.3;                 // of the share that changes in the lesser step
     constexpr double least = 0.15;                // such a share
+    constexpr double too_little = 1000;           // a cost above all others
     double first = 0;                             // size of what changes first
     for (std::size_t i = 0; i < seen_.size(); ++i)
       if (is_there[i] != old_[i]) first += size(i);
     const double lesser = std::min(first, size_ - first) / size_; // 0 if all changes at one time
-    // Too little is as bad as can be, and the worse the less it is, so that the search finds out of there.
-    if (lesser > 0 && quantized(lesser) < quantized(least)) return 1 - lesser;
+    // The worse the less it is, so that the search finds out of there
+    if (lesser > 0 && quantized(lesser) < quantized(least)) return too_little - lesser;
     return (of_rivals * rivalry(is_there) + come_off(is_there) + hanging(is_there)) / size_ +
            of_holes * holes(is_there) - worth * lesser;
   }

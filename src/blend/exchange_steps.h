@@ -20,9 +20,9 @@ enum class Exchange_step { NONE, FIRST, SECOND };
 ///
 /// Between the steps there is a *mixed shape*: new parts of the groups that change first, old parts of the others, and
 /// all that is matched. It costs as much, by size, as old and new parts are in one place or have left a place empty,
-/// have come off what held them, or hang together with nothing, and as there are holes in it. The steps with the least
-/// cost are found by local search, from steps in order of height. They are taken if that is less than a fraction of the
-/// size of what changes in the lesser step; if not, all parts are in the second one.
+/// have come off what held them, or hang together with nothing, and as there are holes in it. It gains a share of what
+/// changes in the lesser step, which must not be too little. The steps with the least cost are found by local search,
+/// from steps in order of height. If no mixed shape costs less than either of both ends, all is in the second step.
 std::vector<Exchange_step> exchange_steps(const Blend_structure& blend);
 
 } // namespace CGAL::Shape_correspondence::internal

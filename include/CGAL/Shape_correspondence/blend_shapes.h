@@ -65,8 +65,8 @@ struct Blend_surface
 ///
 /// In a *schedule*, old parts are exchanged for new ones in two steps or at one time. In two steps, so that there is a
 /// mixed shape between them, is the best one, unless parts come apart in it, most of what is to stand is missing
-/// (`Blend_quality::apart`, `support`), or no mixed shape hangs together. All schedules are rated by `Blend_quality`.
-/// `check()` returns which tolerances are exceeded. Deterministic.
+/// (`Blend_quality::apart`, `support`); if no mixed shape is good, both are the same. All schedules are rated by
+/// `Blend_quality`. `check()` returns which tolerances are exceeded. Deterministic.
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
@@ -117,7 +117,7 @@ public:
   static std::vector<std::string> schedule_names();
 
   /// The same blend by each of the schedules that make different in-between shapes, the best first (Alhashim et al.
-  /// 2014, section 6): those whose shapes are nearly those of a better one are left out.
+  /// 2014, section 6).
   std::vector<Shape_blend> different_blends() const;
 
   /// The quality of the shape at `t`, and the tolerances that it exceeds; the ends have no faults.
