@@ -17,7 +17,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -220,13 +219,14 @@ private:
         parts_at.try_emplace(cell, seen_.size()).first->second.set(i);
     for (const auto& [cell, parts] : parts_at) {
       if (!parts.intersects(old_) || !parts.intersects(new_)) continue;
-      filled_cells_.push_back(parts);
+      Parts near = parts;
       for (std::size_t axis : {0u, 1u, 2u})
         for (int step : {-1, 1}) {
           Cell beside = cell;
           beside[axis] += step;
-          if (const auto found = parts_at.find(beside); found != parts_at.end()) filled_cells_.back() |= found->second;
+          if (const auto found = parts_at.find(beside); found != parts_at.end()) near |= found->second;
         }
+      ++filled_cells_[near];
     }
   }
 
@@ -262,18 +262,18 @@ private:
 
   void find_joined()
   {
-    constexpr double near = 0.02;                  // over the height
-    std::set<std::array<std::size_t, 2>> touching; // at an end
-    for (const Touch& touch : blend_.touches)
-      touching.insert(touch.parts);
+    constexpr double near = 0.02; // over the height
+    const auto join = [&](std::size_t a, std::size_t b) {
+      if (is_matched(a) && is_matched(b))
+        always_joined_.unite(a, b);
+      else
+        joined_.push_back({a, b});
+    };
+    for (const Touch& touch : blend_.touches) // at an end
+      join(touch.parts[0], touch.parts[1]);
     for (std::size_t a = 0; a < seen_.size(); ++a)
-      for (std::size_t b = a + 1; b < seen_.size(); ++b) {
-        if (touching.count({a, b}) == 0 && !seen_[a].tree.is_within(seen_[b].tree, near * near)) continue;
-        if (is_matched(a) && is_matched(b))
-          always_joined_.unite(a, b);
-        else
-          joined_.push_back({a, b});
-      }
+      for (std::size_t b = a + 1; b < seen_.size(); ++b)
+        if (seen_[a].tree.is_within(seen_[b].tree, near * near)) join(a, b);
   }
 
   /// Sizes of what is in one place with something else, and of places where there is nothing any more.
@@ -288,9 +288,10 @@ private:
   /// The share of holes among the cells that both shapes fill.
   double holes(const Parts& is_there) const
   {
-    const auto count = std::count_if(filled_cells_.begin(), filled_cells_.end(),
-                                     [&](const Parts& near) { return !near.intersects(is_there); });
-    return double(count) / double(std::max<std::size_t>(filled_cells_.size(), 1));
+    double empty = 0, covered = 0;
+    for (const auto& [near, cells] : filled_cells_)
+      (near.intersects(is_there) ? covered : empty) += cells;
+    return empty > 0 ? empty / (covered + empty) : 0;
   }
 
   /// Sizes of what has come off what it touched, as far as nothing else is in its place.
@@ -378,13 +379,13 @@ private:
   std::vector<Hold> holds_;
   Disjoint_sets groups_;
   std::vector<Rivals> rivals_;
-  std::vector<Parts> filled_cells_;  ///< those that both shapes fill, by the parts that are there or beside them
-  Disjoint_sets places_;             ///< what groups, touches and rivals join
-  std::vector<std::bitset<2>> ends_; ///< of these
-  std::vector<Parts> exchanged_;     ///< the groups that are, from the ground up
-  Parts old_, new_;                  ///< the mixed shape when nothing is exchanged, and when all is
-  double size_ = 0;                  ///< of all of them
-  Disjoint_sets always_joined_;      ///< matched parts that touch, at an end or in the mixed shape
+  std::map<Parts, int> filled_cells_; ///< number of those that both shapes fill, by the parts there or beside them
+  Disjoint_sets places_;              ///< what groups, touches and rivals join
+  std::vector<std::bitset<2>> ends_;  ///< of these
+  std::vector<Parts> exchanged_;      ///< the groups that are, from the ground up
+  Parts old_, new_;                   ///< the mixed shape when nothing is exchanged, and when all is
+  double size_ = 0;                   ///< of all of them
+  Disjoint_sets always_joined_;       ///< matched parts that touch, at an end or in the mixed shape
   std::vector<std::array<std::size_t, 2>> joined_; ///< others that do
 };
 

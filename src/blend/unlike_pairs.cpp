@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -74,12 +73,12 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
     if (Difference(stage, {stage.charted[0].charts[s], stage.charted[1].charts[t]}).is_little()) alike(s, t) = shared;
   }
   for (const auto& [s, t] : leftover) {
+    if (alike(s, t) == 0) continue;
     const Steps least = quantized(nearly * alike(s, t));
     const auto rivals = [&](const Eigen::VectorXd& all) {
       return (all.unaryExpr(&quantized).array() >= least).count();
     };
-    const bool has_rival = rivals(alike.row(s)) + rivals(alike.col(t)) > 2; // of others: itself it is in both
-    if (alike(s, t) > 0 && !has_rival) paired.emplace_back(s, t);
+    if (rivals(alike.row(s)) + rivals(alike.col(t)) == 2) paired.emplace_back(s, t); // itself, in both
   }
   std::sort(paired.begin(), paired.end());
 }
@@ -142,8 +141,8 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
     is_unlike[sets[s]] = 1;
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
-    const auto charts = piece_charts(piece, stage.charted[0], stage.charted[1]);
-    known = known || !Difference(stage, charts, is_whole(piece)).is_little();
+    if (known) continue;
+    known = !Difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece)).is_little();
   }
   Part_pairs result;
   unlike.all.clear();

@@ -209,9 +209,8 @@ void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, con
   };
   for (const auto& [reason, why] :
        {std::pair(Blend_obstacle::TORN, "surfaces would be torn"),
-        std::pair(Blend_obstacle::UNLIKE,
-                  "they would have to change their proportions, to travel or to be cut up too "
-                  "much to become their counterparts")}) {
+        std::pair(Blend_obstacle::UNLIKE, "they would have to change their proportions, to travel or to be cut up too "
+                                          "much to become their counterparts")}) {
     std::string names, others;
     for (const Blend_task& task : tasks) {
       if (task.obstacle != reason) continue;
