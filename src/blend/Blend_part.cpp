@@ -3,6 +3,7 @@
 
 #include "blend/Blend_part.h"
 
+#include "base/for_each_index.h"
 #include "blend/Blend_stage.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
@@ -77,12 +78,13 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
   while (true) {
     const std::vector<Piece_pair> pairs = piece_pairs(source, target, like_pairs(stage, given, unlike));
     Part_pairs torn;
-    std::vector<Blend_part> result;
-    for (const Piece_pair& pair : pairs) {
-      const std::pair parts(pair.source, pair.target);
-      result.push_back(matched_part(stage, pair));
-      result.back().task = task_of(pair, pairs, std::binary_search(given.begin(), given.end(), parts));
-      if (!result.back().is_matched()) torn.push_back(parts);
+    std::vector<Blend_part> result(pairs.size());
+    for_each_index<CGAL::Parallel_if_available_tag>(pairs.size(),
+                                                    [&](std::size_t i) { result[i] = matched_part(stage, pairs[i]); });
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const std::pair parts(pairs[i].source, pairs[i].target);
+      result[i].task = task_of(pairs[i], pairs, std::binary_search(given.begin(), given.end(), parts));
+      if (!result[i].is_matched()) torn.push_back(parts);
     }
     if (torn.empty()) return result;
     stage.add_mirrored(torn);

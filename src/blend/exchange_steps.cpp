@@ -14,6 +14,7 @@
 #include <bitset>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -99,9 +100,9 @@ public:
     find_joined();
   }
 
-  std::vector<Exchange_step> steps() const
+  std::vector<Exchange_step> steps(const std::function<bool(double)>& progress) const
   {
-    const Parts is_there = best();
+    const Parts is_there = best(progress);
     std::vector<Exchange_step> result(seen_.size(), Exchange_step::NONE);
     for (std::size_t i = 0; i < result.size(); ++i)
       if (is_exchanged(i)) result[i] = is_there[i] != old_[i] ? Exchange_step::FIRST : Exchange_step::SECOND;
@@ -226,7 +227,10 @@ private:
           beside[axis] += step;
           if (const auto found = parts_at.find(beside); found != parts_at.end()) near |= found->second;
         }
-      ++filled_cells_[near];
+      std::vector<std::size_t> numbers;
+      for (std::size_t i = near.find_first(); i != Parts::npos; i = near.find_next(i))
+        numbers.push_back(i);
+      ++filled_cells_[numbers];
     }
   }
 
@@ -289,8 +293,9 @@ private:
   double holes(const Parts& is_there) const
   {
     double empty = 0, covered = 0;
+    const auto is_there_too = [&](std::size_t part) { return is_there[part]; };
     for (const auto& [near, cells] : filled_cells_)
-      (near.intersects(is_there) ? covered : empty) += cells;
+      (std::any_of(near.begin(), near.end(), is_there_too) ? covered : empty) += cells;
     return empty > 0 ? empty / (covered + empty) : 0;
   }
 
@@ -320,7 +325,8 @@ private:
     return std::accumulate(sizes.begin(), sizes.end(), 0.) - *std::max_element(sizes.begin(), sizes.end());
   }
 
-  double cost(const Parts& is_there) const
+  /// \param most what costs no less may be told to cost anything from there on
+  double cost(const Parts& is_there, double most = std::numeric_limits<double>::infinity()) const
   {
     constexpr double of_rivals = 2, of_holes = 3; // weights; the others have 1
     constexpr double worth = 0.3;                 // of the share that changes in the lesser step
@@ -332,40 +338,53 @@ private:
     const double lesser = std::min(first, size_ - first) / size_; // 0 if all changes at one time
     // The worse the less it is, so that the search finds out of there
     if (lesser > 0 && quantized(lesser) < quantized(least)) return too_little - lesser;
-    return (of_rivals * rivalry(is_there) + come_off(is_there) + hanging(is_there)) / size_ +
-           of_holes * holes(is_there) - worth * lesser;
+    double result = of_rivals * rivalry(is_there) / size_ - worth * lesser;
+    if (result < most) result += come_off(is_there) / size_;
+    if (result < most) result += hanging(is_there) / size_;
+    if (result < most) result += of_holes * holes(is_there);
+    return result;
   }
 
-  /// Moves groups to the other step, as long as that is better. \return the cost
+  /// Moves groups to the other step, one or two at a time, as long as that is better. \return the cost
   double improve(Parts& is_there) const
   {
+    constexpr std::size_t most_for_two = 64; // groups: with more, one at a time
     double least = cost(is_there);
+    const auto move = [&](const Parts& groups) {
+      is_there ^= groups;
+      const double value = cost(is_there, least);
+      const bool is_better = quantized(value) < quantized(least);
+      if (is_better)
+        least = value;
+      else
+        is_there ^= groups;
+      return is_better;
+    };
     for (bool is_better = true; is_better;) {
       is_better = false;
-      for (const Parts& group : exchanged_) {
-        is_there ^= group;
-        const double value = cost(is_there);
-        if (quantized(value) < quantized(least))
-          least = value, is_better = true;
-        else
-          is_there ^= group;
-      }
+      for (const Parts& group : exchanged_)
+        is_better |= move(group);
+      if (is_better || exchanged_.size() > most_for_two) continue;
+      for (std::size_t i = 0; i < exchanged_.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          is_better |= move(exchanged_[i] ^ exchanged_[j]);
     }
     return least;
   }
 
   /// The best mixed shape, or `old_` if there is none that is better.
-  Parts best() const
+  Parts best(const std::function<bool(double)>& progress) const
   {
     constexpr std::size_t starts = 8; // of the search, from an end
     const std::size_t count = exchanged_.size();
     if (count < 2) return old_;
     Parts result = old_;
     double least = std::min(cost(old_), cost(new_)); // of no mixed shape
-    for (const Parts& start : {old_, new_})
+    for (std::size_t end : {0u, 1u})
       for (std::size_t i = 1; i < starts; ++i) {
+        if (!progress(double(end * starts + i) / double(2 * starts))) return result;
         const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1); // from the ground up
-        Parts is_there = start;
+        Parts is_there = end == 0 ? old_ : new_;
         for (std::size_t k = 0; k < moved; ++k)
           is_there ^= exchanged_[k];
         const double value = improve(is_there);
@@ -379,18 +398,22 @@ private:
   std::vector<Hold> holds_;
   Disjoint_sets groups_;
   std::vector<Rivals> rivals_;
-  std::map<Parts, int> filled_cells_; ///< number of those that both shapes fill, by the parts there or beside them
-  Disjoint_sets places_;              ///< what groups, touches and rivals join
-  std::vector<std::bitset<2>> ends_;  ///< of these
-  std::vector<Parts> exchanged_;      ///< the groups that are, from the ground up
-  Parts old_, new_;                   ///< the mixed shape when nothing is exchanged, and when all is
-  double size_ = 0;                   ///< of all of them
-  Disjoint_sets always_joined_;       ///< matched parts that touch, at an end or in the mixed shape
+  /// Numbers of cells that both shapes fill, by the parts there or beside them.
+  std::map<std::vector<std::size_t>, int> filled_cells_;
+  Disjoint_sets places_;                           ///< what groups, touches and rivals join
+  std::vector<std::bitset<2>> ends_;               ///< of these
+  std::vector<Parts> exchanged_;                   ///< the groups that are, from the ground up
+  Parts old_, new_;                                ///< the mixed shape when nothing is exchanged, and when all is
+  double size_ = 0;                                ///< of all of them
+  Disjoint_sets always_joined_;                    ///< matched parts that touch, at an end or in the mixed shape
   std::vector<std::array<std::size_t, 2>> joined_; ///< others that do
 };
 
 } // namespace
 
-std::vector<Exchange_step> exchange_steps(const Blend_structure& blend) { return Exchange_search(blend).steps(); }
+std::vector<Exchange_step> exchange_steps(const Blend_structure& blend, const std::function<bool(double)>& progress)
+{
+  return Exchange_search(blend).steps(progress);
+}
 
 } // namespace CGAL::Shape_correspondence::internal

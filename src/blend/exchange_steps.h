@@ -5,6 +5,7 @@
 
 #include "blend/Blend_structure.h"
 
+#include <functional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -23,6 +24,7 @@ enum class Exchange_step { NONE, FIRST, SECOND };
 /// have come off what held them, or hang together with nothing, and as there are holes in it. It gains a share of what
 /// changes in the lesser step, which must not be too little. The steps with the least cost are found by local search,
 /// from steps in order of height. If no mixed shape costs less than either of both ends, all is in the second step.
-std::vector<Exchange_step> exchange_steps(const Blend_structure& blend);
+/// \param progress called before every search, with the share done; `false` ends it, and the best so far is taken
+std::vector<Exchange_step> exchange_steps(const Blend_structure& blend, const std::function<bool(double)>& progress);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -65,18 +65,20 @@ bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_t
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options)
 {
   constexpr double most_apart = 0.05, most_missing = 0.6; // with more, a mixed shape is worse than a jump
-  const std::vector<Exchange_step> steps = exchange_steps(blend);
+  bool goes_on = true;
+  const auto go_on = [&](double done) { return goes_on = goes_on && (!options.progress || options.progress(done)); };
+  const std::vector<Exchange_step> steps = exchange_steps(blend, [&](double done) { return go_on(done / 2); });
   std::vector<Blend_schedule> result;
   for (const std::string& name : Shape_blend::schedule_names())
     result.push_back({name, timed_tasks(blend, steps, !result.empty()), {}});
   Blend_schedule &in_steps = result[0], &at_once = result[1];
-  if (options.progress && !options.progress(0)) return result;
+  if (!go_on(0.5)) return result;
   in_steps.quality = quality_of(blend, in_steps.tasks, options.samples);
   if (have_same_times(in_steps.tasks, at_once.tasks)) {
     at_once.quality = in_steps.quality;
     return result;
   }
-  if (options.progress && !options.progress(0.5)) return result;
+  if (!go_on(0.75)) return result;
   at_once.quality = quality_of(blend, at_once.tasks, options.samples);
   if (in_steps.quality.apart > most_apart || in_steps.quality.support > most_missing) std::swap(in_steps, at_once);
   return result;

@@ -37,7 +37,7 @@ std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, c
   const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{source.graph, source.shape, 0},
                                                        internal::Blend_input{target.graph, target.shape, 0}};
   const internal::Blend_structure blend(inputs, correspondence, {});
-  const std::vector<Exchange_step> found = internal::exchange_steps(blend);
+  const std::vector<Exchange_step> found = internal::exchange_steps(blend, [](double) { return true; });
   std::map<std::string, Exchange_step> result;
   for (std::size_t i = 0; i < found.size(); ++i)
     result[blend.parts[i].name] = found[i];

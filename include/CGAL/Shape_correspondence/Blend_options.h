@@ -38,8 +38,8 @@ struct Blend_options
   double min_confidence = 0.5;
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
   std::string schedule;                ///< name of the schedule to use; empty: the best one
-  /// Called before every schedule is rated, with the fraction done, in [0, 1]; `false` ends the rating, and
-  /// `in two steps` is used.
+  /// Called while steps are sought and before a schedule is rated, with the fraction done, in [0, 1]; `false` ends
+  /// both, and `in two steps` is used, with the best steps so far.
   std::function<bool(double)> progress;
 };
 
