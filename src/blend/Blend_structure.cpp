@@ -3,15 +3,77 @@
 
 #include "blend/Blend_structure.h"
 
+#include "base/Disjoint_sets.h"
+
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
+#include <boost/range/adaptor/map.hpp>
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// What touches, as the graphs have it: of pieces of a part, those that are near.
+std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
+{
+  std::map<std::array<std::size_t, 2>, Touch> found; // by parts, the smaller index first
+  for (int end : {0, 1})
+    for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts) {
+      const auto first = parts_of(parts, end, contact.parts[0]), second = parts_of(parts, end, contact.parts[1]);
+      const bool are_whole = first.size() == 1 && second.size() == 1;
+      for (std::size_t a : first)
+        for (std::size_t b : second) {
+          const double gap = std::sqrt(parts[a].end_tree(end).nearly_closest(parts[b].end_tree(end)).squared);
+          const std::array<std::size_t, 2> pair = {std::min(a, b), std::max(a, b)};
+          if (are_whole || gap <= tolerance)
+            found.try_emplace(pair, Touch{pair}).first->second.gaps[std::size_t(end)] = gap;
+        }
+    }
+  return boost::copy_range<std::vector<Touch>>(found | boost::adaptors::map_values);
+}
+
+/// By part, what it shrinks to and grows from if it is not matched: the middle of the places where matched parts hold
+/// it and the unmatched parts that hang together with it, or the foot of these if nothing holds them.
+std::vector<Point> roots_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
+{
+  Disjoint_sets sets(parts.size()); // of unmatched parts that touch each other
+  for (const Touch& touch : touches)
+    if (!parts[touch.parts[0]].is_matched() && !parts[touch.parts[1]].is_matched())
+      sets.unite(touch.parts[0], touch.parts[1]);
+  std::vector<contacts::Box> boxes(parts.size());                    // by set
+  Eigen::Matrix4Xd places = Eigen::Matrix4Xd::Zero(4, parts.size()); // by set: those that hold it, summed, and how many
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    boxes[sets[part]].extend(parts[part].trees[0].box());
+  for (const Touch& touch : touches)
+    for (std::size_t i : {0u, 1u}) {
+      const Blend_part &part = parts[touch.parts[i]], &holder = parts[touch.parts[1 - i]];
+      if (part.is_matched() || !holder.is_matched()) continue;
+      const contacts::Box touched = part.trees[0].box().intersection(holder.end_tree(part.end()).box()); // or the gap
+      places.col(Eigen::Index(sets[touch.parts[i]])) += touched.center().homogeneous();
+    }
+  std::vector<Point> result;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const contacts::Box& box = boxes[sets[part]];
+    const Eigen::Vector4d held = places.col(Eigen::Index(sets[part]));
+    result.push_back(held[3] > 0 ? Point(held.hnormalized())
+                                 : Point(box.center().x(), box.min().y(), box.center().z()));
+  }
+  return result;
+}
+
+} // namespace
 
 Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Correspondence& correspondence,
                                  const Blend_options& options)
     : stage(inputs, options.size)
 {
   parts = blend_parts(stage, correspondence, unlike);
-  touches = internal::touches(stage, parts, options.contact_tolerance);
-  roots = internal::roots(parts, touches);
+  touches = touches_of(stage, parts, options.contact_tolerance);
+  roots = roots_of(parts, touches);
   for (int end : {0, 1}) {
     std::vector<Seen_surface> seen;
     for (std::size_t i = 0; i < parts.size(); ++i)

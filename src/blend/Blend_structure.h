@@ -6,14 +6,25 @@
 #include "blend/Blend_stage.h"
 #include "blend/Shape_look.h"
 #include "blend/Space_warp.h"
-#include "blend/touches.h"
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// Two parts of a blend that touch at an end, or at both.
+struct Touch
+{
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  std::array<std::size_t, 2> parts;
+  std::array<double, 2> gaps = {none, none}; ///< between the surfaces, by end; `none` where they do not touch
+
+  bool is_kept() const { return gaps[0] < none && gaps[1] < none; }
+};
 
 /// What a blend is made of: its parts, which of them touch and go together, and what both shapes have at large. Lengths
 /// are over the height, on the stage; arrays are by end.

@@ -20,12 +20,6 @@ In_between_shape::In_between_shape(const Blend_structure& blend, const std::vect
   fill_the_height();
 }
 
-contacts::Box In_between_shape::due_box() const
-{
-  const auto& [from, to] = blend.stage.boxes;
-  return {(1 - time) * from.min() + time * to.min(), (1 - time) * from.max() + time * to.max()};
-}
-
 Points In_between_shape::points_of(std::size_t part, int surface) const
 {
   if (surface == surfaces[part] || !blend.parts[part].is_matched()) return points[part];
@@ -73,7 +67,7 @@ void In_between_shape::fill_the_height()
   for (std::size_t i = 0; i < points.size(); ++i)
     if (is_there(i)) all.extend(box_of(points[i]));
   if (all.isEmpty()) return;
-  const double height = all.sizes().y(), due = std::min(due_box().max().y(), most * height);
+  const double height = all.sizes().y(), due = std::min(due_height(), most * height);
   if (height > least) scale_ = due / height;
   shift_ = due / 2 - scale_ * all.center().y();
   for (Points& surface : points)

@@ -26,8 +26,11 @@ struct In_between_shape
   std::vector<Points> points; ///< by part, of that surface
 
   bool is_there(std::size_t part) const { return surfaces[part] >= 0; }
-  /// The box that the whole is to fill.
-  contacts::Box due_box() const;
+  /// The height that the whole is to fill, from the ground.
+  double due_height() const
+  {
+    return (1 - time) * blend.stage.boxes[0].max().y() + time * blend.stage.boxes[1].max().y();
+  }
   /// The points of a surface of a part, also where it is at this time if it is not the one that there is.
   Points points_of(std::size_t part, int surface) const;
   /// The parts that are there.

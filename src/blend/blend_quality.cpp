@@ -82,7 +82,7 @@ public:
     const auto& [source, target] = blend_.looks;
     const double supports = due(source.supports, target.supports);
     return {
-        {"The shape is higher or lower than is due by SHARE.", {off_due(look_.height, shape_.due_box().sizes().y())}},
+        {"The shape is higher or lower than is due by SHARE.", {off_due(look_.height, shape_.due_height())}},
         {"The convex hull is larger or smaller than is due by SHARE.",
          {off_due(look_.hull, due_volume(source.hull, target.hull))}},
         {"The volume is larger or smaller than is due by SHARE.",

@@ -96,6 +96,29 @@ TEST_CASE("What is exchanged has two times, or one if that is asked for")
   CHECK(ends("") == two);
 }
 
+TEST_CASE("The search for steps and the rating tell how much is done, and end when they are asked to")
+{
+  std::vector<double> told;
+  Blend_options options;
+  std::size_t most = 100;
+  options.progress = [&](double done) {
+    told.push_back(done);
+    return told.size() < most;
+  };
+  const Box_model source = upright(on_walls()), target = upright(on_column());
+  const Shape_blend blend = blend_of(source, target, same_parts(1), options);
+  CHECK(told.size() > 4);
+  CHECK(std::is_sorted(told.begin(), told.end()));
+  CHECK((told.front() >= 0 && told.front() < 0.1 && told.back() > 0.6 && told.back() <= 1));
+  CHECK(blend.schedules()[0].quality.hull > 0);
+  most = 3;
+  told.clear();
+  const Shape_blend ended = blend_of(source, target, same_parts(1), options);
+  CHECK(told.size() == most);
+  CHECK(ended.schedules()[0].name == "in two steps");
+  CHECK(ended.schedules()[0].quality.hull == 0);
+}
+
 TEST_CASE("There are no two steps if most of what is to stand would be missing between them")
 {
   std::vector<Named_box> on_feet = {board, on_walls().back()};
