@@ -49,20 +49,25 @@ Model_content read_gltf_parts(std::string_view text, const std::string& file, co
 /// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
 Model_content import_parts(const std::string& file, const Reading_options& options);
 
+/// Triangles of a model beyond one a byte of its files, as strips have at most. Nodes that use the same mesh take
+/// hardly any bytes, but their triangles take memory and time as all others.
+constexpr std::uint64_t most_repeated_triangles = 1'000'000;
+
+inline bool are_repeated_too_often(std::uint64_t triangles, std::uint64_t bytes)
+{
+  return triangles > most_repeated_triangles && triangles - most_repeated_triangles > bytes;
+}
+
+constexpr const char* repeated_too_often =
+    "its nodes use the same meshes again and again, which makes more than a million triangles beyond what is in the "
+    "file; simplify these meshes, or leave out some of the nodes";
+
 /// Whether there is a reader for files of a name like this, by its extension.
 bool is_model_file(const std::string& path);
 
 /// The triangles of a polygon, concave ones included, as the numbers of its corners, three a triangle; none if it has
 /// fewer than 3 corners.
 std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon);
-
-/// Adds the triangles of the corners from `first` to `last` of a convex polygon by halving, so that no corner is in
-/// many of them as the first one of a fan is.
-void add_halves(std::size_t first, std::size_t last, std::vector<std::size_t>& triangles);
-
-/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches or crosses
-/// itself there.
-std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal);
 
 /// The indexed mesh of triangles given by their corners: corners at the same place become one vertex, vertices are
 /// numbered as they first appear, triangles with two corners at the same place are left out.
