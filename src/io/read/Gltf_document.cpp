@@ -180,7 +180,7 @@ std::string Gltf_document::load(const Json_field& buffer)
 {
   const std::string uri = buffer["uri"].text();
   if (std::optional<std::string> data = data_of_uri(uri)) return std::move(*data);
-  Named_file file = Named_files(file_, options_, largest_model, rest_of_files_).read(uri);
+  Named_file file = Named_files{file_, options_, largest_model, rest_of_files_}.read(uri);
   if (file.fault.empty()) return std::move(file.bytes);
   throw Invalid_input(file_ + ": the file " + cited_file(uri) + ", which it names, " + file.fault +
                       "; put it beside the model");

@@ -3,6 +3,7 @@
 
 #include "io/read/model_parts.h"
 #include "shape/first_in_place.h"
+#include "shape/meshes.h"
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -36,15 +37,6 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
   return mesh;
 }
 
-void add_mesh(const Part_mesh& more, Part_mesh& all)
-{
-  const Eigen::Index points = all.points.cols(), triangles = all.triangles.cols();
-  all.points.conservativeResize(3, points + more.points.cols());
-  all.points.rightCols(more.points.cols()) = more.points;
-  all.triangles.conservativeResize(3, triangles + more.triangles.cols());
-  all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + int(points);
-}
-
 Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
 {
   const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // of attributes that the file has
@@ -75,14 +67,16 @@ void add_looks(const Part_appearance& more, std::size_t more_triangles, std::siz
 std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,
                                                    const std::vector<std::size_t>& parts)
 {
-  std::pair<Part_mesh, Part_appearance> result;
+  std::vector<const Part_mesh*> meshes;
+  std::size_t triangles = 0;
+  Part_appearance looks;
   for (std::size_t part : parts) {
-    const Part_mesh& mesh = shape.parts()[part].mesh;
-    add_looks(part < appearance.parts.size() ? appearance.parts[part] : Part_appearance(),
-              std::size_t(mesh.triangles.cols()), std::size_t(result.first.triangles.cols()), result.second);
-    add_mesh(mesh, result.first);
+    meshes.push_back(&shape.parts()[part].mesh);
+    const auto more = std::size_t(meshes.back()->triangles.cols());
+    add_looks(part < appearance.parts.size() ? appearance.parts[part] : Part_appearance(), more, triangles, looks);
+    triangles += more;
   }
-  return result;
+  return {internal::joined(meshes), std::move(looks)};
 }
 
 } // namespace CGAL::Shape_correspondence::IO

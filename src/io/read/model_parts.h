@@ -75,9 +75,6 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
 /// \pre all coordinates are finite
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept = nullptr);
 
-/// Adds the points and triangles of a mesh to those of another one.
-void add_mesh(const Part_mesh& more, Part_mesh& all);
-
 /// Some parts of a shape as one mesh, with its appearance. \param appearance may lack parts
 std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,
                                                    const std::vector<std::size_t>& parts);

@@ -18,22 +18,14 @@ struct Named_file
 
 /// Reads the files that a model names: from its folder or, where they are not there by the path that it gives, beside
 /// it.
-class Named_files
+struct Named_files
 {
-public:
-  /// \param largest bytes of a file \param rest bytes of files that may be read for the model; what is read is taken
-  /// off
-  Named_files(const std::string& model, const Reading_options& options, std::uintmax_t largest, std::uintmax_t& rest)
-      : model_(model), options_(options), largest_(largest), rest_(rest)
-  {}
+  const std::string& model;
+  const Reading_options& options;
+  std::uintmax_t largest; ///< bytes of a file
+  std::uintmax_t& rest;   ///< bytes of files that may be read for the model; what is read is taken off
 
   Named_file read(const std::string& given) const;
-
-private:
-  const std::string& model_;
-  const Reading_options& options_;
-  std::uintmax_t largest_;
-  std::uintmax_t& rest_;
 };
 
 } // namespace CGAL::Shape_correspondence::IO

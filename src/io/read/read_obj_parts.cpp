@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 // An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,
 // and CGAL's reader drops the names of objects and groups.
@@ -219,26 +220,25 @@ private:
     if (divided.size() > 1 && needs_materials(whole)) sections_ = std::move(divided);
   }
 
-  /// The objects that have a group of each name with faces, up to two.
-  std::map<std::string, std::vector<std::string>> objects_of_groups() const
+  /// The names that groups of several objects have.
+  std::set<std::string> shared_groups() const
   {
-    std::map<std::string, std::vector<std::string>> result;
-    for (const Section& section : sections_) {
-      if (section.polygons.empty()) continue;
-      std::vector<std::string>& objects = result[section.group];
-      if (objects.empty() || (objects.size() < 2 && objects[0] != section.object)) objects.push_back(section.object);
-    }
+    std::set<std::string> result;
+    std::map<std::string, std::string> objects; // by group, the first one
+    for (const Section& section : sections_)
+      if (!section.polygons.empty() && objects.emplace(section.group, section.object).first->second != section.object)
+        result.insert(section.group);
     return result;
   }
 
   Model_content content() const
   {
-    const std::map<std::string, std::vector<std::string>> objects = objects_of_groups();
+    const std::set<std::string> shared = shared_groups();
     // A group's own name, preceded by its object's where groups of several objects share it
     const auto part_name = [&](const Section& section) {
       if (section.group.empty()) return section.object;
-      const bool is_shared = objects.at(section.group).size() > 1 && !section.object.empty();
-      return is_shared ? section.object + "/" + section.group : section.group;
+      return shared.count(section.group) > 0 && !section.object.empty() ? section.object + "/" + section.group
+                                                                        : section.group;
     };
     Model_content result;
     result.faces_left_out = faces_left_out_;
