@@ -3,7 +3,6 @@
 
 #include "io/read/Gltf_document.h"
 #include "base/limits.h"
-#include "io/read/named_files.h"
 #include "io/read/text_words.h"
 #include "io/system/little_endian.h"
 

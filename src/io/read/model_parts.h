@@ -62,6 +62,24 @@ constexpr const char* repeated_too_often =
     "its nodes use the same meshes again and again, which makes more than a million triangles beyond what is in the "
     "file; simplify these meshes, or leave out some of the nodes";
 
+/// The bytes of a file that a model names, or why there are none, as the end of a sentence.
+struct Named_file
+{
+  std::string bytes, fault;
+};
+
+/// Reads the files that a model names: from its folder or, where they are not there by the path that it gives, beside
+/// it.
+struct Named_files
+{
+  const std::string& model;
+  const Reading_options& options;
+  std::uintmax_t largest; ///< bytes of a file
+  std::uintmax_t& rest;   ///< bytes of files that may be read for the model; what is read is taken off
+
+  Named_file read(const std::string& given) const;
+};
+
 /// Whether there is a reader for files of a name like this, by its extension.
 bool is_model_file(const std::string& path);
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/named_files.h"
+#include "io/read/model_parts.h"
 #include "io/system/input_file.h"
 
 #include <algorithm>

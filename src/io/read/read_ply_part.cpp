@@ -8,6 +8,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -179,14 +180,11 @@ private:
 
   void read_format(std::string_view word)
   {
-    if (word == "ascii")
-      encoding_ = Ply_encoding::ASCII;
-    else if (word == "binary_little_endian")
-      encoding_ = Ply_encoding::LITTLE_ENDIAN_BYTES;
-    else if (word == "binary_big_endian")
-      encoding_ = Ply_encoding::BIG_ENDIAN_BYTES;
-    else
+    constexpr const char* encodings[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    const auto known = std::find(std::begin(encodings), std::end(encodings), word);
+    if (known == std::end(encodings))
       fail("its PLY format is " + cited(word) + ", which is not ascii, binary_little_endian or binary_big_endian");
+    encoding_ = Ply_encoding(known - std::begin(encodings));
   }
 
   void read_element_statement(std::string_view line)

@@ -163,14 +163,6 @@ Symmetry read_symmetry(const Json_field& group)
   return symmetry;
 }
 
-double total_volume(const std::vector<std::size_t>& group, const std::vector<Part_abstraction>& parts)
-{
-  double sum = 0;
-  for (std::size_t part : group)
-    sum += parts[part].volume;
-  return sum;
-}
-
 Part_group read_group(const Json_field& field, const std::vector<Part_abstraction>& parts, const Part_indices& indices,
                       std::set<std::size_t>& grouped)
 {
@@ -184,11 +176,14 @@ Part_group read_group(const Json_field& field, const std::vector<Part_abstractio
   group.symmetry = read_symmetry(field);
   const bool is_of_one = group.symmetry.type == Symmetry_type::NONE || group.symmetry.type == Symmetry_type::SELF;
   if (is_of_one && group.parts.size() > 1) field.fail("has several parts; their symmetry cannot be \"self\"");
-  const bool alone = group.parts.size() == 1;
-  group.volume = field.has("volume") ? field["volume"].number_at_least_0() : total_volume(group.parts, parts);
+  if (field.has("volume"))
+    group.volume = field["volume"].number_at_least_0();
+  else
+    for (std::size_t part : group.parts)
+      group.volume += parts[part].volume;
   if (field.has("hull_volume"))
     group.hull_volume = field["hull_volume"].number_at_least_0();
-  else if (alone)
+  else if (group.parts.size() == 1)
     group.hull_volume = parts[group.parts[0]].hull_volume;
   return group;
 }
