@@ -10,11 +10,11 @@ namespace CGAL::Shape_correspondence::IO {
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)
 {
   const double* coordinates = corners.empty() ? nullptr : corners[0].data();
-  const std::vector<int> first =
-      internal::first_in_place(Eigen::Map<const Points>(coordinates, 3, Eigen::Index(corners.size())));
+  const Eigen::Map<const Points> points(coordinates, 3, Eigen::Index(corners.size()));
+  const std::vector<int> first = internal::first_in_place(points);
   std::vector<int> vertex(corners.size(), -1);
   std::vector<int> used; // corner that stands for each vertex
-  std::vector<Eigen::Vector3i> triangles;
+  std::vector<int> triangles;
   for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
     const Eigen::Vector3i c(first[t], first[t + 1], first[t + 2]);
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
@@ -24,16 +24,12 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
         vertex[corner] = static_cast<int>(used.size());
         used.push_back(corner);
       }
+      triangles.push_back(vertex[corner]);
     }
-    triangles.emplace_back(vertex[c[0]], vertex[c[1]], vertex[c[2]]);
   }
   Part_mesh mesh;
-  mesh.points.resize(3, used.size());
-  for (std::size_t i = 0; i < used.size(); ++i)
-    mesh.points.col(i) = corners[used[i]];
-  mesh.triangles.resize(3, triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    mesh.triangles.col(i) = triangles[i];
+  mesh.points = points(Eigen::all, used);
+  mesh.triangles = Eigen::Map<const Eigen::Matrix3Xi>(triangles.data(), 3, Eigen::Index(triangles.size() / 3));
   return mesh;
 }
 
