@@ -5,7 +5,6 @@
 
 #include "command_line.h"
 #include "io/read/read_objects.h"
-#include "io/read/split_by_roles.h"
 #include "io/write/Json.h"
 #include "shape/Triangle_tree.h"
 #include "shape/sample_triangles.h"

@@ -4,7 +4,6 @@
 #include "cli/Known_folder.h"
 #include "io/read/read_objects.h"
 #include "io/system/checked_file.h"
-#include "io/system/digest.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

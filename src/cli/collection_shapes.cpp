@@ -11,7 +11,6 @@
 #include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
 #include "io/system/checked_file.h"
-#include "io/system/digest.h"
 #include "io/system/input_file.h"
 #include "io/write/Json.h"
 

@@ -4,7 +4,7 @@
 #include "cli/collection_work.h"
 #include "cli/progress_bar.h"
 #include "cli/run.h"
-#include "io/system/digest.h"
+#include "io/system/checked_file.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/version.h>

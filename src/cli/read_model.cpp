@@ -3,7 +3,6 @@
 
 #include "cli/read_model.h"
 #include "io/read/model_parts.h"
-#include "io/read/split_by_roles.h"
 #include "io/system/input_file.h"
 #include "roles/up_by_roles.h"
 #include "structure/frame_of_shape.h"

@@ -6,7 +6,6 @@
 // some make it take all memory.
 
 #include "io/read/model_stream.h"
-#include "io/read/repeated_triangles.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "io/write/Blend_painter.h"
 #include "io/write/pictures.h"
 
 #include <CGAL/Shape_correspondence/Shape_appearance.h>

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/named_files.h"
 #include "io/read/read_objects.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "io/write/simplified_shape.h"
+#include "io/write/pictures.h"
 
 #include <algorithm>
 #include <optional>

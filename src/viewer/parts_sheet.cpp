@@ -3,7 +3,7 @@
 
 #include "viewer/parts_sheet.h"
 #include "io/system/colours.h"
-#include "io/write/simplified_shape.h"
+#include "io/write/pictures.h"
 #include "viewer/page.h"
 
 #include <Eigen/Geometry>

@@ -5,7 +5,6 @@
 #include "io/system/colours.h"
 #include "io/write/part_labels.h"
 #include "io/write/pictures.h"
-#include "io/write/simplified_shape.h"
 #include "viewer/page.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "box_shapes.h"
-#include "io/write/simplified_shape.h"
+#include "io/write/pictures.h"
 
 #include <catch2/catch.hpp>
 

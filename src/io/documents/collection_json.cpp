@@ -49,20 +49,15 @@ Json tree_json(const Collection& collection)
   return result;
 }
 
-Json pairs_json(const Part_map& map, const Collection::Shape& source, const Collection::Shape& target)
+void set_pairs(Json& result, const Part_map& map, const Collection::Shape& source, const Collection::Shape& target)
 {
-  Json result = Json::array();
-  for (const Part_correspondence& pair : map.pairs)
-    result.push_back({source.parts[pair.source], target.parts[pair.target]});
-  return result;
-}
-
-Json confidences_json(const Part_map& map)
-{
-  Json result = Json::array();
-  for (const Part_correspondence& pair : map.pairs)
-    result.push_back(pair.confidence);
-  return result;
+  Json pairs = Json::array(), confidences = Json::array();
+  for (const Part_correspondence& pair : map.pairs) {
+    pairs.push_back({source.parts[pair.source], target.parts[pair.target]});
+    confidences.push_back(pair.confidence);
+  }
+  result["pairs"] = std::move(pairs);
+  result["confidences"] = std::move(confidences);
 }
 
 Json bridges_json(const Collection& collection)
@@ -78,9 +73,8 @@ Json bridges_json(const Collection& collection)
                       {"target", target.name},
                       {"chain", chain},
                       {"energy", way.chain.energy},
-                      {"direct_energy", way.direct_energy},
-                      {"pairs", pairs_json(way.map, source, target)},
-                      {"confidences", confidences_json(way.map)}});
+                      {"direct_energy", way.direct_energy}});
+    set_pairs(result.back(), way.map, source, target);
   }
   return result;
 }
@@ -90,10 +84,8 @@ Json matches_json(const Collection& collection)
   Json result = Json::array();
   for (const Shape_pair_map& match : collection.matches) {
     const Collection::Shape &source = collection.shapes[match.source], &target = collection.shapes[match.target];
-    result.push_back({{"source", source.name},
-                      {"target", target.name},
-                      {"pairs", pairs_json(match.map, source, target)},
-                      {"confidences", confidences_json(match.map)}});
+    result.push_back({{"source", source.name}, {"target", target.name}});
+    set_pairs(result.back(), match.map, source, target);
   }
   return result;
 }
@@ -151,12 +143,9 @@ void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
   result["nearest"] = Json::array();
   for (const Near_shape& near : found.nearest.shapes) {
     const Collection::Shape& shape = found.shapes[near.shape];
-    result["nearest"].push_back({{"name", shape.name},
-                                 {"file", shape.file},
-                                 {"category", near.category},
-                                 {"distance", near.distance},
-                                 {"pairs", pairs_json(near.map, found.query, shape)},
-                                 {"confidences", confidences_json(near.map)}});
+    result["nearest"].push_back(
+        {{"name", shape.name}, {"file", shape.file}, {"category", near.category}, {"distance", near.distance}});
+    set_pairs(result["nearest"].back(), near.map, found.query, shape);
   }
   result["warnings"] = found.warnings;
   result.write(out);

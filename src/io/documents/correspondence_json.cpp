@@ -117,6 +117,17 @@ Json solutions(const std::vector<Correspondence>& ranked, const Structural_graph
   return result;
 }
 
+/// By the indices of parts; empty where none is known.
+std::vector<std::string> roles_of_parts(const std::map<std::string, std::string>& roles, const Structural_graph& graph)
+{
+  std::vector<std::string> result;
+  for (const Part_abstraction& part : structure(graph).parts) {
+    const auto found = roles.find(part.name);
+    result.push_back(found == roles.end() ? "" : found->second);
+  }
+  return result;
+}
+
 } // namespace
 
 void write_correspondence_json(std::ostream& out, const Correspondence& c, const Structural_graph& source,
@@ -167,21 +178,6 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   if (ranked.size() > 1) result["solutions"] = solutions(ranked, source, target);
   result.write(out);
 }
-
-namespace {
-
-/// By the indices of parts; empty where none is known.
-std::vector<std::string> roles_of_parts(const std::map<std::string, std::string>& roles, const Structural_graph& graph)
-{
-  std::vector<std::string> result;
-  for (const Part_abstraction& part : structure(graph).parts) {
-    const auto found = roles.find(part.name);
-    result.push_back(found == roles.end() ? "" : found->second);
-  }
-  return result;
-}
-
-} // namespace
 
 Named_correspondence read_correspondence_json(const std::string& file)
 {

@@ -3,7 +3,6 @@
 
 #include "io/system/atomic_file.h"
 #include "io/system/checked_file.h"
-#include "io/system/digest.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -22,41 +21,26 @@ namespace {
 /// were not CGAL's.
 constexpr int algorithms_version = 14;
 
-/// Values in their bytes, one after the other.
-class Bytes
+/// Appends the bytes of a number, a text or a matrix.
+template <typename Value>
+void append(const Value& value, std::string& bytes)
 {
-public:
-  template <typename Number>
-  std::enable_if_t<std::is_arithmetic<Number>::value || std::is_enum<Number>::value> add(const Number& number)
-  {
-    text_.append(reinterpret_cast<const char*>(&number), sizeof number);
+  if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    append(static_cast<std::uint64_t>(value.size()), bytes);
+    bytes += value;
+  } else {
+    append(static_cast<std::uint64_t>(value.cols()), bytes);
+    bytes.append(reinterpret_cast<const char*>(value.data()), sizeof(*value.data()) * std::size_t(value.size()));
   }
+}
 
-  void add(const std::string& text)
-  {
-    add(static_cast<std::uint64_t>(text.size()));
-    text_ += text;
-  }
-
-  template <typename Scalar, int Rows, int Cols>
-  void add(const Eigen::Matrix<Scalar, Rows, Cols>& matrix)
-  {
-    add(static_cast<std::uint64_t>(matrix.cols()));
-    text_.append(reinterpret_cast<const char*>(matrix.data()),
-                 sizeof(Scalar) * static_cast<std::size_t>(matrix.size()));
-  }
-
-  template <typename... Values>
-  void add_all(const Values&... values)
-  {
-    (add(values), ...);
-  }
-
-  const std::string& text() const { return text_; }
-
-private:
-  std::string text_;
-};
+template <typename... Values>
+void append_all(std::string& bytes, const Values&... values)
+{
+  (append(values, bytes), ...);
+}
 
 /// The same with every compiler for the abstractors of the package.
 std::string name_of_abstractor(const Abstraction_options& options)
@@ -68,14 +52,14 @@ std::string name_of_abstractor(const Abstraction_options& options)
   return abstractor.target_type().name();
 }
 
-void add(const Abstraction_options& options, Bytes& bytes)
+void append_options(const Abstraction_options& options, std::string& bytes)
 {
-  bytes.add_all(name_of_abstractor(options), options.kind, options.part_kinds.size());
+  append_all(bytes, name_of_abstractor(options), options.kind, options.part_kinds.size());
   for (const auto& [part, kind] : options.part_kinds)
-    bytes.add_all(part, kind);
+    append_all(bytes, part, kind);
   // Graphs that depend on the time limit are not kept
-  bytes.add_all(options.edge_length, options.triangles, options.stop_volume, options.maximum_iterations,
-                options.curve_points, options.sheet_points);
+  append_all(bytes, options.edge_length, options.triangles, options.stop_volume, options.maximum_iterations,
+             options.curve_points, options.sheet_points);
 }
 
 std::string title(const std::string& content) { return "shape_correspondence cache entry " + content; }
@@ -84,15 +68,15 @@ std::string title(const std::string& content) { return "shape_correspondence cac
 
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options)
 {
-  Bytes bytes;
-  bytes.add_all(algorithms_version, shape.name(), shape.up(), shape.parts().size());
+  std::string bytes;
+  append_all(bytes, algorithms_version, shape.name(), shape.up(), shape.parts().size());
   for (const Shape_part& part : shape.parts())
-    bytes.add_all(part.name, part.mesh.points, part.mesh.triangles);
-  add(options.abstraction, bytes);
+    append_all(bytes, part.name, part.mesh.points, part.mesh.triangles);
+  append_options(options.abstraction, bytes);
   const Symmetry_options& symmetry = options.symmetry;
-  bytes.add_all(symmetry.tolerance, symmetry.enabled, symmetry.reflection, symmetry.rotation, symmetry.translation,
-                options.contacts.tolerance, options.contacts.closest_points);
-  return digest(bytes.text());
+  append_all(bytes, symmetry.tolerance, symmetry.enabled, symmetry.reflection, symmetry.rotation, symmetry.translation,
+             options.contacts.tolerance, options.contacts.closest_points);
+  return digest(bytes);
 }
 
 Structural_graph_cache::Structural_graph_cache(std::string folder) : folder_(std::move(folder))

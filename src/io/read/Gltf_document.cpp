@@ -3,8 +3,6 @@
 
 #include "io/read/Gltf_document.h"
 #include "base/limits.h"
-#include "io/read/named_files.h"
-#include "io/read/repeated_triangles.h"
 #include "io/read/text_words.h"
 #include "io/system/little_endian.h"
 
@@ -22,12 +20,6 @@ constexpr std::uint64_t most_numbers =
     200'000'000;                              // of ten million triangles: three corners each, and what they are of
 constexpr std::size_t most_zeros = 1'000'000; // elements of an accessor that the file says nothing of
 const char* const version_1 = "glTF 1.0";
-
-template <typename Number>
-double component_in(const char* bytes)
-{
-  return double(number_in<Number>(bytes));
-}
 
 /// None if it has a character of another kind, or ends early.
 std::optional<std::string> from_base64(std::string_view text)
@@ -187,7 +179,7 @@ std::string Gltf_document::load(const Json_field& buffer)
 {
   const std::string uri = buffer["uri"].text();
   if (std::optional<std::string> data = data_of_uri(uri)) return std::move(*data);
-  Named_file file = Named_files(file_, options_, largest_model, rest_of_files_).read(uri);
+  Named_file file = Named_files{file_, options_, largest_model, rest_of_files_}.read(uri);
   if (file.fault.empty()) return std::move(file.bytes);
   throw Invalid_input(file_ + ": the file " + cited_file(uri) + ", which it names, " + file.fault +
                       "; put it beside the model");
@@ -221,9 +213,9 @@ std::string_view Gltf_document::bytes(const Json_field& view)
 const Gltf_document::Component& Gltf_document::component_at(const Json_field& field)
 {
   static const Component components[] = {
-      {5120, 1, 127, component_in<std::int8_t>},           {5121, 1, 255, component_in<std::uint8_t>},
-      {5122, 2, 32767, component_in<std::int16_t>},        {5123, 2, 65535, component_in<std::uint16_t>},
-      {5125, 4, 4294967295., component_in<std::uint32_t>}, {5126, 4, 1, component_in<float>}};
+      {5120, 1, 127, real_in<std::int8_t>},           {5121, 1, 255, real_in<std::uint8_t>},
+      {5122, 2, 32767, real_in<std::int16_t>},        {5123, 2, 65535, real_in<std::uint16_t>},
+      {5125, 4, 4294967295., real_in<std::uint32_t>}, {5126, 4, 1, real_in<float>}};
   const Json_field code = field["componentType"];
   for (const Component& known : components)
     if (known.code == code.integer()) return known;

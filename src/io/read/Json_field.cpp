@@ -17,6 +17,38 @@
 #include <new>
 
 namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+/// Whether it is a point, of coordinates that are not too large.
+bool is_point(const nlohmann::json& value)
+{
+  return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& coordinate) {
+           return coordinate.is_number() && std::abs(coordinate.template get<double>()) <= internal::largest_coordinate;
+         });
+}
+
+/// Bytes of memory that the values of a document take, with what lists that grow leave behind.
+std::uint64_t memory_of_values(std::string_view text)
+{
+  constexpr std::uint64_t of_value = 40, of_list = 64, of_object = 96, of_quote = 32;
+  std::uint64_t result = of_value;
+  for (char c : text)
+    result += c == ',' ? of_value : c == '[' ? of_list : c == '{' ? of_object : c == '"' ? of_quote : 0;
+  return result;
+}
+
+/// Throws `std::bad_alloc` if there is not the memory for the values of a document. The parser cannot: it needs memory
+/// to take down again what it has built.
+void check_memory(std::string_view text, const std::string& file)
+{
+  const std::uint64_t bytes = memory_of_values(text);
+  if (bytes > internal::most_memory_of_values)
+    throw Invalid_input(file + ": its values would take more than " +
+                        std::to_string(internal::most_memory_of_values >> 30) + " GB of memory; divide it");
+  ::operator delete(::operator new(std::size_t(bytes)));
+}
+
+} // namespace
 
 void Json_field::fail(const std::string& what) const
 {
@@ -144,27 +176,14 @@ Point Json_field::unit_vector() const
   return result;
 }
 
-namespace {
-
-/// Whether it is a point, of coordinates that are not too large.
-bool is_point(const nlohmann::json& value)
-{
-  return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& coordinate) {
-           return coordinate.is_number() && std::abs(coordinate.template get<double>()) <= internal::largest_coordinate;
-         });
-}
-
-} // namespace
-
 Points Json_field::points() const
 {
   Points result(3, size());
   for (std::size_t i = 0; i < size(); ++i) {
     const nlohmann::json& value = (*value_)[i];
-    if (is_point(value)) // which needs no text that says where it is
-      result.col(Eigen::Index(i)) = Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
-    else
-      result.col(Eigen::Index(i)) = element(i).point();
+    result.col(Eigen::Index(i)) = is_point(value)
+                                      ? Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>())
+                                      : element(i).point(); // which needs a text that says where it is
   }
   return result;
 }
@@ -174,31 +193,6 @@ Points Json_field::points(std::size_t size, const char* meaning) const
   check_size(size, meaning);
   return points();
 }
-
-namespace {
-
-/// Bytes of memory that the values of a document take, with what lists that grow leave behind.
-std::uint64_t memory_of_values(std::string_view text)
-{
-  constexpr std::uint64_t of_value = 40, of_list = 64, of_object = 96, of_quote = 32;
-  std::uint64_t result = of_value;
-  for (char c : text)
-    result += c == ',' ? of_value : c == '[' ? of_list : c == '{' ? of_object : c == '"' ? of_quote : 0;
-  return result;
-}
-
-/// Throws `std::bad_alloc` if there is not the memory for the values of a document. The parser cannot: it needs memory
-/// to take down again what it has built.
-void check_memory(std::string_view text, const std::string& file)
-{
-  const std::uint64_t bytes = memory_of_values(text);
-  if (bytes > internal::most_memory_of_values)
-    throw Invalid_input(file + ": its values would take more than " +
-                        std::to_string(internal::most_memory_of_values >> 30) + " GB of memory; divide it");
-  ::operator delete(::operator new(std::size_t(bytes)));
-}
-
-} // namespace
 
 Json_field parse_json(std::string_view text, const std::string& file)
 {

@@ -49,6 +49,37 @@ Model_content read_gltf_parts(std::string_view text, const std::string& file, co
 /// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
 Model_content import_parts(const std::string& file, const Reading_options& options);
 
+/// Triangles of a model beyond one a byte of its files, as strips have at most. Nodes that use the same mesh take
+/// hardly any bytes, but their triangles take memory and time as all others.
+constexpr std::uint64_t most_repeated_triangles = 1'000'000;
+
+inline bool are_repeated_too_often(std::uint64_t triangles, std::uint64_t bytes)
+{
+  return triangles > most_repeated_triangles && triangles - most_repeated_triangles > bytes;
+}
+
+constexpr const char* repeated_too_often =
+    "its nodes use the same meshes again and again, which makes more than a million triangles beyond what is in the "
+    "file; simplify these meshes, or leave out some of the nodes";
+
+/// The bytes of a file that a model names, or why there are none, as the end of a sentence.
+struct Named_file
+{
+  std::string bytes, fault;
+};
+
+/// Reads the files that a model names: from its folder or, where they are not there by the path that it gives, beside
+/// it.
+struct Named_files
+{
+  const std::string& model;
+  const Reading_options& options;
+  std::uintmax_t largest; ///< bytes of a file
+  std::uintmax_t& rest;   ///< bytes of files that may be read for the model; what is read is taken off
+
+  Named_file read(const std::string& given) const;
+};
+
 /// Whether there is a reader for files of a name like this, by its extension.
 bool is_model_file(const std::string& path);
 
@@ -56,22 +87,11 @@ bool is_model_file(const std::string& path);
 /// fewer than 3 corners.
 std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon);
 
-/// Adds the triangles of the corners from `first` to `last` of a convex polygon by halving, so that no corner is in
-/// many of them as the first one of a fan is.
-void add_halves(std::size_t first, std::size_t last, std::vector<std::size_t>& triangles);
-
-/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches or crosses
-/// itself there.
-std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal);
-
 /// The indexed mesh of triangles given by their corners: corners at the same place become one vertex, vertices are
 /// numbered as they first appear, triangles with two corners at the same place are left out.
 /// \param kept where not null, gets the numbers of the triangles that are left
 /// \pre all coordinates are finite
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept = nullptr);
-
-/// Adds the points and triangles of a mesh to those of another one.
-void add_mesh(const Part_mesh& more, Part_mesh& all);
 
 /// Some parts of a shape as one mesh, with its appearance. \param appearance may lack parts
 std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,

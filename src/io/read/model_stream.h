@@ -25,48 +25,44 @@ constexpr int out_of_memory_status = 3; ///< of the program, which then writes n
 template <typename Stream, typename Content>
 void exchange(Stream& stream, Content& content)
 {
-  stream.number(content.faces_left_out);
-  stream.list(content.materials, [&](auto& material) {
-    stream.values(material.name);
-    stream.bytes(material.colour.data(), sizeof(double) * 4);
-    stream.bytes(&material.texture, sizeof material.texture);
-  });
-  stream.list(content.textures, [&](auto& texture) {
-    stream.values(texture.name);
-    stream.values(texture.bytes);
-    stream.number(texture.wrap_u);
-    stream.number(texture.wrap_v);
-  });
-  stream.list(content.parts, [&](auto& part) {
-    stream.values(part.name);
-    stream.values(part.corners);
-    stream.values(part.appearance.materials);
-    stream.values(part.appearance.coordinates);
-    stream.values(part.appearance.colours);
-  });
+  const auto value = [&](auto& member) { stream.bytes(&member, sizeof member); };
+  const auto values = [&](auto& list) {
+    constexpr std::size_t of_element = sizeof(*list.data());
+    stream.size(list, of_element);
+    stream.bytes(list.data(), list.size() * of_element);
+  };
+  value(content.faces_left_out);
+  stream.size(content.materials, 1);
+  for (auto& material : content.materials) {
+    values(material.name);
+    value(material.colour);
+    value(material.texture);
+  }
+  stream.size(content.textures, 1);
+  for (auto& texture : content.textures) {
+    values(texture.name);
+    values(texture.bytes);
+    value(texture.wrap_u);
+    value(texture.wrap_v);
+  }
+  stream.size(content.parts, 1);
+  for (auto& part : content.parts) {
+    values(part.name);
+    values(part.corners);
+    values(part.appearance.materials);
+    values(part.appearance.coordinates);
+    values(part.appearance.colours);
+  }
 }
 
 class Content_writer
 {
 public:
-  template <typename Number>
-  void number(const Number& value)
+  template <typename List>
+  void size(const List& list, std::size_t)
   {
-    const auto as_written = static_cast<std::uint64_t>(value);
-    bytes(&as_written, sizeof as_written);
-  }
-  template <typename Values>
-  void values(const Values& values)
-  {
-    number(values.size());
-    bytes(values.data(), values.size() * sizeof(*values.data()));
-  }
-  template <typename List, typename Exchange>
-  void list(const List& list, const Exchange& exchange_element)
-  {
-    number(list.size());
-    for (const auto& element : list)
-      exchange_element(element);
+    const std::uint64_t number = list.size();
+    bytes(&number, sizeof number);
   }
   void bytes(const void* place, std::size_t size) { text.append(static_cast<const char*>(place), size); }
 
@@ -79,25 +75,14 @@ class Content_reader
 public:
   explicit Content_reader(std::string_view text) : rest_(text) {}
 
-  template <typename Number>
-  void number(Number& value)
+  /// \param of_element the fewest bytes that an element takes
+  template <typename List>
+  void size(List& list, std::size_t of_element)
   {
-    std::uint64_t as_written = 0;
-    bytes(&as_written, sizeof as_written);
-    value = static_cast<Number>(as_written);
-  }
-  template <typename Values>
-  void values(Values& values)
-  {
-    values.resize(size(sizeof(*values.data())));
-    bytes(values.data(), values.size() * sizeof(*values.data()));
-  }
-  template <typename List, typename Exchange>
-  void list(List& list, const Exchange& exchange_element)
-  {
-    list.resize(size(1));
-    for (auto& element : list)
-      exchange_element(element);
+    std::uint64_t number = 0;
+    bytes(&number, sizeof number);
+    if (number > rest_.size() / of_element) fail();
+    list.resize(std::size_t(number));
   }
   void bytes(void* place, std::size_t size)
   {
@@ -108,14 +93,6 @@ public:
 
 private:
   [[noreturn]] static void fail() { throw Invalid_input("what its reader sends is damaged"); }
-
-  std::size_t size(std::size_t of_element)
-  {
-    std::uint64_t result = 0;
-    number(result);
-    if (result > rest_.size() / of_element) fail();
-    return std::size_t(result);
-  }
 
   std::string_view rest_;
 };

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/named_files.h"
+#include "io/read/model_parts.h"
 #include "io/system/input_file.h"
 
 #include <algorithm>
@@ -40,25 +40,25 @@ std::string without_percents(const std::string& name)
 
 Named_file Named_files::read(const std::string& given) const
 {
-  const fs::path folder = fs::path(model_).parent_path();
+  const fs::path folder = fs::path(model).parent_path();
   const std::string name = with_slashes(given);
   std::error_code error;
   std::string fault = "is not there";
   for (const fs::path candidate : {name, without_percents(name)})
     for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
       if (!fs::is_regular_file(path, error)) continue;
-      if (!options_.allow_outside_files && !is_in_folder_of(model_, path.string())) {
+      if (!options.allow_outside_files && !is_in_folder_of(model, path.string())) {
         fault = "is outside the model's folder, and not read without --allow-outside-files";
         continue;
       }
       const std::uintmax_t size = fs::file_size(path, error);
-      if (size > largest_) return {"", "is larger than " + std::to_string(largest_ >> 20) + " MB"};
-      if (size > rest_) return {"", "is more than a model may have in such files"};
+      if (size > largest) return {"", "is larger than " + std::to_string(largest >> 20) + " MB"};
+      if (size > rest) return {"", "is more than a model may have in such files"};
       std::ifstream in(path, std::ios::binary);
       Named_file result{std::string(std::size_t(size), '\0'), in ? "" : "cannot be read"};
       in.read(result.bytes.data(), std::streamsize(size));
       result.bytes.resize(std::size_t(in.gcount()));
-      rest_ -= std::min<std::uintmax_t>(rest_, result.bytes.size());
+      rest -= std::min<std::uintmax_t>(rest, result.bytes.size());
       return result;
     }
   return {"", fault};

@@ -9,12 +9,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 using Transform = Eigen::Affine3d;
+
+/// What the indices of a primitive make.
+enum Mode { POINTS, LINES, LOOP, LINE_STRIP, TRIANGLES, STRIP, FAN };
 
 Transform transform_of(const Json_field& node)
 {
@@ -37,7 +41,6 @@ Transform transform_of(const Json_field& node)
 /// The corners of the triangles of a strip or fan, or of triangles one by one, as numbers of its indices.
 std::vector<std::size_t> corners_of(std::size_t mode, std::size_t indices)
 {
-  enum { TRIANGLES = 4, STRIP, FAN };
   std::vector<std::size_t> result;
   const std::size_t step = mode == TRIANGLES ? 3 : 1;
   for (std::size_t i = 0; i + 2 < indices; i += step) {
@@ -50,7 +53,6 @@ std::vector<std::size_t> corners_of(std::size_t mode, std::size_t indices)
 /// The points or lines of a mesh that has no triangles.
 std::size_t points_or_lines(std::size_t mode, std::size_t indices)
 {
-  enum { POINTS, LINES, LOOP, LINE_STRIP };
   return mode == LINES ? indices / 2 : mode == LINE_STRIP ? std::max<std::size_t>(indices, 1) - 1 : indices;
 }
 
@@ -209,9 +211,9 @@ private:
     if (!attributes.has("POSITION")) return;
     const Eigen::MatrixXd points = document_.numbers(attributes["POSITION"], {"VEC3"});
     const std::vector<std::size_t> vertices = vertices_of(primitive, std::size_t(points.cols()), part.name);
-    const std::size_t mode = Gltf_document::number_at(primitive, "mode", 4);
-    if (mode > 6) primitive["mode"].fail("is " + std::to_string(mode) + ", which is none");
-    if (mode < 4) {
+    const std::size_t mode = Gltf_document::number_at(primitive, "mode", TRIANGLES);
+    if (mode > FAN) primitive["mode"].fail("is " + std::to_string(mode) + ", which is none");
+    if (mode < TRIANGLES) {
       content_.faces_left_out += points_or_lines(mode, vertices.size());
       return;
     }
@@ -231,8 +233,8 @@ private:
   {
     std::vector<std::size_t> result;
     if (!primitive.has("indices")) {
-      for (std::size_t i = 0; i < points; ++i)
-        result.push_back(i);
+      result.resize(points);
+      std::iota(result.begin(), result.end(), std::size_t(0));
       return result;
     }
     const Eigen::MatrixXd indices = document_.numbers(primitive["indices"], {"SCALAR"});

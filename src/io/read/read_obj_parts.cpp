@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 
 // An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,
 // and CGAL's reader drops the names of objects and groups.
@@ -40,37 +42,26 @@ struct Section
 class Obj_reader
 {
 public:
-  Obj_reader(std::string_view text, const std::string& file) : text_(text), file_(file), sections_(1) {}
+  Obj_reader(std::string_view text, const std::string& file) : lines_(text, file), file_(file), sections_(1) {}
 
   Model_content read()
   {
-    while (!text_.empty())
+    while (!lines_.rest().empty())
       read_statement(trimmed(without_comment(next_statement())));
     divide_by_materials();
     return content();
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const
-  {
-    throw Invalid_input(file_ + ", line " + std::to_string(line_number_) + ": " + what);
-  }
-
   /// A line, and those that it is continued on by a backslash at its end.
   std::string_view next_statement()
   {
-    std::string_view line = read_line();
+    std::string_view line = lines_.next();
     if (!is_continued(line)) return line;
     joined_.clear();
-    for (; is_continued(line); line = read_line())
+    for (; is_continued(line); line = lines_.next())
       joined_.append(line, 0, line.find_last_of('\\')).append(1, ' ');
     return joined_.append(line);
-  }
-
-  std::string_view read_line()
-  {
-    ++line_number_;
-    return next_line(text_);
   }
 
   static bool is_continued(std::string_view line)
@@ -92,7 +83,7 @@ private:
   {
     const std::string_view keyword = next_word(statement);
     if (keyword == "v")
-      read_vertex(statement);
+      points_.push_back(lines_.vertex(statement));
     else if (keyword == "f" || keyword == "fo")
       read_face(statement);
     else if (keyword == "o")
@@ -128,16 +119,6 @@ private:
     return name.empty() ? otherwise : name;
   }
 
-  void read_vertex(std::string_view statement)
-  {
-    Point point;
-    for (double& coordinate : point) {
-      const std::string_view word = next_word(statement);
-      if (!parse(word, coordinate)) fail("a vertex needs three numbers; " + cited(word) + " is none");
-    }
-    points_.push_back(point);
-  }
-
   void read_face(std::string_view statement)
   {
     Obj_polygon polygon;
@@ -154,25 +135,31 @@ private:
     sections_.back().polygons.push_back(std::move(polygon));
   }
 
+  /// The place of an element by its number in a file, which counts back from the last one if it is negative; none if
+  /// there is no such element.
+  static std::optional<std::size_t> place_of(long long number, std::size_t elements)
+  {
+    const auto count = static_cast<long long>(elements);
+    if (number == 0 || number > count || number < -count) return std::nullopt;
+    return std::size_t(number > 0 ? number - 1 : count + number);
+  }
+
   /// \param rest of a corner, from the first slash on
   int coordinate_index(std::string_view rest) const
   {
-    long long index = 0;
-    const long long count = static_cast<long long>(coordinates_.size());
-    if (rest.empty() || !parse(rest.substr(1, rest.find('/', 1) - 1), index)) return -1;
-    if (index == 0 || index > count || index < -count) return -1;
-    return int(index > 0 ? index - 1 : count + index);
+    long long number = 0;
+    if (rest.empty() || !parse(rest.substr(1, rest.find('/', 1) - 1), number)) return -1;
+    const std::optional<std::size_t> place = place_of(number, coordinates_.size());
+    return place ? int(*place) : -1;
   }
 
   std::size_t vertex_index(std::string_view word) const
   {
-    long long index = 0;
-    if (!parse(word, index)) fail(cited(word) + " is not a vertex number");
-    const long long count = static_cast<long long>(points_.size());
-    if (index == 0 || index > count || index < -count)
-      fail("a face uses vertex " + std::to_string(index) + ", but " + std::to_string(count) +
-           " vertices come before it" + in_part());
-    return static_cast<std::size_t>(index > 0 ? index - 1 : count + index);
+    long long number = 0;
+    if (!parse(word, number)) lines_.fail(cited(word) + " is not a vertex number");
+    if (const std::optional<std::size_t> place = place_of(number, points_.size())) return *place;
+    lines_.fail("a face uses vertex " + std::to_string(number) + ", but " + std::to_string(points_.size()) +
+                " vertices come before it" + in_part());
   }
 
   std::string in_part() const
@@ -233,26 +220,25 @@ private:
     if (divided.size() > 1 && needs_materials(whole)) sections_ = std::move(divided);
   }
 
-  /// The objects that have a group of each name with faces, up to two.
-  std::map<std::string, std::vector<std::string>> objects_of_groups() const
+  /// The names that groups of several objects have.
+  std::set<std::string> shared_groups() const
   {
-    std::map<std::string, std::vector<std::string>> result;
-    for (const Section& section : sections_) {
-      if (section.polygons.empty()) continue;
-      std::vector<std::string>& objects = result[section.group];
-      if (objects.empty() || (objects.size() < 2 && objects[0] != section.object)) objects.push_back(section.object);
-    }
+    std::set<std::string> result;
+    std::map<std::string, std::string> objects; // by group, the first one
+    for (const Section& section : sections_)
+      if (!section.polygons.empty() && objects.emplace(section.group, section.object).first->second != section.object)
+        result.insert(section.group);
     return result;
   }
 
   Model_content content() const
   {
-    const std::map<std::string, std::vector<std::string>> objects = objects_of_groups();
+    const std::set<std::string> shared = shared_groups();
     // A group's own name, preceded by its object's where groups of several objects share it
     const auto part_name = [&](const Section& section) {
       if (section.group.empty()) return section.object;
-      const bool is_shared = objects.at(section.group).size() > 1 && !section.object.empty();
-      return is_shared ? section.object + "/" + section.group : section.group;
+      return shared.count(section.group) > 0 && !section.object.empty() ? section.object + "/" + section.group
+                                                                        : section.group;
     };
     Model_content result;
     result.faces_left_out = faces_left_out_;
@@ -267,10 +253,9 @@ private:
     return result;
   }
 
-  std::string_view text_;
+  Model_lines lines_;
   std::string joined_; ///< a statement of several lines
-  std::string file_;
-  std::size_t line_number_ = 0;
+  const std::string& file_;
   std::size_t faces_left_out_ = 0;
   std::vector<Point> points_;
   std::vector<Section> sections_;

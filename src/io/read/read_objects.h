@@ -5,6 +5,9 @@
 
 #include "io/read/model_parts.h"
 
+#include <CGAL/Shape_correspondence/Role_model.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,5 +38,11 @@ Model_objects read_objects(const std::string& path, const Point& up, const Readi
 /// the name of the shape. None if it is no such folder, or has files that name other files.
 /// \throw Invalid_input if a file cannot be read
 std::optional<std::string> digest_of_folder(const std::string& path);
+
+/// The same as `split_parts()`, but in mode `AUTO` pieces end where the material changes only if with this the parts
+/// are nearer to labelled parts of a category.
+/// \param roles null: they never do
+Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_splitting_options& options,
+                                const Role_model* roles);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -15,7 +15,7 @@ namespace {
 class Off_reader
 {
 public:
-  Off_reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  Off_reader(std::string_view text, const std::string& file) : lines_(text, file), file_(file) {}
 
   Model_content read()
   {
@@ -25,7 +25,7 @@ public:
     if (trimmed(line).empty()) line = next_line_of_words();
     const std::size_t vertices = number<std::size_t>(line), faces = number<std::size_t>(line);
     constexpr std::size_t least_vertex = 6, least_face = 2; // bytes of a line
-    if (vertices > text_.size() / least_vertex || faces > text_.size() / least_face)
+    if (vertices > lines_.rest().size() / least_vertex || faces > lines_.rest().size() / least_face)
       fail("says that it has " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
            " faces, which is more than the file holds; it is cut off or damaged");
     if (faces == 0) throw Invalid_input(file_ + ": there is no face in it; a model needs a mesh for every part");
@@ -42,16 +42,14 @@ public:
 private:
   [[noreturn]] void fail(const std::string& what) const
   {
-    throw Invalid_input(file_ + ", line " + std::to_string(line_number_) + ": it cannot be read as an OFF model: it " +
-                        what);
+    lines_.fail("it cannot be read as an OFF model: it " + what);
   }
 
   /// The next line that is more than blanks and a comment.
   std::string_view next_line_of_words()
   {
-    while (!text_.empty()) {
-      ++line_number_;
-      const std::string_view line = next_line(text_);
+    while (!lines_.rest().empty()) {
+      const std::string_view line = lines_.next();
       const std::string_view words = trimmed(line.substr(0, line.find('#')));
       if (!words.empty()) return words;
     }
@@ -131,9 +129,8 @@ private:
     }
   }
 
-  std::string_view text_;
-  std::string file_;
-  std::size_t line_number_ = 0;
+  Model_lines lines_;
+  const std::string& file_;
   std::vector<Point> points_, polygon_;
   std::vector<Eigen::Vector3f> colours_; ///< of vertices
   bool vertices_have_colours_ = false, vertices_have_normals_ = false, has_colours_ = false;

@@ -8,36 +8,62 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <iterator>
 
 // An own reader for PLY, of all its encodings and number types: CGAL's and assimp's trust the counts in the file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-enum class Ply_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+/// A type of numbers by its two names.
+struct Ply_type
+{
+  const char *name, *other_name;
+  std::size_t size;
+  double (*in_little_endian)(const char*);
+  double (*in_big_endian)(const char*);
+  double white; ///< a full channel of a colour
+};
+
+template <typename Number>
+constexpr Ply_type ply_type(const char* name, const char* other_name, double white = 1)
+{
+  return {name, other_name, sizeof(Number), real_in<Number>, real_in<Number, boost::endian::order::big>, white};
+}
+
+constexpr Ply_type ply_types[] = {
+    ply_type<std::int8_t>("char", "int8"),    ply_type<std::uint8_t>("uchar", "uint8", 255),
+    ply_type<std::int16_t>("short", "int16"), ply_type<std::uint16_t>("ushort", "uint16"),
+    ply_type<std::int32_t>("int", "int32"),   ply_type<std::uint32_t>("uint", "uint32"),
+    ply_type<float>("float", "float32"),      ply_type<double>("double", "float64")};
 
 struct Ply_property
 {
   std::string name;
-  Ply_type type = Ply_type::INT8;
-  bool is_list = false;
-  Ply_type count_type = Ply_type::INT8; ///< of a list
-  int look = -1;                        ///< red, green, blue or a texture coordinate: which of them
+  const Ply_type* type = nullptr;
+  const Ply_type* count_type = nullptr; ///< of a list
+  int use = -1;                         ///< as `use_of()` says
 };
 
-/// The look that a property of this name is: 0 to 2 a channel of a colour, 3 and 4 a texture coordinate, -1 none.
-int look_of(const std::string& name)
+/// What a property of this name is: 0 to 2 a coordinate, 3 to 5 a channel of a colour, 6 and 7 a texture coordinate, -1
+/// none of them.
+int use_of(const std::string& name)
 {
-  static const std::map<std::string, int> looks{
-      {"red", 0},          {"green", 1},     {"blue", 2},      {"diffuse_red", 0}, {"diffuse_green", 1},
-      {"diffuse_blue", 2}, {"s", 3},         {"t", 4},         {"u", 3},           {"v", 4},
-      {"texture_u", 3},    {"texture_v", 4}, {"texture_s", 3}, {"texture_t", 4}};
-  const auto found = looks.find(name);
-  return found == looks.end() ? -1 : found->second;
+  constexpr const char* uses[][4] = {{"x"},
+                                     {"y"},
+                                     {"z"},
+                                     {"red", "diffuse_red"},
+                                     {"green", "diffuse_green"},
+                                     {"blue", "diffuse_blue"},
+                                     {"s", "u", "texture_s", "texture_u"},
+                                     {"t", "v", "texture_t", "texture_v"}};
+  for (std::size_t use = 0; use < std::size(uses); ++use)
+    for (const char* known : uses[use])
+      if (known && name == known) return int(use);
+  return -1;
 }
 
 struct Ply_element
@@ -48,12 +74,6 @@ struct Ply_element
 };
 
 enum class Ply_encoding { ASCII, LITTLE_ENDIAN_BYTES, BIG_ENDIAN_BYTES };
-
-std::size_t size_of(Ply_type type)
-{
-  constexpr std::array<std::size_t, 8> sizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[std::size_t(type)];
-}
 
 class Ply_reader
 {
@@ -91,32 +111,41 @@ public:
 private:
   [[noreturn]] void fail(const std::string& what) const { throw Invalid_input(file_ + ": " + what); }
 
-  /// Colour and texture coordinates of an element.
-  struct Looks
+  /// What is used of an element.
+  struct Values
   {
+    Point point = Point::Zero();
+    int coordinates = 0; ///< of the point, that are given
     bool has_colours = false, has_coordinates = false;
     Eigen::Vector3d colour = Eigen::Vector3d::Ones();
-    Eigen::Vector2f at = Eigen::Vector2f::Zero();
-    std::vector<double> corners; ///< of a face, texture coordinates
+    Eigen::Vector2f at = Eigen::Vector2f::Zero(); ///< texture coordinates
+    std::vector<double> corners;                  ///< of a face, texture coordinates
+
+    bool has_looks() const { return has_colours || has_coordinates || !corners.empty(); }
 
     void set(const Ply_property& property, double number)
     {
-      if (property.look < 0) return;
-      if (property.look < 3) {
+      if (property.use < 0) return;
+      if (property.use < 3) {
+        ++coordinates;
+        point[property.use] = number;
+      } else if (property.use < 6) {
         has_colours = true;
-        colour[property.look] = property.type == Ply_type::UINT8 ? number / 255 : number;
+        colour[property.use - 3] = number / property.type->white;
       } else {
         has_coordinates = true;
-        at[property.look - 3] = float(property.look == 3 ? number : 1 - number);
+        at[property.use - 6] = float(property.use == 6 ? number : 1 - number);
       }
     }
   };
 
   void add_looks(std::size_t face, std::size_t corner, std::size_t vertex, Part_appearance& appearance) const
   {
-    const auto colour = [](const Looks& looks) -> Eigen::Vector3f { return linear_colour(looks.colour).cast<float>(); };
-    const Looks* of_vertex = vertex < vertices_.size() ? &vertices_[vertex] : nullptr;
-    const Looks* of_face = face < face_looks_.size() ? &face_looks_[face] : nullptr;
+    const auto colour = [](const Values& looks) -> Eigen::Vector3f {
+      return linear_colour(looks.colour).cast<float>();
+    };
+    const Values* of_vertex = vertex < vertices_.size() ? &vertices_[vertex] : nullptr;
+    const Values* of_face = face < face_looks_.size() ? &face_looks_[face] : nullptr;
     if (of_vertex && of_vertex->has_colours)
       appearance.colours.push_back(colour(*of_vertex));
     else if (of_face && of_face->has_colours)
@@ -151,14 +180,11 @@ private:
 
   void read_format(std::string_view word)
   {
-    if (word == "ascii")
-      encoding_ = Ply_encoding::ASCII;
-    else if (word == "binary_little_endian")
-      encoding_ = Ply_encoding::LITTLE_ENDIAN_BYTES;
-    else if (word == "binary_big_endian")
-      encoding_ = Ply_encoding::BIG_ENDIAN_BYTES;
-    else
+    constexpr const char* encodings[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    const auto known = std::find(std::begin(encodings), std::end(encodings), word);
+    if (known == std::end(encodings))
       fail("its PLY format is " + cited(word) + ", which is not ascii, binary_little_endian or binary_big_endian");
+    encoding_ = Ply_encoding(known - std::begin(encodings));
   }
 
   void read_element_statement(std::string_view line)
@@ -176,33 +202,31 @@ private:
     if (elements_.empty()) fail("its PLY header has a property of no element");
     Ply_property property;
     std::string_view type = next_word(line);
-    property.is_list = type == "list";
-    if (property.is_list) {
-      property.count_type = type_of(next_word(line));
+    if (type == "list") {
+      property.count_type = &type_of(next_word(line));
       type = next_word(line);
     }
-    property.type = type_of(type);
+    property.type = &type_of(type);
     property.name = next_word(line);
-    property.look = look_of(property.name);
+    property.use = use_of(property.name);
     elements_.back().properties.push_back(std::move(property));
   }
 
-  Ply_type type_of(std::string_view word) const
+  const Ply_type& type_of(std::string_view word) const
   {
-    constexpr const char* names[][2] = {{"char", "int8"},     {"uchar", "uint8"},   {"short", "int16"},
-                                        {"ushort", "uint16"}, {"int", "int32"},     {"uint", "uint32"},
-                                        {"float", "float32"}, {"double", "float64"}};
-    for (std::size_t i = 0; i < std::size(names); ++i)
-      if (word == names[i][0] || word == names[i][1]) return Ply_type(i);
+    for (const Ply_type& type : ply_types)
+      if (word == type.name || word == type.other_name) return type;
     fail("its PLY header has a property of type " + cited(word) + ", which is none");
   }
 
-  /// The fewest bytes that an element takes.
+  /// The fewest bytes that a number and an element take.
+  std::size_t least_size(const Ply_type& type) const { return encoding_ == Ply_encoding::ASCII ? 2 : type.size; }
+
   std::size_t least_size(const Ply_element& element) const
   {
     std::size_t result = 0;
     for (const Ply_property& property : element.properties)
-      result += encoding_ == Ply_encoding::ASCII ? 2 : size_of(property.is_list ? property.count_type : property.type);
+      result += least_size(property.count_type ? *property.count_type : *property.type);
     return result;
   }
 
@@ -215,55 +239,46 @@ private:
       fail("its header says " + std::to_string(element.count) + " of '" + element.name +
            "', but the rest of the file is too short for them; it is cut off or damaged");
     for (std::size_t i = 0; i < element.count; ++i) {
-      Point point = Point::Zero();
-      int coordinates = 0;
-      Looks looks;
+      Values values;
       bool is_face = false;
-      for (const Ply_property& property : element.properties) {
-        if (property.is_list) {
-          is_face = read_list(element, property, looks) || is_face;
-          continue;
-        }
-        const double number = next(property.type);
-        looks.set(property, number);
-        for (int k = 0; k < 3; ++k) {
-          if (property.name.size() != 1 || property.name[0] != "xyz"[k]) continue;
-          point[k] = number;
-          ++coordinates;
-        }
-      }
-      const bool are_known = looks.has_colours || looks.has_coordinates || !looks.corners.empty();
-      if (is_face) {
-        if (!are_known && face_looks_.empty()) continue;
-        faces_have_coordinates_ = faces_have_coordinates_ || !looks.corners.empty();
+      for (const Ply_property& property : element.properties)
+        if (property.count_type)
+          is_face = read_list(element, property, values) || is_face;
+        else
+          values.set(property, next(*property.type));
+      if (is_face && (values.has_looks() || !face_looks_.empty())) {
+        faces_have_coordinates_ = faces_have_coordinates_ || !values.corners.empty();
         face_looks_.resize(faces_.size());
-        face_looks_.back() = std::move(looks);
-        continue;
+        face_looks_.back() = std::move(values);
+      } else if (element.name == "vertex") {
+        add_vertex(std::move(values));
       }
-      if (element.name != "vertex") continue;
-      if (are_known) {
-        vertices_.resize(points_.size() + 1);
-        vertices_.back() = std::move(looks);
-      }
-      if (coordinates != 3) fail("its vertices do not have the properties x, y and z");
-      points_.push_back(point);
     }
   }
 
-  /// \return whether it is the corners of a face that is kept
-  bool read_list(const Ply_element& element, const Ply_property& property, Looks& looks)
+  void add_vertex(Values values)
   {
-    const double count = next(property.count_type);
-    const std::size_t least = encoding_ == Ply_encoding::ASCII ? 2 : size_of(property.type);
-    if (!(count >= 0) || count * double(least) > double(text_.size() + 1) || count != std::floor(count))
+    if (values.coordinates != 3) fail("its vertices do not have the properties x, y and z");
+    points_.push_back(values.point);
+    if (!values.has_looks()) return;
+    vertices_.resize(points_.size());
+    vertices_.back() = std::move(values);
+  }
+
+  /// \return whether it is the corners of a face that is kept
+  bool read_list(const Ply_element& element, const Ply_property& property, Values& values)
+  {
+    const double count = next(*property.count_type);
+    if (!(count >= 0) || count * double(least_size(*property.type)) > double(text_.size() + 1) ||
+        count != std::floor(count))
       fail("it has a list of " + internal::number_text(count) +
            " numbers, which is more than the rest of the file holds; it is cut off or damaged");
     std::vector<double> list(static_cast<std::size_t>(count));
     for (double& number : list)
-      number = next(property.type);
+      number = next(*property.type);
     if (element.name != "face") return false;
     if (property.name == "texcoord") {
-      looks.corners = std::move(list);
+      values.corners = std::move(list);
       return false;
     }
     if (property.name != "vertex_indices" && property.name != "vertex_index") return false;
@@ -283,7 +298,7 @@ private:
     return static_cast<std::size_t>(index);
   }
 
-  double next(Ply_type type)
+  double next(const Ply_type& type)
   {
     if (encoding_ == Ply_encoding::ASCII) {
       const std::string_view word = next_word(text_);
@@ -292,35 +307,10 @@ private:
       if (!parse(word, number)) fail("it has " + cited(word) + " where a number is expected");
       return number;
     }
-    switch (type) {
-    case Ply_type::INT8:
-      return next_bytes<std::int8_t>();
-    case Ply_type::UINT8:
-      return next_bytes<std::uint8_t>();
-    case Ply_type::INT16:
-      return next_bytes<std::int16_t>();
-    case Ply_type::UINT16:
-      return next_bytes<std::uint16_t>();
-    case Ply_type::INT32:
-      return next_bytes<std::int32_t>();
-    case Ply_type::UINT32:
-      return next_bytes<std::uint32_t>();
-    case Ply_type::FLOAT32:
-      return next_bytes<float>();
-    case Ply_type::FLOAT64:
-      break;
-    }
-    return next_bytes<double>();
-  }
-
-  template <typename Number>
-  double next_bytes()
-  {
-    if (text_.size() < sizeof(Number)) fail("it ends before all of its elements are there; the file is cut off");
+    if (text_.size() < type.size) fail("it ends before all of its elements are there; the file is cut off");
     const char* const bytes = text_.data();
-    text_.remove_prefix(sizeof(Number));
-    return double(encoding_ == Ply_encoding::LITTLE_ENDIAN_BYTES ? number_in<Number>(bytes)
-                                                                 : number_in<Number, boost::endian::order::big>(bytes));
+    text_.remove_prefix(type.size);
+    return encoding_ == Ply_encoding::LITTLE_ENDIAN_BYTES ? type.in_little_endian(bytes) : type.in_big_endian(bytes);
   }
 
   std::string_view text_;
@@ -329,7 +319,7 @@ private:
   std::vector<Ply_element> elements_;
   std::vector<Point> points_;
   std::vector<std::vector<double>> faces_;
-  std::vector<Looks> vertices_, face_looks_; ///< of `points_` and `faces_`, as far as they are known
+  std::vector<Values> vertices_, face_looks_; ///< of `points_` and `faces_`, as far as they are known
   bool faces_have_coordinates_ = false;
   std::string texture_; ///< a file
   Model_content result_;

@@ -3,7 +3,7 @@
 
 #include "base/limits.h"
 #include "io/read/read_objects.h"
-#include "io/system/digest.h"
+#include "io/system/checked_file.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "shape/has_area.h"

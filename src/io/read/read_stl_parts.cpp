@@ -7,6 +7,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -39,32 +40,21 @@ Model_content read_binary_stl(std::string_view text, const std::string& file)
 Model_content read_text_stl(std::string_view text, const std::string& file)
 {
   Model_content result;
-  std::size_t line_number = 0;
-  const auto fail = [&](const std::string& what) {
-    throw Invalid_input(file + ", line " + std::to_string(line_number) + ": " + what);
-  };
+  Model_lines lines(text, file);
   std::size_t corners_of_face = 0;
-  while (!text.empty()) {
-    ++line_number;
-    std::string_view line = next_line(text);
+  while (!lines.rest().empty()) {
+    std::string_view line = lines.next();
     const std::string_view keyword = next_word(line);
     if (keyword == "solid") result.parts.push_back({std::string(trimmed(line)), {}});
     if (keyword == "facet") corners_of_face = 0;
-    if (keyword == "endfacet" && corners_of_face != 3) fail("a facet does not have three corners");
+    if (keyword == "endfacet" && corners_of_face != 3) lines.fail("a facet does not have three corners");
     if (keyword != "vertex" || result.parts.empty()) continue;
-    Point corner;
-    for (double& coordinate : corner) {
-      const std::string_view word = next_word(line);
-      if (!parse(word, coordinate)) fail("a vertex needs three numbers; " + cited(word) + " is none");
-    }
     ++corners_of_face;
-    result.parts.back().corners.push_back(corner);
+    result.parts.back().corners.push_back(lines.vertex(line));
   }
-  if (corners_of_face % 3 != 0) fail("the file ends in the middle of a facet; it is cut off");
-  std::vector<Model_part> parts;
-  for (Model_part& part : result.parts)
-    if (!part.corners.empty()) parts.push_back(std::move(part));
-  result.parts = std::move(parts);
+  if (corners_of_face % 3 != 0) lines.fail("the file ends in the middle of a facet; it is cut off");
+  const auto is_empty = [](const Model_part& part) { return part.corners.empty(); };
+  result.parts.erase(std::remove_if(result.parts.begin(), result.parts.end(), is_empty), result.parts.end());
   return result;
 }
 

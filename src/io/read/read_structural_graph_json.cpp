@@ -5,9 +5,13 @@
 #include "io/read/Json_field.h"
 #include "io/read/frame_of_abstractions.h"
 #include "io/read/report_text.h"
+#include "io/system/input_file.h"
+#include "shape/meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <istream>
 #include <map>
 #include <set>
@@ -59,7 +63,7 @@ Sheet read_sheet(const Json_field& part)
 
 /// Reads one of several words.
 template <typename Value>
-Value read_word(const Json_field& field, const Words<Value>& words)
+Value read_word(const Json_field& field, Words<Value> words)
 {
   const std::string text = field.text();
   std::string known;
@@ -73,7 +77,7 @@ Value read_word(const Json_field& field, const Words<Value>& words)
 void read_flags(const Json_field& field, Abstraction_report& report)
 {
   for (const std::string& text : field.texts())
-    for (const auto& [word, flag] : flag_words())
+    for (const auto& [word, flag] : flag_words)
       if (text == word) report.*flag = true;
 }
 
@@ -84,14 +88,14 @@ Abstraction_report::Method read_method(const Json_field& abstraction)
   if (abstraction.has("fitted_to"))
     return read_word<Method>(abstraction["fitted_to"],
                              {{"medial_axis", Method::MEDIAL_AXIS}, {"revolution_axis", Method::AXIS}});
-  return read_word(abstraction["method"], method_words());
+  return read_word(abstraction["method"], method_words);
 }
 
 Abstraction_report read_report(const Json_field& field)
 {
   Abstraction_report report;
   if (field.has("method") || field.has("fitted_to")) report.method = read_method(field);
-  if (field.has("repair")) report.repair = read_word(field["repair"], repair_words());
+  if (field.has("repair")) report.repair = read_word(field["repair"], repair_words);
   if (field.has("residual")) report.residual = field["residual"].number_at_least_0();
   if (field.has("coverage")) report.coverage = field["coverage"].number_at_least_0();
   if (field.has("iterations")) report.iterations = field["iterations"].integer();
@@ -141,7 +145,7 @@ std::size_t part_index(const Json_field& name, const Part_indices& indices)
 Symmetry read_symmetry(const Json_field& group)
 {
   Symmetry symmetry;
-  if (group.has("symmetry")) symmetry.type = read_word(group["symmetry"], symmetry_words());
+  if (group.has("symmetry")) symmetry.type = read_word(group["symmetry"], symmetry_words);
   if (symmetry.type == Symmetry_type::SELF && !group.has("plane")) symmetry.type = Symmetry_type::NONE;
   if (symmetry.type == Symmetry_type::REFLECTION || symmetry.type == Symmetry_type::SELF) {
     symmetry.point = group["plane"]["point"].point();
@@ -159,14 +163,6 @@ Symmetry read_symmetry(const Json_field& group)
   return symmetry;
 }
 
-double total_volume(const std::vector<std::size_t>& group, const std::vector<Part_abstraction>& parts)
-{
-  double sum = 0;
-  for (std::size_t part : group)
-    sum += parts[part].volume;
-  return sum;
-}
-
 Part_group read_group(const Json_field& field, const std::vector<Part_abstraction>& parts, const Part_indices& indices,
                       std::set<std::size_t>& grouped)
 {
@@ -180,11 +176,14 @@ Part_group read_group(const Json_field& field, const std::vector<Part_abstractio
   group.symmetry = read_symmetry(field);
   const bool is_of_one = group.symmetry.type == Symmetry_type::NONE || group.symmetry.type == Symmetry_type::SELF;
   if (is_of_one && group.parts.size() > 1) field.fail("has several parts; their symmetry cannot be \"self\"");
-  const bool alone = group.parts.size() == 1;
-  group.volume = field.has("volume") ? field["volume"].number_at_least_0() : total_volume(group.parts, parts);
+  if (field.has("volume"))
+    group.volume = field["volume"].number_at_least_0();
+  else
+    for (std::size_t part : group.parts)
+      group.volume += parts[part].volume;
   if (field.has("hull_volume"))
     group.hull_volume = field["hull_volume"].number_at_least_0();
-  else if (alone)
+  else if (group.parts.size() == 1)
     group.hull_volume = parts[group.parts[0]].hull_volume;
   return group;
 }
@@ -304,6 +303,28 @@ Structural_graph read_structural_graph_json(std::istream& in, const std::string&
                                             const Structure_options& options)
 {
   return read_graph(read_json(in, file_name), options);
+}
+
+std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph,
+                                                const Reading_options& options)
+{
+  const std::vector<Json_field> parts = read_json_file(graph_file)["parts"].elements();
+  const auto names_mesh = [](const Json_field& part) { return part.has("mesh"); };
+  if (std::none_of(parts.begin(), parts.end(), names_mesh)) return std::nullopt;
+  const Shape_structure& shape = structure(graph);
+  Segmented_shape result(shape.name, shape.frame.axes.col(1));
+  for (const Json_field& part : parts) {
+    const std::filesystem::path folder = std::filesystem::path(graph_file).parent_path();
+    const std::string file = (folder / part["mesh"].text()).string();
+    if (!options.allow_outside_files && std::filesystem::exists(file) && !is_in_folder_of(graph_file, file))
+      part["mesh"].fail("names a file outside the folder of the graph; read it with --allow-outside-files");
+    const Segmented_shape of_file = read_segmented_shape(file, Point::UnitY(), nullptr, options);
+    std::vector<const Part_mesh*> meshes;
+    for (const Shape_part& of_mesh : of_file.parts())
+      meshes.push_back(&of_mesh.mesh);
+    result.add_part(part["name"].text(), internal::joined(meshes));
+  }
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/clamped.h"
 #include "base/limits.h"
-#include "io/read/B_spline.h"
 #include "io/read/document.h"
 #include "io/read/frame_of_abstractions.h"
 #include "io/system/quoting.h"
@@ -14,6 +14,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -27,6 +28,47 @@ using Tree = boost::property_tree::ptree;
 
 constexpr int spline_samples = 33, side_samples = 9; // of a spline, along a side
 
+/// The values at `t` in [0, 1] of the basis of a B-spline with `n` control points and clamped uniform knots; cubic, or
+/// of the highest degree that so few points have (recurrence of Cox and de Boor).
+Eigen::VectorXd b_spline_basis(int n, double t)
+{
+  const int degree = std::min(3, n - 1), inner = n - degree;
+  const auto knot = [&](int i) { return std::min(1.0, std::max(0.0, double(i - degree) / inner)); };
+  const int span = degree + std::min(inner - 1, static_cast<int>(t * inner));
+  std::vector<double> values(n + degree + 1, 0.0);
+  values[span] = 1;
+  for (int k = 1; k <= degree; ++k)
+    for (int i = 0; i < n + degree - k; ++i) {
+      const double left = knot(i + k) - knot(i), right = knot(i + k + 1) - knot(i + 1);
+      const double from_left = left > 0 ? (t - knot(i)) / left * values[i] : 0;
+      const double from_right = right > 0 ? (knot(i + k + 1) - t) / right * values[i + 1] : 0;
+      values[i] = from_left + from_right;
+    }
+  return Eigen::Map<Eigen::VectorXd>(values.data(), n);
+}
+
+/// A rational B-spline sheet: control points row by row; a curve is a sheet of one column.
+struct B_spline
+{
+  Points points;
+  Eigen::VectorXd weights;
+  int rows = 0, cols = 0;
+
+  Point operator()(double u, double v) const
+  {
+    const Eigen::VectorXd in_u = b_spline_basis(rows, u), in_v = b_spline_basis(cols, v);
+    Point sum = Point::Zero();
+    double total = 0;
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < cols; ++j) {
+        const double weight = in_u[i] * in_v[j] * weights[i * cols + j];
+        sum += weight * points.col(i * cols + j);
+        total += weight;
+      }
+    return sum / total;
+  }
+};
+
 /// An element of the document, or one of its children, that knows where it is.
 class Xml_reader
 {
@@ -35,8 +77,13 @@ public:
 
   [[noreturn]] void fail(const std::string& what) const { throw Invalid_input(place_ + " " + what); }
 
-  const std::string& place() const { return place_; }
-  const Tree& tree() const { return tree_; }
+  std::vector<Xml_reader> children(const std::string& key) const
+  {
+    std::vector<Xml_reader> result;
+    for (const auto& [name, child] : tree_)
+      if (name == key) result.emplace_back(child, place_);
+    return result;
+  }
 
   std::vector<std::string> texts(const std::string& key) const
   {
@@ -79,14 +126,13 @@ struct Spline_part
 std::vector<int> control_counts(const Xml_reader& node)
 {
   std::vector<int> result;
-  for (const auto& [name, controls] : node.tree())
-    if (name == "controls")
-      for (const std::string& text : Xml_reader(controls, node.place()).texts("c")) {
-        const std::vector<double> count = node.numbers(text);
-        if (count.size() != 1 || count[0] < 1 || count[0] > 1e4 || count[0] != std::floor(count[0]))
-          node.fail("has '" + text + "' in <controls>, which is not a number of control points");
-        result.push_back(static_cast<int>(count[0]));
-      }
+  for (const Xml_reader& controls : node.children("controls"))
+    for (const std::string& text : controls.texts("c")) {
+      const std::vector<double> count = node.numbers(text);
+      if (count.size() != 1 || count[0] < 1 || count[0] > 1e4 || count[0] != std::floor(count[0]))
+        node.fail("has '" + text + "' in <controls>, which is not a number of control points");
+      result.push_back(static_cast<int>(count[0]));
+    }
   return result;
 }
 
@@ -163,17 +209,17 @@ std::vector<std::size_t> members(const Xml_reader& element, const Indices& indic
 }
 
 /// Where one end of an edge is on its part, a parameter for each `uv`.
-std::vector<Eigen::Vector2d> read_coordinates(const Xml_reader& edge, const Tree& coord, const Spline_part& part)
+std::vector<Eigen::Vector2d> read_coordinates(const Xml_reader& coord, const Spline_part& part)
 {
   std::vector<Eigen::Vector2d> result;
-  for (const std::string& text : Xml_reader(coord, edge.place()).texts("uv")) {
-    const std::vector<double> uv = edge.numbers(text);
+  for (const std::string& text : coord.texts("uv")) {
+    const std::vector<double> uv = coord.numbers(text);
     if (uv.size() < 2 || std::isnan(uv[0]) || std::isnan(uv[1]))
-      edge.fail("has a <uv> '" + text + "' that is not two numbers");
-    const auto clamp = [](double x) { return std::min(1.0, std::max(0.0, x)); };
-    result.push_back(nearest_parameter(part.part, part.spline(clamp(uv[0]), clamp(uv[1]))));
+      coord.fail("has a <uv> '" + text + "' that is not two numbers");
+    const Point place = part.spline(internal::clamped_to_unit(uv[0]), internal::clamped_to_unit(uv[1]));
+    result.push_back(nearest_parameter(part.part, place));
   }
-  if (result.empty()) edge.fail("has a <coord> without <uv>");
+  if (result.empty()) coord.fail("has a <coord> without <uv>");
   return result;
 }
 
@@ -198,9 +244,8 @@ Contact read_edge(const Xml_reader& edge, const std::vector<Spline_part>& parts,
   if (ends.size() != 2 || ends[0] == ends[1]) edge.fail("does not join two nodes");
   Contact contact{{ends[0], ends[1]}, {}, {}};
   std::vector<std::vector<Eigen::Vector2d>> places;
-  for (const auto& [name, child] : edge.tree())
-    if (name == "coord" && places.size() < 2)
-      places.push_back(read_coordinates(edge, child, parts[ends[places.size()]]));
+  for (const Xml_reader& coord : edge.children("coord"))
+    if (places.size() < 2) places.push_back(read_coordinates(coord, parts[ends[places.size()]]));
   if (places.size() < 2) {
     contact.parameters = nearest_places(parts[ends[0]].part, parts[ends[1]].part);
     return contact;
@@ -236,84 +281,67 @@ Part_group make_group(const std::vector<std::size_t>& parts, const Shape_structu
   return group;
 }
 
-std::vector<Part_group> make_groups(const std::vector<std::vector<std::size_t>>& lists, const Shape_structure& shape)
+/// The elements of one name in a document, which are numbered in messages.
+std::vector<Xml_reader> elements(const Tree& document, const std::string& name, const std::string& file)
 {
-  const std::vector<Part_group> detected = detect_symmetry_groups(shape.parts, shape.frame);
-  std::vector<Part_group> groups;
-  std::set<std::size_t> grouped;
-  for (const std::vector<std::size_t>& list : lists) {
-    groups.push_back(make_group(list, shape, detected));
-    grouped.insert(list.begin(), list.end());
-  }
-  for (std::size_t part = 0; part < shape.parts.size(); ++part)
-    if (grouped.count(part) == 0) groups.push_back(make_group({part}, shape, detected));
-  return groups;
+  std::vector<Xml_reader> result;
+  for (const auto& [key, element] : document)
+    if (key == name) result.emplace_back(element, file + ": " + name + " " + std::to_string(result.size() + 1));
+  return result;
 }
 
-class Document_reader
+std::vector<Spline_part> read_parts(const Tree& document, const std::string& file, Indices& indices)
 {
-public:
-  Document_reader(const Tree& document, std::string file) : document_(document), file_(std::move(file)) {}
-
-  Structural_graph operator()(const Point& up, const Structure_options& options)
-  {
-    read_parts();
-    shape_.frame = frame_of_abstractions(shape_.parts, up);
-    for_all("edge", [this](const Xml_reader& edge) { add(read_edge(edge, parts_, indices_)); });
-    std::vector<std::vector<std::size_t>> lists;
-    std::set<std::size_t> grouped;
-    for_all("group", [&](const Xml_reader& group) {
-      lists.push_back(members(group, indices_));
-      if (lists.back().empty()) group.fail("has no <n>");
-      for (std::size_t part : lists.back())
-        if (!grouped.insert(part).second) group.fail("names a node that is in a group already");
-    });
-    std::vector<Part_group> groups;
-    if (!lists.empty() && options.symmetry.enabled) groups = make_groups(lists, shape_);
-    return complete_structural_graph(std::move(shape_), std::move(groups), options);
+  std::vector<Spline_part> parts;
+  for (const Xml_reader& node : elements(document, "node", file)) {
+    parts.push_back(read_part(node));
+    if (!indices.emplace(parts.back().part.name, indices.size()).second) node.fail("has the <id> of an earlier one");
+    if (parts.size() > internal::most_parts)
+      throw Invalid_input(file + ": it has more than " + std::to_string(internal::most_parts) +
+                          " <node>s, the most that a shape may have");
   }
+  if (parts.size() < 2) throw Invalid_input(file + ": it has fewer than two <node>s; a structure graph has more");
+  return parts;
+}
 
-private:
-  template <typename Function>
-  void for_all(const std::string& name, const Function& function) const
-  {
-    int count = 0;
-    for (const auto& [key, element] : document_)
-      if (key == name) function(Xml_reader(element, file_ + ": " + name + " " + std::to_string(++count)));
-  }
-
-  void read_parts()
-  {
-    shape_.name = file_;
-    for_all("node", [this](const Xml_reader& node) {
-      parts_.push_back(read_part(node));
-      const Part_abstraction& part = parts_.back().part;
-      if (!indices_.emplace(part.name, indices_.size()).second) node.fail("has the <id> of an earlier one");
-      shape_.parts.push_back(part);
-      if (parts_.size() > internal::most_parts)
-        throw Invalid_input(file_ + ": it has more than " + std::to_string(internal::most_parts) +
-                            " <node>s, the most that a shape may have");
-    });
-    if (parts_.size() < 2) throw Invalid_input(file_ + ": it has fewer than two <node>s; a structure graph has more");
-  }
-
-  /// Edges between the same nodes are one contact.
-  void add(const Contact& contact)
-  {
-    const auto [place, is_new] = contact_of_parts_.emplace(contact.parts, shape_.contacts.size());
+/// Edges between the same nodes are one contact.
+std::vector<Contact> read_contacts(const Tree& document, const std::string& file, const std::vector<Spline_part>& parts,
+                                   const Indices& indices)
+{
+  std::vector<Contact> contacts;
+  std::map<std::array<std::size_t, 2>, std::size_t> earlier;
+  for (const Xml_reader& edge : elements(document, "edge", file)) {
+    const Contact contact = read_edge(edge, parts, indices);
+    const auto [place, is_new] = earlier.emplace(contact.parts, contacts.size());
     if (is_new)
-      shape_.contacts.push_back(contact);
+      contacts.push_back(contact);
     else
-      shape_.contacts[place->second].further.push_back(contact.parameters);
+      contacts[place->second].further.push_back(contact.parameters);
   }
+  return contacts;
+}
 
-  const Tree& document_;
-  std::string file_;
-  Shape_structure shape_;
-  std::vector<Spline_part> parts_;
-  Indices indices_;
-  std::map<std::array<std::size_t, 2>, std::size_t> contact_of_parts_;
-};
+/// The groups that the document gives, and one of its own for every part that it leaves out; none if it gives none.
+std::vector<Part_group> read_groups(const Tree& document, const std::string& file, const Shape_structure& shape,
+                                    const Indices& indices, bool are_wanted)
+{
+  std::vector<std::vector<std::size_t>> lists;
+  std::set<std::size_t> grouped;
+  for (const Xml_reader& group : elements(document, "group", file)) {
+    lists.push_back(members(group, indices));
+    if (lists.back().empty()) group.fail("has no <n>");
+    for (std::size_t part : lists.back())
+      if (!grouped.insert(part).second) group.fail("names a node that is in a group already");
+  }
+  std::vector<Part_group> groups;
+  if (lists.empty() || !are_wanted) return groups;
+  for (std::size_t part = 0; part < shape.parts.size(); ++part)
+    if (grouped.count(part) == 0) lists.push_back({part});
+  const std::vector<Part_group> detected = detect_symmetry_groups(shape.parts, shape.frame);
+  for (const std::vector<std::size_t>& list : lists)
+    groups.push_back(make_group(list, shape, detected));
+  return groups;
+}
 
 } // namespace
 
@@ -332,7 +360,16 @@ Structural_graph read_structural_graph_xml(std::istream& in, const std::string& 
   const auto document = tree.find("document");
   if (document == tree.not_found())
     throw Invalid_input(file_name + ": it has no <document>; a structure graph in XML is one");
-  return Document_reader(document->second, file_name)(up, options);
+  Shape_structure shape;
+  Indices indices;
+  shape.name = file_name;
+  const std::vector<Spline_part> parts = read_parts(document->second, file_name, indices);
+  for (const Spline_part& part : parts)
+    shape.parts.push_back(part.part);
+  shape.frame = frame_of_abstractions(shape.parts, up);
+  shape.contacts = read_contacts(document->second, file_name, parts, indices);
+  std::vector<Part_group> groups = read_groups(document->second, file_name, shape, indices, options.symmetry.enabled);
+  return complete_structural_graph(std::move(shape), std::move(groups), options);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

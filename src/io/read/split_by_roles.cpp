@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/split_by_roles.h"
 #include "base/limits.h"
 #include "base/quantized.h"
+#include "io/read/read_objects.h"
 #include "roles/up_by_roles.h"
 #include "structure/outline_graph.h"
 

@@ -5,6 +5,9 @@
 
 #include "base/number_text.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/Points.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -66,5 +69,41 @@ inline std::string cited_file(std::string_view name)
   constexpr std::size_t longest_path = 255;
   return cited(name, longest_path);
 }
+
+/// The lines of a model file that is text; complaints name the file and the line.
+class Model_lines
+{
+public:
+  Model_lines(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+
+  std::string_view rest() const { return rest_; }
+
+  std::string_view next()
+  {
+    ++number_;
+    return next_line(rest_);
+  }
+
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw Invalid_input(file_ + ", line " + std::to_string(number_) + ": " + what);
+  }
+
+  /// The vertex that the words of a line are.
+  Point vertex(std::string_view words) const
+  {
+    Point result;
+    for (double& coordinate : result) {
+      const std::string_view word = next_word(words);
+      if (!parse(word, coordinate)) fail("a vertex needs three numbers; " + cited(word) + " is none");
+    }
+    return result;
+  }
+
+private:
+  std::string_view rest_;
+  const std::string& file_;
+  std::size_t number_ = 0;
+};
 
 } // namespace CGAL::Shape_correspondence::IO

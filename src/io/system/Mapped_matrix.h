@@ -5,8 +5,11 @@
 
 #include "io/system/operating_system.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -19,7 +22,16 @@ class Mapped_matrix
 public:
   /// \param folder where the file is, whose room is free again when the matrix is gone; empty: in memory
   /// \throw Invalid_input if there is no room for it
-  Mapped_matrix(const std::string& folder, std::size_t size);
+  Mapped_matrix(const std::string& folder, std::size_t size) : size_(Eigen::Index(size))
+  {
+    const std::size_t bytes = std::max<std::size_t>(1, size * size) * sizeof(double);
+    std::error_code error;
+    entries_ = map_zeros(folder, bytes, error);
+    if (error)
+      throw Invalid_input((folder.empty() ? "memory" : folder) + ": there is no room for a matrix of " +
+                          std::to_string(bytes >> 20) + " MB (" + error.message() + "); " +
+                          (folder.empty() ? "keep it in a folder, by --store" : "choose another folder"));
+  }
 
   Eigen::Map<Eigen::MatrixXd> operator*() { return {entries_.get(), size_, size_}; }
   Eigen::Map<const Eigen::MatrixXd> operator*() const { return {entries_.get(), size_, size_}; }

@@ -80,7 +80,16 @@ void fail_if(const std::error_code& error, const std::string& path)
 class Temporary
 {
 public:
-  Temporary(const std::string& path, const std::string& name) : path_(path), name_(name) {}
+  /// \param place that it is beside \param make makes a file or folder; `file_exists`: there is something of its name
+  Temporary(const std::string& path, const fs::path& place, std::error_code (*make)(const fs::path&)) : path_(path)
+  {
+    std::error_code error;
+    do {
+      name_ = temporary_name(place);
+      error = make(name_);
+    } while (error == std::errc::file_exists);
+    fail_if(error, path);
+  }
   ~Temporary()
   {
     std::error_code error;
@@ -107,26 +116,10 @@ private:
   bool renamed_ = false;
 };
 
-/// Makes a file of a new name beside `file`. \return its name
-std::string make_file_beside(const fs::path& file, const std::string& path)
+std::error_code make_new_folder(const fs::path& folder)
 {
-  for (;;) {
-    const std::string name = temporary_name(file);
-    const std::error_code error = make_new_file(name);
-    if (!error) return name;
-    if (error != std::errc::file_exists) fail(path, error.message());
-  }
-}
-
-/// Makes a folder of a new name beside `folder`. \return its name
-std::string make_folder_beside(const fs::path& folder, const std::string& path)
-{
-  for (;;) {
-    const std::string name = temporary_name(folder);
-    std::error_code error;
-    if (fs::create_directory(name, error)) return name;
-    fail_if(error, path);
-  }
+  std::error_code error;
+  return fs::create_directory(folder, error) || error ? error : std::make_error_code(std::errc::file_exists);
 }
 
 /// Without slashes at its end, which would be inside the folder.
@@ -172,7 +165,7 @@ void check_writable(const std::string& path)
   check_existing(path, file);
   if (is_device(file)) return;
   remove_leftovers(parent_of(file), file.filename().string());
-  Temporary(path, make_file_beside(file, path)); // gone again at once
+  Temporary(path, file, make_new_file); // gone again at once
 }
 
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
@@ -184,7 +177,7 @@ void write_atomically(const std::string& path, const std::function<void(std::ost
     std::ofstream out(file, std::ios::binary);
     return write_directly(path, out, write);
   }
-  Temporary temporary(path, make_file_beside(file, path));
+  Temporary temporary(path, file, make_new_file);
   std::ofstream out(fs::path(temporary.name()), std::ios::binary);
   write_directly(path, out, write);
   out.close();
@@ -199,13 +192,13 @@ void check_new_folder(const std::string& path)
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
   remove_leftovers(parent_of(folder), folder.filename().string());
-  Temporary(path, make_folder_beside(folder, path)); // gone again at once
+  Temporary(path, folder, make_new_folder); // gone again at once
 }
 
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write)
 {
   const fs::path folder = folder_path(path);
-  Temporary temporary(path, make_folder_beside(folder, path));
+  Temporary temporary(path, folder, make_new_folder);
   try {
     write(temporary.name());
   } catch (const Invalid_input& error) { // of a file in it, by the name that it was going to have

@@ -3,7 +3,9 @@
 
 #include "io/system/checked_file.h"
 #include "io/system/atomic_file.h"
-#include "io/system/digest.h"
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -19,6 +21,12 @@ std::string heading(const std::string& title, const std::string& content)
 }
 
 } // namespace
+
+std::string digest(const std::string& bytes)
+{
+  const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
+  return to_string(generator(bytes.data(), bytes.size()));
+}
 
 std::string bytes_of_file(const std::string& path)
 {

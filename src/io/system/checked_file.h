@@ -8,6 +8,9 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
+/// A digest (SHA-1) of bytes.
+std::string digest(const std::string& bytes);
+
 /// All bytes of a file; none if it cannot be read.
 std::string bytes_of_file(const std::string& path);
 

@@ -21,50 +21,34 @@ Colour linear_rgb(const Oklab& lab)
   const double m = lab[0] - 0.1055613458 * lab[1] - 0.0638541728 * lab[2];
   const double s = lab[0] - 0.0894841775 * lab[1] - 1.2914855480 * lab[2];
   const Eigen::Vector3d lms(l * l * l, m * m * m, s * s * s);
-  Eigen::Matrix3d to_rgb;
-  to_rgb << 4.0767416621, -3.3077115913, 0.2309699292, //
-      -1.2684380046, 2.6097574011, -0.3413193965,      //
-      -0.0041960863, -0.7034186147, 1.7076147010;
+  const Eigen::Matrix3d to_rgb{{4.0767416621, -3.3077115913, 0.2309699292},
+                               {-1.2684380046, 2.6097574011, -0.3413193965},
+                               {-0.0041960863, -0.7034186147, 1.7076147010}};
   return to_rgb * lms;
 }
 
 Oklab oklab_of(const Colour& rgb)
 {
-  Eigen::Matrix3d to_lms, to_lab;
-  to_lms << 0.4122214708, 0.5363325363, 0.0514459929, //
-      0.2119034982, 0.6806995451, 0.1073969566,       //
-      0.0883024619, 0.2817188376, 0.6299787005;
-  to_lab << 0.2104542553, 0.7936177850, -0.0040720468, //
-      1.9779984951, -2.4285922050, 0.4505937099,       //
-      0.0259040371, 0.7827717662, -0.8086757660;
+  const Eigen::Matrix3d to_lms{{0.4122214708, 0.5363325363, 0.0514459929},
+                               {0.2119034982, 0.6806995451, 0.1073969566},
+                               {0.0883024619, 0.2817188376, 0.6299787005}};
+  const Eigen::Matrix3d to_lab{{0.2104542553, 0.7936177850, -0.0040720468},
+                               {1.9779984951, -2.4285922050, 0.4505937099},
+                               {0.0259040371, 0.7827717662, -0.8086757660}};
   return to_lab * Eigen::Vector3d((to_lms * rgb).array().max(0).pow(1. / 3));
-}
-
-/// Linear colours as people without one kind of cones see them.
-Eigen::Matrix3d protanopia()
-{
-  Eigen::Matrix3d result;
-  result << 0.152286, 1.052583, -0.204868, //
-      0.114503, 0.786281, 0.099216,        //
-      -0.003882, -0.048116, 1.051998;
-  return result;
-}
-
-Eigen::Matrix3d deuteranopia()
-{
-  Eigen::Matrix3d result;
-  result << 0.367322, 0.860646, -0.227968, //
-      0.280085, 0.672501, 0.047413,        //
-      -0.011820, 0.042940, 0.968881;
-  return result;
 }
 
 /// A colour in Oklab: by normal sight, and by sight without red or green cones.
 struct Seen_colour
 {
-  explicit Seen_colour(const Oklab& lab)
-      : by_all(lab), by_some{oklab_of(protanopia() * linear_rgb(lab)), oklab_of(deuteranopia() * linear_rgb(lab))}
-  {}
+  explicit Seen_colour(const Oklab& lab) : by_all(lab)
+  {
+    const Eigen::Matrix3d protanopia{
+        {0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}};
+    const Eigen::Matrix3d deuteranopia{
+        {0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
+    by_some = {oklab_of(protanopia * linear_rgb(lab)), oklab_of(deuteranopia * linear_rgb(lab))};
+  }
 
   Oklab by_all;
   std::array<Oklab, 2> by_some;

@@ -16,6 +16,13 @@ Number number_in(const char* bytes)
   return boost::endian::endian_load<Number, sizeof(Number), Order>(reinterpret_cast<const unsigned char*>(bytes));
 }
 
+/// The same as a double, whatever its type.
+template <typename Number, boost::endian::order Order = boost::endian::order::little>
+double real_in(const char* bytes)
+{
+  return double(number_in<Number, Order>(bytes));
+}
+
 /// Appends the bytes of a number, the low ones first.
 template <typename Number>
 void append_little_endian(std::string& bytes, Number number)

@@ -3,6 +3,7 @@
 
 #include "io/system/quoting.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/locale/utf.hpp>
 
 #include <cctype>
@@ -74,18 +75,26 @@ bool is_percent_code(const std::string& text, std::size_t at)
   return text[at] == '%' && is_digit(at + 1) && is_digit(at + 2);
 }
 
-/// Replaces the characters that a format cannot hold. \param text in UTF-8 \param is_special of a code and its place
-std::string with_percent_codes(const std::string& text,
-                               const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
+/// What stands for each character of a text in UTF-8. \param replaced gives it by the code, the place and the bytes
+template <typename Function>
+std::string replace_characters(const std::string& text, const Function& replaced)
 {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const Utf8_character c = character_at(text, at);
-    const std::string bytes = text.substr(at, c.size);
-    result += is_percent_code(text, at) || is_special(c.code, at) ? percent(bytes) : bytes;
+    result += replaced(c.code, at, text.substr(at, c.size));
     at += c.size;
   }
   return result;
+}
+
+/// Replaces the characters that a format cannot hold. \param text in UTF-8 \param is_special of a code and its place
+std::string with_percent_codes(const std::string& text,
+                               const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
+{
+  return replace_characters(text, [&](std::uint32_t code, std::size_t at, const std::string& bytes) {
+    return is_percent_code(text, at) || is_special(code, at) ? percent(bytes) : bytes;
+  });
 }
 
 /// A text as one line, whose outer blanks readers would drop. \param is_special further characters to be replaced
@@ -144,27 +153,15 @@ std::string quote_csv(const std::string& field)
   std::string text = utf8_text(field);
   if (!text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos) text.insert(0, "'");
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (char c : text)
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
+  return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
 std::string quote_terminal(const std::string& text, bool keeps_lines)
 {
-  std::string result;
-  const std::string all = utf8_text(text);
-  for (std::size_t at = 0; at < all.size();) {
-    const Utf8_character c = character_at(all, at);
-    if (is_layout(c.code))
-      result += hexadecimal("\\u{%04X}", c.code);
-    else if (is_control(c.code) && !(keeps_lines && c.code == '\n'))
-      result += hexadecimal("\\x%02X", c.code);
-    else
-      result.append(all, at, c.size);
-    at += c.size;
-  }
-  return result;
+  return replace_characters(utf8_text(text), [&](std::uint32_t code, std::size_t, const std::string& bytes) {
+    if (is_layout(code)) return hexadecimal("\\u{%04X}", code);
+    return is_control(code) && !(keeps_lines && code == '\n') ? hexadecimal("\\x%02X", code) : bytes;
+  });
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -36,23 +36,14 @@ Json::Json(std::initializer_list<Json> elements) : Json(array(elements))
 
 Json Json::array(std::initializer_list<Json> elements)
 {
-  Json result;
-  result.type_ = Type::ARRAY;
+  Json result(Type::ARRAY);
   result.elements_ = elements;
-  return result;
-}
-
-Json Json::object()
-{
-  Json result;
-  result.type_ = Type::OBJECT;
   return result;
 }
 
 Json Json::of_text(std::string json)
 {
-  Json result;
-  result.type_ = Type::SCALAR;
+  Json result(Type::SCALAR);
   result.text_ = std::move(json);
   return result;
 }

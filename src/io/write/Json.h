@@ -33,7 +33,7 @@ public:
   Json(std::initializer_list<Json> elements);
 
   static Json array(std::initializer_list<Json> elements = {});
-  static Json object();
+  static Json object() { return Json(Type::OBJECT); }
   /// A value that is kept as its text, in a fraction of the memory. Nothing inside of it can be changed.
   static Json of_text(std::string json);
 
@@ -54,6 +54,8 @@ public:
 
 private:
   enum class Type { NONE, SCALAR, TEXT, ARRAY, OBJECT };
+
+  explicit Json(Type type) : type_(type) {}
 
   template <typename Number>
   static std::string text_of(Number number)

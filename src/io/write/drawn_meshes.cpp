@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -41,39 +42,6 @@ Point smooth_normal(const std::vector<int>& faces, int face, const Points& norma
   }
   return unit(sum);
 }
-
-/// Collects vertices; the same point with nearly the same normal is one vertex.
-class Vertex_collector
-{
-public:
-  explicit Vertex_collector(Eigen::Index points) : copies_(points) {}
-
-  int add(int index, const Point& point, const Point& normal)
-  {
-    for (int copy : copies_[index]) {
-      if (normals_[copy].dot(normal) > 1 - 1e-6) return copy;
-    }
-    copies_[index].push_back(static_cast<int>(points_.size()));
-    points_.push_back(point);
-    normals_.push_back(normal);
-    return copies_[index].back();
-  }
-
-  void move_into(Drawn_mesh& mesh) const
-  {
-    mesh.points.resize(3, points_.size());
-    mesh.normals.resize(3, points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      mesh.points.col(i) = points_[i];
-      mesh.normals.col(i) = normals_[i];
-    }
-  }
-
-private:
-  std::vector<std::vector<int>> copies_;
-  std::vector<Point> points_;
-  std::vector<Point> normals_;
-};
 
 /// Triangles of a grid of vertices; the rows close up if `ring_rows`, the columns if `ring_cols`.
 Eigen::Matrix3Xi grid_triangles(int rows, int cols, bool ring_rows, bool ring_cols)
@@ -121,24 +89,16 @@ Drawn_mesh sphere(const Point& centre, double radius)
   return mesh;
 }
 
-/// Meshes of points and normals as one.
-Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes)
+/// Adds the points, normals and triangles of a mesh.
+void append(const Drawn_mesh& more, Drawn_mesh& all)
 {
-  Eigen::Index points = 0, triangles = 0;
-  for (const Drawn_mesh& mesh : meshes) {
-    points += mesh.points.cols();
-    triangles += mesh.triangles.cols();
-  }
-  Drawn_mesh result{Points(3, points), Points(3, points), Eigen::Matrix3Xi(3, triangles)};
-  points = triangles = 0;
-  for (const Drawn_mesh& mesh : meshes) {
-    result.points.middleCols(points, mesh.points.cols()) = mesh.points;
-    result.normals.middleCols(points, mesh.points.cols()) = mesh.normals;
-    result.triangles.middleCols(triangles, mesh.triangles.cols()) = mesh.triangles.array() + static_cast<int>(points);
-    points += mesh.points.cols();
-    triangles += mesh.triangles.cols();
-  }
-  return result;
+  const Eigen::Index points = all.points.cols();
+  all.points.conservativeResize(3, points + more.points.cols());
+  all.normals.conservativeResize(3, all.points.cols());
+  all.triangles.conservativeResize(3, all.triangles.cols() + more.triangles.cols());
+  all.points.rightCols(more.points.cols()) = more.points;
+  all.normals.rightCols(more.points.cols()) = more.normals;
+  all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + static_cast<int>(points);
 }
 
 } // namespace
@@ -146,21 +106,29 @@ Drawn_mesh joined(const std::vector<Drawn_mesh>& meshes)
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   const Points normals = face_normals(points, triangles);
-  std::vector<std::vector<int>> faces(points.cols());
+  std::vector<std::vector<int>> faces(points.cols()), copies(points.cols()); // of each point
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     for (int k = 0; k < 3; ++k)
       faces[triangles(k, t)].push_back(static_cast<int>(t));
   }
-  Drawn_mesh mesh;
-  mesh.triangles.resize(3, triangles.cols());
-  Vertex_collector vertices(points.cols());
+  Drawn_mesh mesh{Points(3, triangles.size()), Points(3, triangles.size()), Eigen::Matrix3Xi(3, triangles.cols())};
+  int used = 0;
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int v = triangles(k, t);
-      mesh.triangles(k, t) = vertices.add(v, points.col(v), smooth_normal(faces[v], static_cast<int>(t), normals));
+      const Point normal = smooth_normal(faces[v], static_cast<int>(t), normals);
+      // The same point with nearly the same normal is one vertex
+      const auto copy = std::find_if(copies[v].begin(), copies[v].end(),
+                                     [&](int i) { return mesh.normals.col(i).dot(normal) > 1 - 1e-6; });
+      mesh.triangles(k, t) = copy == copies[v].end() ? used : *copy;
+      if (copy != copies[v].end()) continue;
+      copies[v].push_back(used);
+      mesh.points.col(used) = points.col(v);
+      mesh.normals.col(used++) = normal;
     }
   }
-  vertices.move_into(mesh);
+  mesh.points.conservativeResize(3, used);
+  mesh.normals.conservativeResize(3, used);
   return mesh;
 }
 
@@ -192,10 +160,12 @@ Drawn_mesh open_tube(const Points& polyline, bool closed, double radius, int sid
 
 Drawn_mesh tube(const Points& polyline, bool closed, double radius)
 {
-  const Drawn_mesh mesh = open_tube(polyline, closed, radius, tube_sides);
+  Drawn_mesh mesh = open_tube(polyline, closed, radius, tube_sides);
   if (closed || mesh.empty()) return mesh;
   const double round = radius * 1.05; // a little more than the tube, so that the ends look round
-  return joined({mesh, sphere(polyline.col(0), round), sphere(polyline.col(polyline.cols() - 1), round)});
+  append(sphere(polyline.col(0), round), mesh);
+  append(sphere(polyline.col(polyline.cols() - 1), round), mesh);
+  return mesh;
 }
 
 Drawn_mesh patch(const Points& grid, int rows, int cols)

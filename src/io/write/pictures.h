@@ -8,8 +8,10 @@
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,13 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius);
 
 /// The surface of a grid of points, row by row.
 Drawn_mesh patch(const Points& grid, int rows, int cols);
+
+/// The shape with fewer triangles: edges are collapsed as in Lindstrom and Turk 1998, and every part keeps its share of
+/// the triangles.
+/// \param most_triangles about as many are left; a part keeps those that give it a shape, though
+Segmented_shape simplified_shape(const Segmented_shape& shape, std::size_t most_triangles);
+
+std::size_t number_of_triangles(const Segmented_shape& shape);
 
 /// A shape in the frame in which it is drawn.
 class Drawn_shape
@@ -94,5 +103,31 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
 /// \return the material of every part, the target's parts after the source's
 std::vector<int> add_match_materials(Glb_file& glb, const Correspondence& correspondence, std::size_t sources,
                                      std::size_t targets);
+
+/// How the shapes of a blend are drawn.
+class Blend_painter
+{
+public:
+  /// Triangles of a surface to be drawn with one look; the caller adds their points.
+  struct Painted_mesh
+  {
+    Drawn_mesh mesh;
+    std::vector<int> points; ///< which of the surface's points are those of the mesh
+  };
+
+  virtual ~Blend_painter() = default;
+  /// A part of the source (`side` 0) or the target (1).
+  virtual std::vector<Drawn_mesh> end(std::size_t side, std::size_t part, const Drawn_mesh& mesh) = 0;
+  /// Times, besides the surface's own, at which it changes its looks.
+  virtual std::vector<double> changes(std::size_t surface) const = 0;
+  virtual std::vector<Painted_mesh> surface(std::size_t surface, double t) = 0;
+};
+
+/// Writes all of a blend as an animation.
+void write_blend_animation(std::ostream& out, const Shape_blend& blend, int frames, Glb_file& glb,
+                           Blend_painter& painter);
+
+/// Writes the shape at `t`.
+void write_blend_frame(std::ostream& out, const Shape_blend& blend, double t, Glb_file& glb, Blend_painter& painter);
 
 } // namespace CGAL::Shape_correspondence::IO

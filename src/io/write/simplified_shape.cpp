@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/write/simplified_shape.h"
+#include "io/write/pictures.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
@@ -27,25 +27,20 @@ public:
   auto operator()(const Profile& profile) const
   {
     auto place = anywhere_(profile);
-    if (place && !box_of(profile).contains(point_of(*place))) *place = CGAL::midpoint(profile.p0(), profile.p1());
+    if (place && !box_of(profile).contains(internal::to_point(*place)))
+      *place = CGAL::midpoint(profile.p0(), profile.p1());
     return place;
   }
 
 private:
-  template <class Cgal_point>
-  static Point point_of(const Cgal_point& p)
-  {
-    return {p.x(), p.y(), p.z()};
-  }
-
   /// The box of the triangles at an edge, with a margin.
   template <class Profile>
   static Eigen::AlignedBox3d box_of(const Profile& profile)
   {
-    Eigen::AlignedBox3d box(point_of(profile.p0()));
-    box.extend(point_of(profile.p1()));
+    Eigen::AlignedBox3d box(internal::to_point(profile.p0()));
+    box.extend(internal::to_point(profile.p1()));
     for (const auto vertex : profile.link())
-      box.extend(point_of(get(profile.vertex_point_map(), vertex)));
+      box.extend(internal::to_point(get(profile.vertex_point_map(), vertex)));
     const Point side = Point::Constant(margin * box.diagonal().norm());
     return {box.min() - side, box.max() + side};
   }

@@ -3,8 +3,8 @@
 
 #include "base/for_each_index.h"
 #include "base/limits.h"
-#include "io/write/Blend_painter.h"
 #include "io/write/pictures.h"
+#include "shape/all_vertices.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
@@ -125,11 +125,8 @@ Motion principal_motion(const std::vector<const Points*>& points, double distanc
 
 double diagonal(const Segmented_shape& shape)
 {
-  Eigen::AlignedBox3d box;
-  for (const Shape_part& part : shape.parts())
-    for (const auto& p : part.mesh.points.colwise())
-      box.extend(p);
-  return box.isEmpty() ? 0 : box.diagonal().norm();
+  const Points points = internal::all_vertices(shape);
+  return points.cols() == 0 ? 0 : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
 /// Adds a surface while it looks the same. \param points its points \param targets their morph targets

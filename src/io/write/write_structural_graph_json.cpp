@@ -56,13 +56,13 @@ Json part(const Part_abstraction& part)
   if (part.surface.cols() > 0)
     result["surface"] = points(part.surface, 0, std::min<Eigen::Index>(part.surface.cols(), surface_samples));
   Json& abstraction = result["abstraction"];
-  abstraction["method"] = word_of(part.report.method, method_words());
-  abstraction["repair"] = word_of(part.report.repair, repair_words());
+  abstraction["method"] = word_of(part.report.method, method_words);
+  abstraction["repair"] = word_of(part.report.repair, repair_words);
   abstraction["residual"] = part.report.residual;
   abstraction["coverage"] = part.report.coverage;
   abstraction["iterations"] = part.report.iterations;
   Json& flags = abstraction["flags"] = Json::array();
-  for (const auto& [word, flag] : flag_words())
+  for (const auto& [word, flag] : flag_words)
     if (part.report.*flag) flags.push_back(word);
   if (part.report.is_fallback()) flags.push_back("bounding_box");
   if (part.report.is_fallback()) abstraction["fallback"] = part.report.fallback;

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/model_parts.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <Eigen/Geometry>
+
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+// Corners that bend back by less than this, over the polygon's area, count as straight.
+constexpr double straight = 1e-12;
+
+// Corners of a polygon up to which ears are cut off, in time cubic in them at worst.
+constexpr std::size_t most_corners = 1000;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
+using Face = CGAL::Triangulation_face_base_with_info_2<std::optional<bool>, Kernel,
+                                                       CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
+                                               CGAL::No_constraint_intersection_tag>;
+
+/// Marks whether faces are inside of the polygon: every side that is crossed on the way from outside changes that.
+void mark_inside(Triangulation& triangulation)
+{
+  std::vector<Triangulation::Face_handle> faces{triangulation.infinite_face()};
+  faces[0]->info() = false;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      const Triangulation::Face_handle next = faces[f]->neighbor(i);
+      if (next->info()) continue;
+      next->info() = *faces[f]->info() != faces[f]->is_constrained(i);
+      faces.push_back(next);
+    }
+}
+
+/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches or crosses
+/// itself there.
+std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal)
+{
+  const Point x = normal.unitOrthogonal(), y = normal.cross(x);
+  std::vector<std::pair<Kernel::Point_2, std::size_t>> corners;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    corners.emplace_back(Kernel::Point_2(x.dot(polygon[i]), y.dot(polygon[i])), i);
+  Triangulation triangulation;
+  triangulation.insert(corners.begin(), corners.end()); // in spatial order
+  std::vector<std::size_t> result;
+  if (triangulation.number_of_vertices() != polygon.size()) return result;
+  std::vector<Triangulation::Vertex_handle> vertices(polygon.size());
+  for (const auto vertex : triangulation.finite_vertex_handles())
+    vertices[vertex->info()] = vertex;
+  try {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      triangulation.insert_constraint(vertices[i], vertices[(i + 1) % polygon.size()]);
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    return result;
+  }
+  mark_inside(triangulation);
+  for (const auto face : triangulation.finite_face_handles())
+    if (*face->info())
+      for (int i = 0; i < 3; ++i)
+        result.push_back(face->vertex(i)->info());
+  return result;
+}
+
+/// Twice the area vector of a polygon (Newell).
+Point area_vector(const std::vector<Point>& polygon)
+{
+  Point sum = Point::Zero();
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    sum += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
+  return sum;
+}
+
+double signed_area(const Point& a, const Point& b, const Point& c, const Point& normal)
+{
+  return (b - a).cross(c - a).dot(normal);
+}
+
+bool is_convex(const std::vector<Point>& polygon, const Point& normal, double tolerance)
+{
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (signed_area(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], normal) < -tolerance) return false;
+  }
+  return true;
+}
+
+/// Whether corner i of `rest` can be cut off: it bends outwards and no other corner lies in its triangle.
+bool is_ear(const std::vector<Point>& polygon, const std::vector<std::size_t>& rest, std::size_t i, const Point& normal)
+{
+  const std::size_t n = rest.size();
+  const Point &a = polygon[rest[(i + n - 1) % n]], &b = polygon[rest[i]], &c = polygon[rest[(i + 1) % n]];
+  if (signed_area(a, b, c, normal) <= 0) return false;
+  for (std::size_t j = 0; j < n; ++j) {
+    const Point& p = polygon[rest[j]];
+    if (p == a || p == b || p == c) continue;
+    if (signed_area(a, b, p, normal) >= 0 && signed_area(b, c, p, normal) >= 0 && signed_area(c, a, p, normal) >= 0)
+      return false;
+  }
+  return true;
+}
+
+void add_fan(const std::vector<std::size_t>& polygon, std::vector<std::size_t>& triangles)
+{
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    triangles.insert(triangles.end(), {polygon[0], polygon[i], polygon[i + 1]});
+}
+
+/// Adds the triangles of the corners from `first` to `last` of a convex polygon by halving, so that no corner is in
+/// many of them as the first one of a fan is.
+void add_halves(std::size_t first, std::size_t last, std::vector<std::size_t>& triangles)
+{
+  if (last - first < 2) return;
+  const std::size_t middle = first + (last - first) / 2;
+  triangles.insert(triangles.end(), {first, middle, last});
+  add_halves(first, middle, triangles);
+  add_halves(middle, last, triangles);
+}
+
+} // namespace
+
+std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
+{
+  std::vector<std::size_t> result, rest(polygon.size());
+  std::iota(rest.begin(), rest.end(), std::size_t(0));
+  const Point area = area_vector(polygon);
+  const Point normal = area.normalized();
+  const bool is_fan = polygon.size() < 4 || is_convex(polygon, normal, straight * area.norm());
+  if (polygon.size() > most_corners) {
+    if (!is_fan) result = triangles_in_plane(polygon, normal);
+    if (result.empty()) add_halves(0, polygon.size() - 1, result); // also of one that crosses itself: any triangles do
+    return result;
+  }
+  while (!is_fan && rest.size() > 3) {
+    std::size_t ear = 0;
+    while (ear < rest.size() && !is_ear(polygon, rest, ear, normal))
+      ++ear;
+    if (ear == rest.size()) break; // a polygon that crosses itself: any triangles do
+    const std::size_t n = rest.size();
+    result.insert(result.end(), {rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
+    rest.erase(rest.begin() + std::ptrdiff_t(ear));
+  }
+  add_fan(rest, result);
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::IO
