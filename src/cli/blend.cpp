@@ -1,11 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/blend.h"
 #include "cli/Pair_command.h"
-#include "cli/blend_output.h"
-#include "cli/blend_warnings.h"
-#include "cli/match_shapes.h"
-#include "cli/progress_bar.h"
+#include "cli/match.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "matching/unlikely_pairs.h"
@@ -116,10 +114,9 @@ private:
   void read_looks()
   {
     if (!output_.may_show_materials() || output_.colours == "match") return;
-    for (std::size_t i : {0u, 1u}) {
-      read_appearance(inputs[i], shapes[i]);
-      for (const std::string& warning : shapes[i].appearance.warnings)
-        warnings.push_back(inputs[i] + ": " + warning);
+    for (Loaded_shape& shape : shapes) {
+      read_appearance(shape);
+      append(warnings, warnings_of_appearance(shape));
     }
   }
 
@@ -137,8 +134,8 @@ private:
   void work() override
   {
     load();
-    for (std::size_t i : {0u, 1u})
-      complete_surfaces(inputs[i], shapes[i]);
+    for (Loaded_shape& shape : shapes)
+      complete_surfaces(shape);
     Correspondence pairs = correspondence();
     const std::vector<std::string> unlikely = remove_unlikely(pairs, match.search.min_confidence, source(), target());
 
@@ -156,8 +153,8 @@ private:
     const IO::Blend_appearance appearance{source().appearance, target().appearance};
     const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
     write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr);
-    for (const std::vector<std::string>& more : {pairs.warnings, unlikely})
-      warnings.insert(warnings.end(), more.begin(), more.end());
+    append(warnings, pairs.warnings);
+    append(warnings, unlikely);
     warn_of_obstacles(blend, source(), target(), warnings);
     const auto write_json = [&](std::ostream& out) {
       IO::write_blend_json(out, blend, source().graph, target().graph, inputs[0], inputs[1], output_.path,

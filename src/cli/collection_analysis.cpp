@@ -1,7 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/collection_analysis.h"
+#include "cli/collection.h"
+#include "cli/load_shape.h"
+#include "cli/text.h"
 
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
@@ -132,8 +134,7 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
   for (const Collection_shape& shape : shapes.shapes()) {
     result.shapes.push_back({shape.name, shape.path, shape.parts});
     part_counts.push_back(shape.parts.size());
-    for (const std::string& warning : shape.warnings)
-      result.warnings.push_back(shape.path + ": " + warning);
+    append(result.warnings, about(shape.path, shape.warnings));
   }
   const Pairs clustered = analyse_energies(options, work, analysis);
   Pairs wanted = clustered;

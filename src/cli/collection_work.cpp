@@ -1,8 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/collection_work.h"
-#include "cli/progress_bar.h"
+#include "cli/collection.h"
 #include "cli/run.h"
 #include "io/system/digest.h"
 

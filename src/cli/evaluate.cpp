@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/evaluate.h"
 #include "cli/Command.h"
-#include "cli/evaluate_results.h"
 #include "cli/run.h"
 #include "cli/text.h"
 
@@ -236,16 +236,13 @@ IO::Json json_of(const Judged_result& r)
 
 void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, const std::vector<Judged_result>& results)
 {
-  IO::Json document;
-  document["format"] = "shape_correspondence/evaluation";
-  document["version"] = 1;
-  document["categories"] = IO::Json::array();
-  for (const auto& [category, score] : evaluation.categories)
-    document["categories"].push_back(json_of(category, score));
-  document["mean"] = json_of("", evaluation.mean);
-  document["results"] = IO::Json::array();
-  for (const Judged_result& result : results)
-    document["results"].push_back(json_of(result));
+  const auto of_category = [](const auto& category) { return json_of(category.first, category.second); };
+  const auto of_result = [](const Judged_result& result) { return json_of(result); };
+  const IO::Json document = {{"format", "shape_correspondence/evaluation"},
+                             {"version", 1},
+                             {"categories", mapped(evaluation.categories, of_category)},
+                             {"mean", json_of("", evaluation.mean)},
+                             {"results", mapped(results, of_result)}};
   document.write(out);
 }
 

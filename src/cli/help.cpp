@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
+#include "cli/text.h"
 
 #include <CGAL/Shape_correspondence/version.h>
 
@@ -85,10 +86,8 @@ private:
 
 std::string names_of_commands()
 {
-  std::vector<std::string> names;
-  for (const Command_entry& command : commands())
-    names.push_back(command.name);
-  return boost::algorithm::join(names, " ");
+  return boost::algorithm::join(
+      mapped(commands(), [](const Command_entry& command) { return std::string(command.name); }), " ");
 }
 
 /// The inputs of a command that are words.

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
-#include "cli/collection_shapes.h"
-#include "cli/labelled_models.h"
-#include "cli/labels_json.h"
+#include "cli/labels.h"
 #include "cli/load_shape.h"
-#include "cli/predicted_labels.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/quoting.h"
@@ -65,12 +62,10 @@ void label_shape(const std::string& path, const Label_options& options, const st
   std::shared_ptr<const Role_model> model = role_model_of(options.roles);
   Common_options with_roles = common;
   with_roles.roles = model;
-  const Loaded_shape shape = load_shape(path, with_roles);
-  check_part_kinds(common, part_names(shape.graph));
+  const Loaded_shape shape = std::move(load_shapes({path}, with_roles)[0]);
   std::string category = options.category;
-  if (!options.examples.empty())
-    for (const std::string& left_out : add_examples(options.examples, common, model, category, true))
-      warn(common, left_out);
+  for (const std::string& left_out : add_examples(options.examples, common, model, category, true))
+    warn(common, left_out);
   const Part_roles found = predicted_roles(path, shape.graph, *model, category);
   const std::vector<Transferred_label> labels = likeliest_labels(found);
   const std::vector<std::string> parts = part_names(shape.graph);

@@ -4,7 +4,6 @@
 #include "cli/Command.h"
 #include "cli/collection_shapes.h"
 #include "cli/load_shape.h"
-#include "cli/read_model.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/read/model_parts.h"

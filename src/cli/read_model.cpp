@@ -1,7 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/read_model.h"
+#include "cli/load_shape.h"
+#include "cli/text.h"
 #include "io/read/model_parts.h"
 #include "io/read/split_by_roles.h"
 #include "io/system/input_file.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -65,16 +65,6 @@ void find_up(const std::string& path, const Common_options& options, Read_model&
   if (is_asked_for || found.up != Point::UnitY()) model.warnings.push_back(warning_of(found, "--up"));
 }
 
-Part_splitting mode_of(const std::string& path, const std::string& word)
-{
-  const std::map<std::string, Part_splitting> modes{{"file", Part_splitting::FILE},
-                                                    {"components", Part_splitting::COMPONENTS},
-                                                    {"segments", Part_splitting::SEGMENTS}};
-  const auto found = modes.find(word);
-  if (found != modes.end()) return found->second;
-  return is_folder(path) ? Part_splitting::FILE : Part_splitting::AUTO;
-}
-
 /// The maximum number of objects named in a warning.
 constexpr std::size_t most_named = 8;
 
@@ -92,12 +82,13 @@ void warn_of_changes(const std::string& path, Read_model& model)
     model.warnings.push_back("Pieces end where the material changes, since then the parts are more like labelled ones; "
                              "--parts components or file makes others.");
   if (!split.changes_objects()) return;
-  std::string names;
-  std::size_t number = 0;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < split.decisions.size(); ++i)
-    if (split.is_split(i) && ++number <= most_named) names += (number > 1 ? ", " : "") + model.objects.parts()[i].name;
-  if (number > most_named) names += " and " + std::to_string(number - most_named) + " more";
-  const std::string what = number > 0 ? "Objects of loose pieces were split into parts: " + names
+    if (split.is_split(i)) names.push_back(model.objects.parts()[i].name);
+  const std::size_t number = names.size();
+  names.resize(std::min(number, most_named));
+  const std::string more = number > most_named ? " and " + std::to_string(number - most_named) + " more" : "";
+  const std::string what = number > 0 ? "Objects of loose pieces were split into parts: " + listed(names) + more
                                       : "Tiny objects joined the parts that they touch";
   model.warnings.push_back(what + ". --parts file takes the objects as they are; `shape_correspondence parts " + path +
                            "` says why.");
@@ -109,18 +100,14 @@ bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_
 
 char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
 
-bool finds_up_of_pair(const std::vector<std::string>& paths, const Common_options& options)
-{
-  for (std::size_t i = 0; i < 2; ++i)
-    if (!is_model(paths[i]) || options.of_input(i).finds_up()) return false;
-  return is_up_unknown(paths[0], options.of_input(0)) || is_up_unknown(paths[1], options.of_input(1));
-}
-
 Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options)
 {
   Pair_axes result;
-  for (std::size_t i = 0; i < 2; ++i)
-    result.is_unknown[i] = is_up_unknown(paths[i], options.of_input(i));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Common_options of_input = options.of_input(i);
+    if (!is_model(paths[i]) || of_input.finds_up()) return {};
+    result.is_unknown[i] = is_up_unknown(paths[i], of_input);
+  }
   return result;
 }
 
@@ -166,17 +153,12 @@ void turn_by_roles(const Point& up, Read_model& model)
   if (up != Point::UnitY()) warnings.push_back(warning_by_roles(up, "--up"));
 }
 
-Model_objects read_objects(const std::string& path, const Common_options& options)
-{
-  return IO::read_objects(path, options.up_vector(), options.reading);
-}
-
 Read_model read_model(const std::string& path, const Common_options& options)
 {
-  return model_of_objects(path, read_objects(path, options), options);
+  return model_of_objects(path, IO::read_objects(path, options.up_vector(), options.reading), options);
 }
 
-Read_model model_of_objects(const std::string& path, Model_objects objects, const Common_options& options)
+Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options)
 {
   Read_model model;
   model.objects = std::move(objects.shape);
@@ -187,7 +169,7 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
     return model;
   }
   Part_splitting_options splitting;
-  splitting.mode = mode_of(path, options.parts);
+  splitting.mode = options.parts == Part_splitting::AUTO && is_folder(path) ? Part_splitting::FILE : options.parts;
   splitting.materials = std::move(objects.materials);
   model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
   if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);

@@ -3,9 +3,8 @@
 
 #include "base/for_each_index.h"
 #include "cli/Command.h"
-#include "cli/evaluate_results.h"
-#include "cli/labelled_models.h"
-#include "cli/predicted_labels.h"
+#include "cli/evaluate.h"
+#include "cli/labels.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "matching/mean_differences.h"
@@ -207,10 +206,7 @@ IO::Json evaluation_json(const Evaluated_roles& found)
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
   const std::shared_ptr<const Role_model> model = role_model_of(roles.label.roles);
-  std::vector<Labelled_model> models;
-  for (const std::string& folder : folders)
-    for (Labelled_model& labelled : load_labelled_models(folder, common))
-      models.push_back(std::move(labelled));
+  const std::vector<Labelled_model> models = load_labelled_models(folders, common);
   const auto pairs = listed_pairs(models, roles.training.most_pairs);
   if (pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
   const Evaluated_roles found = evaluated(models, pairs, model, roles.training.options.seed);

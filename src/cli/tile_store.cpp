@@ -4,11 +4,12 @@
 #include "cli/tile_store.h"
 #include "io/system/atomic_file.h"
 #include "io/system/checked_file.h"
+#include "io/system/little_endian.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
+#include <string_view>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -20,68 +21,38 @@ constexpr const char* extension = ".tile";
 using Small = std::uint16_t; // confidences
 constexpr double largest_confidence = 65535;
 
-/// Writes the bytes of a tile. Whole numbers are in LEB128: seven bits per byte, the low ones first.
-class Byte_writer
+/// Whole numbers are in LEB128: seven bits per byte, the low ones first.
+void append_count(std::string& bytes, std::size_t number)
 {
-public:
-  template <typename Number>
-  void write(const Number& number)
-  {
-    bytes_.append(reinterpret_cast<const char*>(&number), sizeof number);
-  }
+  for (; number > 127; number >>= 7)
+    bytes += char((number & 127) | 128);
+  bytes += char(number);
+}
 
-  void write_count(std::size_t number)
-  {
-    for (; number > 127; number >>= 7)
-      bytes_ += char((number & 127) | 128);
-    bytes_ += char(number);
-  }
+/// Thrown where a tile ends too early, or has a number that is too large.
+struct Damaged_tile
+{};
 
-  std::string bytes() && { return std::move(bytes_); }
-
-private:
-  std::string bytes_;
-};
-
-/// Reads the bytes of a tile; knows at the end whether all were used.
-class Byte_reader
+/// Takes a number from the front.
+template <typename Number>
+Number read(std::string_view& bytes)
 {
-public:
-  explicit Byte_reader(const std::string& bytes) : bytes_(bytes) {}
+  if (bytes.size() < sizeof(Number)) throw Damaged_tile();
+  const auto number = IO::number_in<Number>(bytes.data());
+  bytes.remove_prefix(sizeof number);
+  return number;
+}
 
-  template <typename Number>
-  Number read()
-  {
-    Number number{};
-    if (bytes_.size() - at_ < sizeof number) {
-      failed_ = true;
-      return number;
-    }
-    std::memcpy(&number, bytes_.data() + at_, sizeof number);
-    at_ += sizeof number;
-    return number;
+std::size_t read_count(std::string_view& bytes)
+{
+  std::size_t number = 0;
+  for (int shift = 0; shift < 64; shift += 7) {
+    const auto byte = read<unsigned char>(bytes);
+    number |= std::size_t(byte & 127) << shift;
+    if (byte < 128) return number;
   }
-
-  std::size_t read_count()
-  {
-    std::size_t number = 0;
-    for (int shift = 0; shift < 64; shift += 7) {
-      const auto byte = read<unsigned char>();
-      number |= std::size_t(byte & 127) << shift;
-      if (byte < 128) return number;
-    }
-    failed_ = true;
-    return 0;
-  }
-
-  bool is_at_end() const { return failed_ || at_ == bytes_.size(); }
-  bool is_good() const { return !failed_; }
-
-private:
-  const std::string& bytes_;
-  std::size_t at_ = 0;
-  bool failed_ = false;
-};
+  throw Damaged_tile();
+}
 
 // Stands in the place of the number of pairs plus 1: the map is the one before, inverted.
 constexpr std::size_t inverse_of_last = 0;
@@ -89,56 +60,58 @@ constexpr std::size_t inverse_of_last = 0;
 Small as_small(double confidence) { return Small(std::lround(confidence * largest_confidence)); }
 
 /// Of pairs that are sorted by source.
-void write_map(const Part_map& map, Byte_writer& out)
+void append_map(std::string& bytes, const Part_map& map)
 {
-  out.write_count(map.pairs.size() + 1);
+  append_count(bytes, map.pairs.size() + 1);
   std::size_t last_source = 0;
   for (const Part_correspondence& pair : map.pairs) {
-    out.write_count(pair.source - last_source);
-    out.write_count(pair.target);
-    out.write(as_small(pair.confidence));
+    append_count(bytes, pair.source - last_source);
+    append_count(bytes, pair.target);
+    IO::append_little_endian(bytes, as_small(pair.confidence));
     last_source = pair.source;
   }
 }
 
-Part_map read_map(std::size_t size, Byte_reader& in)
+Part_map read_map(std::size_t size, std::string_view& bytes)
 {
   Part_map map;
   std::size_t source = 0;
-  for (std::size_t k = 0; k < size && in.is_good(); ++k) {
-    source += in.read_count();
-    const std::size_t target = in.read_count();
-    map.pairs.push_back({source, target, in.read<Small>() / largest_confidence});
+  for (std::size_t k = 0; k < size; ++k) {
+    source += read_count(bytes);
+    const std::size_t target = read_count(bytes);
+    map.pairs.push_back({source, target, read<Small>(bytes) / largest_confidence});
   }
   return map;
 }
 
 std::string encoded(const std::vector<Rated_map>& pairs)
 {
-  Byte_writer out;
+  std::string bytes;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    out.write(pairs[k].energy);
+    IO::append_little_endian(bytes, pairs[k].energy);
     if (k % 2 == 1 && pairs[k].map == inverse(pairs[k - 1].map))
-      out.write_count(inverse_of_last);
+      append_count(bytes, inverse_of_last);
     else
-      write_map(pairs[k].map, out);
+      append_map(bytes, pairs[k].map);
   }
-  return std::move(out).bytes();
+  return bytes;
 }
 
-std::optional<std::vector<Rated_map>> decoded(const std::string& bytes)
+std::optional<std::vector<Rated_map>> decoded(std::string_view bytes)
 {
-  Byte_reader in(bytes);
   std::vector<Rated_map> pairs;
-  while (!in.is_at_end()) {
-    Rated_map pair;
-    pair.energy = in.read<double>();
-    const std::size_t size = in.read_count();
-    if (size == inverse_of_last && pairs.empty()) return std::nullopt;
-    pair.map = size == inverse_of_last ? inverse(pairs.back().map) : read_map(size - 1, in);
-    pairs.push_back(std::move(pair));
+  try {
+    while (!bytes.empty()) {
+      Rated_map pair;
+      pair.energy = read<double>(bytes);
+      const std::size_t size = read_count(bytes);
+      if (size == inverse_of_last && pairs.empty()) return std::nullopt;
+      pair.map = size == inverse_of_last ? inverse(pairs.back().map) : read_map(size - 1, bytes);
+      pairs.push_back(std::move(pair));
+    }
+  } catch (const Damaged_tile&) {
+    return std::nullopt;
   }
-  if (!in.is_good()) return std::nullopt;
   return pairs;
 }
 

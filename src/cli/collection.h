@@ -4,9 +4,12 @@
 #pragma once
 
 #include "cli/collection_shapes.h"
-#include "cli/team.h"
 #include "cli/tile_store.h"
+#include "io/system/Mapped_matrix.h"
 
+#include <CGAL/Shape_correspondence/IO/collection_json.h>
+#include <CGAL/Shape_correspondence/Search_options.h>
+#include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <cstddef>
@@ -17,6 +20,20 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
+
+/// The options that only `collection` has.
+struct Collection_options
+{
+  std::string npy, csv, store, nearest, labels_from, labels_to; ///< empty: none
+  bool skip_bad = false, matches = false, agreeing = false;
+  std::size_t nearest_count = 5;
+  std::size_t neighbours = 0; ///< 0: by the number of shapes
+  double unmatched_energy = Energy_matrix_options().unmatched_energy;
+  Co_analysis_options co_analysis;
+};
+
+/// Adds these options and the options for output files to the table of a command.
+void add_collection_options(Option_table& table, Common_options& common, Collection_options& options);
 
 /// All that the matches of a collection depend on besides the shapes, as a text.
 /// \param match_options their names and values \param search only its roles are used
@@ -72,5 +89,36 @@ private:
   std::vector<Tile> tiles_;
   std::vector<Shared_block> kept_; // of the last tile, of which the next one mostly has a block
 };
+
+/// A shape's distances from the others.
+struct Shape_distances
+{
+  double mean = 0;
+  std::size_t nearest = 0;
+  double nearest_distance = 0;
+};
+
+/// The analysis of a collection, with the energies and maps that it is computed from.
+struct Analysis
+{
+  IO::Mapped_matrix energies;
+  std::vector<Shape_distances> distances; ///< by shape
+  IO::Collection collection;              ///< refers to the energies
+  std::vector<Shape_pair_map> maps;
+};
+
+/// Reads all pairs twice, first the energies and then those maps that are clustered or on bridges. For n shapes, 16 n²
+/// bytes for energies and distances are in a file of the store, if there is one, else in memory; then memory is needed,
+/// for each of 64 n maps at most, of some hundred bytes, and that of `co_analysis()`.
+Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work);
+
+/// The shapes nearest to a query. \param file names it in the result
+IO::Nearest_in_collection nearest_in_collection(const Structural_graph& query, const std::string& file,
+                                                const Collection_shapes& shapes, std::size_t count,
+                                                const Energy_matrix_options& matching);
+
+/// Transfers the labels of the shape of `--labels-from` to all shapes of a collection, and writes them.
+void transfer_labels(const Collection_shapes& shapes, const Collection_options& options, const Search_options& search,
+                     const Common_options& common);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/Common_options.h"
+#include "io/write/Json.h"
+
+#include <CGAL/Shape_correspondence/IO/read_part_labels.h>
+#include <CGAL/Shape_correspondence/Role_model.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+
+#include <array>
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+/// A shape with its labels.
+struct Labelled_model
+{
+  std::string folder; ///< that was asked for
+  IO::Labelled_shape labels;
+  Structural_graph graph;
+  std::vector<Part_label> part_labels; ///< by part of the graph
+};
+
+/// All labelled shapes of folders of SHAPE/ or CATEGORY/SHAPE/ with `labels.json` and `parts/`.
+/// \throw Invalid_input if one cannot be used, or a part has no label
+std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>& folders,
+                                                 const Common_options& options);
+
+/// The role model in a file; empty: the one that comes with the program.
+std::shared_ptr<const Role_model> role_model_of(const std::string& file);
+
+/// Adds the labelled shapes of a folder, if there is one, to what a model was learned from, see `extend_role_model()`:
+/// those of a category in which they help, see `gains_of_examples()`. If they are of one category, and none is asked
+/// for, that category is meant. \param model null: none so far \param always_new also all of a category that the model
+/// lacks
+/// \return what is said of those that are left out
+std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,
+                                      std::shared_ptr<const Role_model>& model, std::string& category,
+                                      bool always_new = false);
+
+/// Pairs of shapes of a category and folder: those that FOLDER/pairs.json lists, or else at most `most` of a category,
+/// spread evenly over all. \throw Invalid_input if a list names a shape that is not there
+std::vector<std::array<std::size_t, 2>> listed_pairs(const std::vector<Labelled_model>& models, std::size_t most);
+
+/// What roles are learned from.
+struct Role_training
+{
+  std::vector<std::string> folders;   ///< of labelled shapes
+  std::vector<std::string> generated; ///< further ones, which are generated: they weigh less, and are in no pair
+  std::size_t most_pairs = 45;        ///< of a category and folder without a list of pairs
+  Role_training_options options;
+};
+
+struct Trained_roles
+{
+  std::vector<Labelled_model> models; ///< the shapes, those that are not generated first
+  std::size_t number_of_real = 0;
+  Role_model model;
+};
+
+/// Learns roles from folders, see `train_role_model()`: what `roles train` and Python do.
+Trained_roles train_roles(const Role_training& training, const Common_options& options);
+
+/// The labels of parts, with their probabilities, as `labels.json` lists them; parts without a label are left out.
+inline IO::Json parts_json(const std::vector<std::string>& parts, const std::vector<Transferred_label>& labels)
+{
+  IO::Json result = IO::Json::array();
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const auto& [label, probability] = labels[part];
+    if (label.coarse.empty()) continue;
+    IO::Json entry = {{"name", parts[part]}, {"coarse", label.coarse}};
+    if (!label.fine.empty()) entry["fine"] = label.fine;
+    entry["probability"] = probability;
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+/// A `labels.json`.
+inline IO::Json labels_json(const std::vector<std::string>& parts, const std::string& category,
+                            const std::vector<Transferred_label>& labels)
+{
+  return {{"format", "shape_correspondence/labels"}, {"category", category}, {"parts", parts_json(parts, labels)}};
+}
+
+/// The roles of a shape's parts. \param path names the shape in messages \param category empty: the likeliest
+/// \throw Invalid_input if the shape is of no category of the model
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category);
+
+/// Writes the likeliest label of every part, in the form of `labels.json`.
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found);
+
+/// What labels are predicted by.
+struct Label_options
+{
+  std::string roles;    ///< file of the role model; empty: the one that comes with the program
+  std::string examples; ///< folder of labelled shapes that are learned in addition; empty: none
+  std::string category; ///< of the shape; empty: the one that it is like
+};
+
+/// Prints the likeliest role of every part of a shape, and writes them in the form of `labels.json`.
+/// \param output file of the labels; - is standard output; empty: none
+/// \throw Invalid_input if the shape is of no category of the model
+void label_shape(const std::string& path, const Label_options& options, const std::string& output,
+                 const Common_options& common);
+
+} // namespace CGAL::Shape_correspondence::cli
