@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -49,6 +50,41 @@ struct Run_report
                 << short_number(IO::peak_megabytes()) << " MB\n";
   }
 };
+
+/// A text of help with its paragraphs and list items in lines of `line_width`; a longer command goes on after a
+/// backslash.
+std::string reflowed(const std::string& text)
+{
+  std::string result, paragraph;
+  std::size_t indent = 0; // of the lines of the paragraph after its first
+  const auto flush = [&] {
+    if (paragraph.empty()) return;
+    const std::size_t first = paragraph.find_first_not_of(' ');
+    const bool is_command = paragraph.find("shape_correspondence ") < paragraph.find_first_of(".,`");
+    const std::size_t sign = is_command ? 2 : 0; // of what goes on
+    const std::vector<std::string> lines = wrapped(paragraph, line_width - std::max(indent, first) - sign);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      result += std::string(i == 0 ? first : indent, ' ') + lines[i] +
+                (is_command && i + 1 < lines.size() ? " \\" : "") + '\n';
+    paragraph.clear();
+  };
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t start = line.find_first_not_of(' ');
+    const bool begins = line.empty() || line.rfind("Usage", 0) == 0 || line.rfind("Example", 0) == 0,
+               is_item = !line.empty() && line.compare(start, 2, "- ") == 0;
+    if (begins || is_item || paragraph.empty() || start != indent || start > 4) {
+      flush();
+      indent = begins ? 12 : is_item ? start + 2 : start == 0 ? 0 : start + 2;
+    }
+    if (line.empty())
+      result += '\n';
+    else
+      paragraph += (paragraph.empty() ? "" : " ") + (paragraph.empty() ? line : line.substr(start));
+  }
+  flush();
+  return result;
+}
 
 /// The values of options that are marked as files.
 std::vector<std::string> files_of(const Option_table& table, bool Option::*mark)
@@ -165,12 +201,9 @@ const std::vector<Command_entry>& commands()
 
 std::unique_ptr<Command> command_of(const std::string& name)
 {
-  std::vector<std::string> names;
-  for (const Command_entry& command : commands()) {
+  for (const Command_entry& command : commands())
     if (command.name == name) return command.make();
-    names.push_back(command.name);
-  }
-  throw Usage_error("there is no command '" + name + "'" + suggestion(name, names));
+  throw Usage_error("there is no command '" + name + "'" + suggestion(name, mapped(commands(), &Command_entry::name)));
 }
 
 void write_help(std::ostream& out)

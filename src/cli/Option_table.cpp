@@ -229,9 +229,7 @@ std::vector<std::string> Option_table::parse(const std::vector<std::string>& arg
     if (help_is_given()) return {};
     po::notify(values);
   } catch (const po::unknown_option& error) {
-    std::vector<std::string> names;
-    for (const Option& option : options_)
-      names.push_back("--" + option.name);
+    const auto names = mapped(options_, [](const Option& option) { return "--" + option.name; });
     const std::string name = error.get_option_name();
     throw Usage_error("there is no option '" + name + "'" + suggestion(name, names));
   } catch (const po::error& error) {

@@ -44,10 +44,7 @@ struct Named_parts
 
   std::vector<std::size_t> indices(const std::string& list, const std::string& option) const
   {
-    std::vector<std::size_t> result;
-    for (const std::string& name : words_of(list))
-      result.push_back(index(name, option));
-    return result;
+    return mapped(words_of(list), [&](const std::string& name) { return index(name, option); });
   }
 };
 

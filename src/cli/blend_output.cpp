@@ -4,6 +4,7 @@
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "cli/blend.h"
+#include "cli/text.h"
 #include "io/system/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -30,8 +31,7 @@ std::string schedule_word(const std::string& name)
 std::vector<std::string> schedule_words()
 {
   std::vector<std::string> result = {"best", "all"};
-  for (const std::string& name : Shape_blend::schedule_names())
-    result.push_back(schedule_word(name));
+  append(result, mapped(Shape_blend::schedule_names(), schedule_word));
   return result;
 }
 

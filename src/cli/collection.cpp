@@ -147,6 +147,7 @@ private:
     Team& team = *made;
     if (team.size() > 1 && options_.store.empty())
       throw Usage_error("several processes need --store, a folder that all of them can use");
+    if (!team.is_first()) common.progress = "never"; // one bar for all
     const std::shared_ptr<void> limit = limit_threads(threads_of_process(common, team));
     if (!left_out_.empty() && team.is_first())
       warn(common, inputs[0] + ": left out, since they are no shapes: " + listed(left_out_));

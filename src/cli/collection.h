@@ -3,23 +3,76 @@
 
 #pragma once
 
-#include "cli/collection_shapes.h"
-#include "cli/tile_store.h"
+#include "cli/Common_options.h"
+#include "cli/team.h"
 #include "io/system/Mapped_matrix.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/Search_options.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
+
+/// A shape of a collection; its graph is kept elsewhere.
+struct Collection_shape
+{
+  std::string path, name;
+  std::string content; ///< digest of its graph: what all results depend on
+  std::vector<std::string> parts;
+  std::vector<std::string> warnings;
+};
+
+/// The shapes that inputs name: each an input, or the entries of a single folder, by name. Of a folder these are model
+/// files, structural graphs, and folders of part meshes. \throw Invalid_input if they are less than two
+/// \param left_out gets the names of entries that are no shapes; null: not wanted
+std::vector<std::string> collection_paths(const std::vector<std::string>& inputs,
+                                          std::vector<std::string>* left_out = nullptr);
+
+/// Whether a folder has shapes: folders of part meshes, or model files of several objects, which no part has.
+bool is_folder_of_shapes(const std::string& path);
+
+/// The shapes in a folder, sorted by path. \param left_out gets the names of the other entries; null: not wanted
+std::vector<std::string> shapes_in(const std::string& folder, std::vector<std::string>* left_out = nullptr);
+
+/// The structural graphs of a collection, on demand: in a folder or, without one, in memory.
+class Collection_shapes
+{
+public:
+  /// Builds the graphs that are missing, all processes of the team together.
+  /// \param folder for graphs; empty: in memory \param skip_bad leave out inputs that cannot be used
+  /// \throw Invalid_input if an input cannot be used; names all of these
+  Collection_shapes(const std::vector<std::string>& paths, const std::string& folder, bool skip_bad,
+                    const Common_options& options, Team& team);
+
+  /// Of graphs that are built already, by path.
+  explicit Collection_shapes(const std::vector<std::pair<std::string, Structural_graph>>& graphs);
+
+  const std::vector<Collection_shape>& shapes() const { return shapes_; }
+  /// What was left out and why.
+  const std::vector<std::string>& skipped() const { return skipped_; }
+  std::size_t size() const { return shapes_.size(); }
+  Structural_graph graph(std::size_t shape) const;
+  /// The surfaces of a shape, read anew; none if its input is a graph or has other parts by now.
+  std::optional<Segmented_shape> model(std::size_t shape, const Common_options& options) const;
+
+private:
+  std::string folder_;
+  std::vector<Collection_shape> shapes_;
+  std::vector<std::string> skipped_;
+  std::vector<Structural_graph> graphs_; // in memory
+};
 
 /// The options that only `collection` has.
 struct Collection_options
@@ -34,6 +87,27 @@ struct Collection_options
 
 /// Adds these options and the options for output files to the table of a command.
 void add_collection_options(Option_table& table, Common_options& common, Collection_options& options);
+
+/// Finished tiles by name, in a folder or, without one, in memory. In a folder a tile is there as a whole or not at
+/// all, whenever the program is killed, and many processes may use it at a time. One that is damaged counts as missing.
+class Tile_store
+{
+public:
+  /// \param folder is made if there is none; empty: in memory \throw Invalid_input if it cannot be used
+  explicit Tile_store(std::string folder);
+
+  bool has(const std::string& name) const;
+  std::optional<std::vector<Rated_map>> find(const std::string& name) const;
+  /// Two maps in turn that are each other's inverse take the room of one. Confidences are kept to 16 bits; `find()`
+  /// returns what is kept, in memory as in a folder.
+  void insert(const std::string& name, const std::vector<Rated_map>& pairs);
+
+private:
+  std::string path(const std::string& name) const;
+
+  std::string folder_;
+  std::map<std::string, std::string> in_memory_;
+};
 
 /// All that the matches of a collection depend on besides the shapes, as a text.
 /// \param match_options their names and values \param search only its roles are used

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/collection_shapes.h"
 #include "base/for_each_index.h"
+#include "cli/collection.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "cli/text.h"
@@ -170,9 +170,7 @@ std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, con
 {
   Common_options quiet = options; // one bar for all
   quiet.progress = "never";
-  Common_options shown = options;
-  shown.quiet = options.quiet || !team.is_first();
-  Progress_bar bar(shown, "graphs", "shape");
+  Progress_bar bar(options, "graphs", "shape");
   std::vector<Loaded_input> inputs(paths.size());
   std::mutex mutex;
   std::size_t done = 0;

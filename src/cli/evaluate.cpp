@@ -149,10 +149,10 @@ std::vector<Judged_result> judge(const std::vector<Named_result>& named, const s
 
 Evaluation mean_scores(const std::vector<Judged_result>& results, const Evaluation_options& options)
 {
-  std::vector<Scored_correspondence> scores;
-  for (const Judged_result& r : results)
-    scores.push_back({r.source->category, r.source->file, r.target->file, r.score});
-  return Shape_correspondence::mean_scores(scores, options);
+  const auto scored = [](const Judged_result& r) {
+    return Scored_correspondence{r.source->category, r.source->file, r.target->file, r.score};
+  };
+  return Shape_correspondence::mean_scores(mapped(results, scored), options);
 }
 
 /// A mean with its interval; of a single result, without.
@@ -254,17 +254,15 @@ std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& path
 {
   std::vector<IO::Labelled_shape> shapes;
   for (const std::string& path : paths)
-    for (IO::Labelled_shape& shape : IO::read_part_labels(path))
-      shapes.push_back(std::move(shape));
+    append(shapes, IO::read_part_labels(path));
   return shapes;
 }
 
 std::vector<Named_result> read_results(const std::vector<std::string>& inputs)
 {
-  std::vector<Named_result> results;
-  for (const std::string& file : result_files(inputs))
-    results.push_back({file, IO::read_correspondence_json(file)});
-  return results;
+  return mapped(result_files(inputs), [](const std::string& file) {
+    return Named_result{file, IO::read_correspondence_json(file)};
+  });
 }
 
 void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,

@@ -4,12 +4,10 @@
 #pragma once
 
 #include "cli/Common_options.h"
-#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
-#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <array>
 #include <cstddef>
@@ -68,28 +66,6 @@ struct Trained_roles
 
 /// Learns roles from folders, see `train_role_model()`: what `roles train` and Python do.
 Trained_roles train_roles(const Role_training& training, const Common_options& options);
-
-/// The labels of parts, with their probabilities, as `labels.json` lists them; parts without a label are left out.
-inline IO::Json parts_json(const std::vector<std::string>& parts, const std::vector<Transferred_label>& labels)
-{
-  IO::Json result = IO::Json::array();
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    const auto& [label, probability] = labels[part];
-    if (label.coarse.empty()) continue;
-    IO::Json entry = {{"name", parts[part]}, {"coarse", label.coarse}};
-    if (!label.fine.empty()) entry["fine"] = label.fine;
-    entry["probability"] = probability;
-    result.push_back(std::move(entry));
-  }
-  return result;
-}
-
-/// A `labels.json`.
-inline IO::Json labels_json(const std::vector<std::string>& parts, const std::string& category,
-                            const std::vector<Transferred_label>& labels)
-{
-  return {{"format", "shape_correspondence/labels"}, {"category", category}, {"parts", parts_json(parts, labels)}};
-}
 
 /// The roles of a shape's parts. \param path names the shape in messages \param category empty: the likeliest
 /// \throw Invalid_input if the shape is of no category of the model

@@ -128,12 +128,43 @@ Rows rows_of(const Correspondence& c, const Lines& source, const Lines& target, 
   return rows;
 }
 
+/// Writes a text in lines; further ones are indented.
+void write_wrapped(std::ostream& out, const std::string& text)
+{
+  const char* indent = "";
+  for (const std::string& line : wrapped(text, line_width - 2)) {
+    out << indent << line << '\n';
+    indent = "  ";
+  }
+}
+
 /// `3 of 12 parts: a, b, c`
 std::string unmatched_text(const Parts& parts, const Lines& labels)
 {
   if (parts.empty()) return "-";
   return std::to_string(parts.size()) + " of " + std::to_string(labels.size()) +
          " parts: " + listed(labels_of(parts, labels));
+}
+
+/// Writes what became of each symmetry group of the deformed shape, with its share of the energy.
+void write_group_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
+                       const Structural_graph& target)
+{
+  Rows rows{{"group in the source", "target", "operation", "energy", "distortion", "connectedness"}};
+  if (c.direction == Direction::TARGET_TO_SOURCE)
+    rows[0][0] = "source", rows[0][1] = "group in the target", rows[0][2] = "operation on the target";
+  const std::size_t width = width_of_names({9, 6, 10, 13}); // operation, energy, distortion, connectedness
+  const Lines source_labels = labels_of(source), target_labels = labels_of(target);
+  for (const Group_match& group : c.groups)
+    add_row({wrapped(listed(labels_of(group.source, source_labels)), width),
+             wrapped(listed(labels_of(group.target, target_labels)), width),
+             {name_of(group.operation)},
+             {short_number(group.energy)},
+             {short_number(group.distortion)},
+             {short_number(group.connectedness)}},
+            rows);
+  out << '\n';
+  write_table(out, rows);
 }
 
 class Match_command : public Pair_command
@@ -225,26 +256,6 @@ void write_match_table(std::ostream& out, const Correspondence& c, const Structu
       << (c.complete ? "" : ", incomplete") << (c.optimal ? ", proven minimal for this direction" : "") << '\n';
   out << "distance: " << short_number(distance_energy(c, Energy_matrix_options().unmatched_energy))
       << " (energy per pair of connected parts)\n";
-}
-
-void write_group_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
-                       const Structural_graph& target)
-{
-  Rows rows{{"group in the source", "target", "operation", "energy", "distortion", "connectedness"}};
-  if (c.direction == Direction::TARGET_TO_SOURCE)
-    rows[0][0] = "source", rows[0][1] = "group in the target", rows[0][2] = "operation on the target";
-  const std::size_t width = width_of_names({9, 6, 10, 13}); // operation, energy, distortion, connectedness
-  const Lines source_labels = labels_of(source), target_labels = labels_of(target);
-  for (const Group_match& group : c.groups)
-    add_row({wrapped(listed(labels_of(group.source, source_labels)), width),
-             wrapped(listed(labels_of(group.target, target_labels)), width),
-             {name_of(group.operation)},
-             {short_number(group.energy)},
-             {short_number(group.distortion)},
-             {short_number(group.connectedness)}},
-            rows);
-  out << '\n';
-  write_table(out, rows);
 }
 
 std::unique_ptr<Command> match_command() { return std::make_unique<Match_command>(); }

@@ -35,18 +35,19 @@ bool says_up(const std::string& path)
 
 constexpr const char* warning_of_up = "The upright axis was taken to be ";
 
-std::string warning_of(const Up_estimate& found, const std::string& option)
+std::string warning_of(const Point& up, const std::string& why, const std::string& option)
 {
-  return std::string(warning_of_up) + axis_name(found.up) + ", along which the model stands most stably (confidence " +
-         std::to_string(std::lround(100 * found.confidence)) + " %); if that is wrong, give another with " + option +
+  return std::string(warning_of_up) + axis_name(up) + ", " + why + "; if that is wrong, give another with " + option +
          ".";
 }
 
-std::string warning_by_roles(const Point& up, const std::string& option)
+std::string stability(const Up_estimate& found)
 {
-  return std::string(warning_of_up) + axis_name(up) +
-         ", with which the parts are most like labelled ones; if that is wrong, give another with " + option + ".";
+  return "along which the model stands most stably (confidence " + std::to_string(std::lround(100 * found.confidence)) +
+         " %)";
 }
+
+constexpr const char* likeness = "with which the parts are most like labelled ones";
 
 /// Whether neither options nor the file format give the upright axis of a model.
 bool is_up_unknown(const std::string& path, const Common_options& options)
@@ -62,7 +63,8 @@ void find_up(const std::string& path, const Common_options& options, Read_model&
   model.objects.set_up(found.up);
   model.up_confidence = found.confidence;
   model.is_up_estimated = true;
-  if (is_asked_for || found.up != Point::UnitY()) model.warnings.push_back(warning_of(found, "--up"));
+  if (is_asked_for || found.up != Point::UnitY())
+    model.warnings.push_back(warning_of(found.up, stability(found), "--up"));
 }
 
 /// The maximum number of objects named in a warning.
@@ -127,8 +129,8 @@ std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, 
     options.of_pair[i].up = axis_name(found[i].up);
     if (found[i].up == Point::UnitY()) continue;
     const std::string option = i == 0 ? "--source-up" : "--target-up";
-    warnings.push_back(paths[i] + ": " +
-                       (axes.by_roles[i] ? warning_by_roles(found[i].up, option) : warning_of(found[i], option)));
+    const std::string why = axes.by_roles[i] ? likeness : stability(found[i]);
+    warnings.push_back(paths[i] + ": " + warning_of(found[i].up, why, option));
   }
   return warnings;
 }
@@ -150,7 +152,7 @@ void turn_by_roles(const Point& up, Read_model& model)
   warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
                                 [](const std::string& warning) { return warning.rfind(warning_of_up, 0) == 0; }),
                  warnings.end());
-  if (up != Point::UnitY()) warnings.push_back(warning_by_roles(up, "--up"));
+  if (up != Point::UnitY()) warnings.push_back(warning_of(up, likeness, "--up"));
 }
 
 Read_model read_model(const std::string& path, const Common_options& options)

@@ -21,13 +21,6 @@ constexpr std::size_t line_width = 80; ///< characters
 /// any.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes a text in lines; further ones are indented.
-void write_wrapped(std::ostream& out, const std::string& text);
-
-/// A text of help with its paragraphs and list items in lines of `line_width`; a longer command goes on after a
-/// backslash.
-std::string reflowed(const std::string& text);
-
 /// Writes notes, one a line; of several only how many they are, unless all are wanted. Names of the library's options
 /// are left out.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);

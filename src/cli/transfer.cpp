@@ -104,6 +104,37 @@ std::vector<std::string> names_of(const std::vector<std::size_t>& parts, const L
   return mapped(parts, [&](std::size_t part) { return structure(shape.graph).parts[part].name; });
 }
 
+/// Writes what every target part got.
+void write_transfer_table(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
+                          const Transferred_looks& transferred)
+{
+  const bool has_labels = !transferred.labels.empty();
+  std::vector<std::vector<std::string>> rows{{"target part", has_labels ? "label" : "looks of", "source parts"}};
+  for (std::size_t i = 0; i < transferred.result.parts.size(); ++i) {
+    const Transferred_part& part = transferred.result.parts[i];
+    const int label = main_label(part);
+    const std::string first = has_labels ? (label < 0 ? "-" : transferred.labels[std::size_t(label)])
+                              : part.origin == Looks_origin::SOURCE ? "the source"
+                              : part.origin == Looks_origin::NEIGHBOUR
+                                  ? structure(target.graph).parts[part.neighbour].name
+                              : part.origin == Looks_origin::TARGET ? "its own"
+                                                                    : "none: grey";
+    rows.push_back({structure(target.graph).parts[i].name, first,
+                    part.sources.empty() ? "-" : listed(names_of(part.sources, source))});
+  }
+  write_table(out, rows);
+  const std::vector<Looks_origin> origins = mapped(transferred.result.parts, &Transferred_part::origin);
+  const auto count = [&](Looks_origin origin) { return std::count(origins.begin(), origins.end(), origin); };
+  const auto neutral = count(Looks_origin::NEUTRAL), own = count(Looks_origin::TARGET),
+             taken = count(Looks_origin::NEIGHBOUR);
+  out << "\ntexture coordinates: "
+      << (transferred.result.has_given_coordinates ? "those of the target" : "laid out anew") << '\n';
+  if (own + neutral + taken > 0)
+    out << "parts that nothing was transferred to: " << own + neutral + taken << " ("
+        << (has_labels ? "" : std::to_string(taken) + " look like a part that they touch, ") << own
+        << " keep their own looks, " << neutral << " are grey)\n";
+}
+
 class Transfer_command : public Pair_command
 {
 public:
@@ -214,36 +245,6 @@ void write_transfer_json(std::ostream& out, const Loaded_shape& source, const Lo
   }
   json["warnings"] = transferred.warnings;
   json.write(out);
-}
-
-void write_transfer_table(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
-                          const Transferred_looks& transferred)
-{
-  const bool has_labels = !transferred.labels.empty();
-  std::vector<std::vector<std::string>> rows{{"target part", has_labels ? "label" : "looks of", "source parts"}};
-  std::size_t neutral = 0, own = 0, taken = 0;
-  for (std::size_t i = 0; i < transferred.result.parts.size(); ++i) {
-    const Transferred_part& part = transferred.result.parts[i];
-    const int label = main_label(part);
-    const std::string first = has_labels ? (label < 0 ? "-" : transferred.labels[std::size_t(label)])
-                              : part.origin == Looks_origin::SOURCE ? "the source"
-                              : part.origin == Looks_origin::NEIGHBOUR
-                                  ? structure(target.graph).parts[part.neighbour].name
-                              : part.origin == Looks_origin::TARGET ? "its own"
-                                                                    : "none: grey";
-    rows.push_back({structure(target.graph).parts[i].name, first,
-                    part.sources.empty() ? "-" : listed(names_of(part.sources, source))});
-    neutral += part.origin == Looks_origin::NEUTRAL;
-    own += part.origin == Looks_origin::TARGET;
-    taken += part.origin == Looks_origin::NEIGHBOUR;
-  }
-  write_table(out, rows);
-  out << "\ntexture coordinates: "
-      << (transferred.result.has_given_coordinates ? "those of the target" : "laid out anew") << '\n';
-  if (own + neutral + taken > 0)
-    out << "parts that nothing was transferred to: " << own + neutral + taken << " ("
-        << (has_labels ? "" : std::to_string(taken) + " look like a part that they touch, ") << own
-        << " keep their own looks, " << neutral << " are grey)\n";
 }
 
 std::unique_ptr<Command> transfer_command() { return std::make_unique<Transfer_command>(); }

@@ -39,8 +39,4 @@ Transferred_looks transfer_looks(Loaded_shape& source, Loaded_shape& target, con
 void write_transfer_json(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
                          const Transfer_request& request, const Transferred_looks& transferred);
 
-/// The same as a table.
-void write_transfer_table(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
-                          const Transferred_looks& transferred);
-
 } // namespace CGAL::Shape_correspondence::cli
