@@ -3,6 +3,7 @@
 
 #include "cli/Common_options.h"
 
+#include "cli/text.h"
 #include "io/system/input_file.h"
 
 #include <algorithm>
@@ -30,9 +31,7 @@ const std::vector<std::pair<const char*, Part_splitting>> part_splittings{{"auto
 /// PART=KIND
 Text_field part_kind(std::map<std::string, Abstraction_kind>& kinds)
 {
-  Text_field result;
-  result.is_repeated = true;
-  result.set = [&kinds](const std::string& label, const std::string& text) {
+  const auto set = [&kinds](const std::string& label, const std::string& text) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0)
       throw Usage_error(label + " takes the name of a part, = and its kind, not '" + text + "'");
@@ -40,7 +39,7 @@ Text_field part_kind(std::map<std::string, Abstraction_kind>& kinds)
     choice(kind, abstraction_kinds).set(label, text.substr(equals + 1));
     kinds.insert({text.substr(0, equals), kind});
   };
-  return result;
+  return {{}, set, {}, /* is_repeated = */ true};
 }
 
 /// Names of kinds, with commas in between.
@@ -160,22 +159,20 @@ Point Common_options::up_vector() const
 
 Text_field output_by_ending(const std::vector<std::pair<std::string, std::string*>>& files)
 {
-  Text_field result;
-  result.is_repeated = true;
-  result.set = [files](const std::string& label, const std::string& path) {
+  const auto set = [files](const std::string& label, const std::string& path) {
     const std::string ending = path == "-" ? ".json" : IO::lower_extension(path);
-    std::string known;
     for (const auto& [wanted, file] : files) {
-      known += (known.empty() ? "" : ", ") + wanted;
       if (ending != wanted) continue;
       if (!file->empty() && *file != path)
         throw Usage_error(label + ": there are two files " + wanted + ", " + *file + " and " + path);
       *file = path;
       return;
     }
-    throw Usage_error(label + ": '" + path + "' is named like no file that this command writes: " + known);
+    const auto ending_of = [](const auto& known) { return known.first; };
+    throw Usage_error(label + ": '" + path +
+                      "' is named like no file that this command writes: " + listed(mapped(files, ending_of)));
   };
-  return result;
+  return {{}, set, {}, /* is_repeated = */ true};
 }
 
 std::vector<std::string> words_of(const std::string& list)

@@ -5,14 +5,11 @@
 #include "base/limits.h"
 #include "base/number_text.h"
 #include "cli/labels.h"
-#include "cli/load_shape.h"
 #include "cli/text.h"
 
 #include <CGAL/Shape_correspondence/match_as_in_paper.h>
 
-#include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -46,15 +43,14 @@ double parse_weight(const std::string& label, const std::string& text)
 /// WC,WS
 Text_field two_weights(Energy_weights& weights)
 {
-  Text_field result;
-  result.get = [&] { return short_number(weights.connectedness) + "," + short_number(weights.split); };
-  result.set = [&](const std::string& label, const std::string& text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos) throw Usage_error(label + " takes two numbers, w_c,w_s, not '" + text + "'");
-    weights.connectedness = parse_weight(label, text.substr(0, comma));
-    weights.split = parse_weight(label, text.substr(comma + 1));
-  };
-  return result;
+  const auto get = [&] { return short_number(weights.connectedness) + "," + short_number(weights.split); };
+  return {get, [&](const std::string& label, const std::string& text) {
+            const std::size_t comma = text.find(',');
+            if (comma == std::string::npos)
+              throw Usage_error(label + " takes two numbers, w_c,w_s, not '" + text + "'");
+            weights.connectedness = parse_weight(label, text.substr(0, comma));
+            weights.split = parse_weight(label, text.substr(comma + 1));
+          }};
 }
 
 Text_field left_out_term(Energy_weights& weights)
@@ -78,14 +74,12 @@ Text_field deformed_shapes(Search_options& search)
 
 Text_field number_of_alignments(std::optional<int>& number)
 {
-  Text_field result;
-  result.get = [] { return "auto"; };
-  result.set = [&number](const std::string& label, const std::string& text) {
-    if (text == "auto") return;
-    number = parse_number<int>(label, text);
-    if (*number < 1) throw Usage_error(label + " must be at least 1, not " + text);
-  };
-  return result;
+  return {[] { return "auto"; },
+          [&number](const std::string& label, const std::string& text) {
+            if (text == "auto") return;
+            number = parse_number<int>(label, text);
+            if (*number < 1) throw Usage_error(label + " must be at least 1, not " + text);
+          }};
 }
 
 std::string name_of(Search_method method) { return choice(method, search_methods).get(); }

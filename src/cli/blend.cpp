@@ -55,16 +55,6 @@ Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
 
 )";
 
-Blend_options with_progress(Blend_options result, Progress_bar& bar)
-{
-  result.progress = [&bar](double done) {
-    constexpr std::size_t steps = 100;
-    bar.show(std::size_t(done * steps), steps);
-    return true;
-  };
-  return result;
-}
-
 void print_schedules(const Shape_blend& blend)
 {
   std::vector<std::vector<std::string>> rows{{"schedule"}};
@@ -143,12 +133,17 @@ private:
     Blend_options options = blend_options(output_);
     if (!output_.size) options.size = likely_size(source(), target(), warnings);
     options.min_confidence = 0; // unlikely pairs are out already
+    options.progress = [&bar](double done) {
+      constexpr std::size_t steps = 100;
+      bar.show(std::size_t(done * steps), steps);
+      return true;
+    };
     const IO::Page_models models({source().model_pointer(), target().model_pointer()},
                                  output_.is_page() ? IO::largest_blend_page_triangles
                                                    : std::numeric_limits<std::size_t>::max());
     if (models.are_simplified())
       warnings.push_back("the page shows the shapes with fewer triangles, so that browsers can play it; files do not");
-    const Shape_blend blend(source().graph, *models[0], target().graph, *models[1], pairs, with_progress(options, bar));
+    const Shape_blend blend(source().graph, *models[0], target().graph, *models[1], pairs, options);
     read_looks();
     const IO::Blend_appearance appearance{source().appearance, target().appearance};
     const bool has_materials = !appearance.source.empty() || !appearance.target.empty();

@@ -77,29 +77,15 @@ void check_has_parts(const Part_split& split, const Common_options& common)
   throw Invalid_input("it has only one part, " + why + ": correspondences are between shapes of two parts or more");
 }
 
-std::optional<Structural_graph> cached_graph(const std::string& content, const Common_options& common)
-{
-  if (common.cache.empty()) return std::nullopt;
-  try {
-    const IO::Structural_graph_cache cache(common.cache);
-    std::optional<Structural_graph> graph = cache.find(content);
-    if (!graph && cache.is_damaged(content))
-      warn(common, common.cache + ": a graph in it is damaged; it is made again");
-    return graph;
-  } catch (const Invalid_input& error) {
-    warn(common, error.what());
-    return std::nullopt;
-  }
-}
-
-/// Puts a graph into the cache; a failure is a warning.
-void cache_graph(const Structural_graph& graph, const Common_options& common)
+/// Calls `use` with the cache, if there is one; a failure is a warning. \param consequence ends the warning
+template <typename Use>
+void with_cache(const Common_options& common, const std::string& consequence, const Use& use)
 {
   if (common.cache.empty()) return;
   try {
-    IO::Structural_graph_cache(common.cache).insert(graph);
+    use(IO::Structural_graph_cache(common.cache));
   } catch (const Invalid_input& error) {
-    warn(common, std::string(error.what()) + "; the graph is not kept");
+    warn(common, error.what() + consequence);
   }
 }
 
@@ -111,14 +97,19 @@ void load_model(Read_model& model, const Common_options& common, const Structure
   shape.split = std::move(model.split);
   shape.model = shape.split.shape;
   const std::string content = IO::content_hash(*shape.model, options);
-  std::optional<Structural_graph> known = cached_graph(content, common);
+  std::optional<Structural_graph> known;
+  with_cache(common, "", [&](const IO::Structural_graph_cache& cache) {
+    known = cache.find(content);
+    if (!known && cache.is_damaged(content))
+      warn(common, common.cache + ": a graph in it is damaged; it is made again");
+  });
   shape.read_seconds += now() - begin;
   if (known) {
     shape.graph = std::move(*known);
   } else {
     build_graph(options, shape);
     structure(shape.graph).content = content;
-    cache_graph(shape.graph, common);
+    with_cache(common, "; the graph is not kept", [&](const auto& cache) { cache.insert(shape.graph); });
   }
   // Not in the cache, where another way to the same parts may have put the graph
   structure(shape.graph).automatic_parts = shape.split.by_segments;
