@@ -5,7 +5,7 @@
 
 // By how much roles improve the matching of shapes that were left out of the training.
 
-#include "cli/labelled_models.h"
+#include "cli/labels.h"
 #include "cli/text.h"
 #include "command_line.h"
 #include "experiments/role_validation.h"
@@ -182,9 +182,7 @@ struct Validated_shapes
 private:
   void add(const std::vector<std::string>& folders, const Options& options)
   {
-    for (const std::string& folder : folders)
-      for (cli::Labelled_model& model : cli::load_labelled_models(folder, options.common))
-        models.push_back(std::move(model));
+    cli::append(models, cli::load_labelled_models(folders, options.common));
   }
 };
 

@@ -6,7 +6,7 @@
 #include "options.h"
 #include "work.h"
 
-#include "cli/blend_warnings.h"
+#include "cli/blend.h"
 #include "cli/run.h"
 #include "io/system/atomic_file.h"
 #include "viewer/match_page.h"
@@ -26,7 +26,7 @@ namespace {
 /// The graph with the surfaces that its file names, if it has none. \throw Invalid_input
 Graph with_surfaces(Graph graph)
 {
-  SC::cli::complete_surfaces(graph.file, graph.shape);
+  SC::cli::complete_surfaces(graph.shape);
   return graph;
 }
 
@@ -41,7 +41,7 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
       work.report("blend", std::size_t(share * 100), 100);
       return true;
     };
-    const SC::cli::Thread_limit limit(threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(threads);
     const Graph source = with_surfaces(*match->source), target = with_surfaces(*match->target);
     std::vector<std::string> warnings = match->best().warnings;
     SC::Correspondence pairs = match->best();
@@ -100,8 +100,8 @@ void save_glb(const Blend& blend, const std::string& path, int frames)
 {
   check_frames(frames);
   SC::cli::Loaded_shape source = blend.match->source->shape, target = blend.match->target->shape;
-  SC::cli::read_appearance(blend.match->source->file, source);
-  SC::cli::read_appearance(blend.match->target->file, target);
+  SC::cli::read_appearance(source);
+  SC::cli::read_appearance(target);
   SC::IO::write_atomically(path, [&](std::ostream& out) {
     if (source.appearance.empty() && target.appearance.empty())
       SC::IO::write_blend_glb(out, blend.blend, blend.match->best(), frames);

@@ -6,8 +6,8 @@
 #include "options.h"
 #include "work.h"
 
-#include "cli/collection_analysis.h"
-#include "cli/evaluate_results.h"
+#include "cli/collection.h"
+#include "cli/evaluate.h"
 #include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
@@ -69,7 +69,7 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
   const std::string key = options.store.empty() ? "" : key_of(search, matching);
   Work work;
   return work.run(progress, [&](Work& work) {
-    const SC::cli::Thread_limit limit(threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(threads);
     SC::cli::Common_options common;
     common.quiet = true;
     common.on_progress = [&](const std::string& what, std::size_t done, std::size_t total) {
@@ -98,7 +98,7 @@ std::string nearest(const std::shared_ptr<Graph>& query, const Graphs& graphs, s
   SC::Energy_matrix_options matching = matching_options(roles, search, collection_options(values).unmatched_energy);
   Work work;
   return work.run(progress, [&](Work& work) {
-    const SC::cli::Thread_limit limit(threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(threads);
     matching.progress = [&](std::size_t done, std::size_t total) {
       work.report("matching", done, total);
       return true;
@@ -123,7 +123,7 @@ std::vector<std::vector<Label>> transfer_labels(const std::shared_ptr<Graph>& so
     part_labels.push_back({coarse, fine});
   Work work;
   return work.run(progress, [&](Work& work) {
-    const SC::cli::Thread_limit limit(threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(threads);
     const SC::Correspondence_finder finder(source->shape.graph, matching.search);
     std::vector<std::vector<Label>> result;
     for (const auto& target : targets) {

@@ -7,7 +7,7 @@
 #include "work.h"
 
 #include "cli/run.h"
-#include "cli/transfer_looks.h"
+#include "cli/transfer.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
 #include "viewer/match_page.h"
@@ -50,7 +50,7 @@ std::shared_ptr<Match> match(const std::shared_ptr<Graph>& source, const std::sh
   Work work;
   return work.run(progress, [&](Work& work) {
     search.progress = [&](double share) { return work.report_share("matching", share); };
-    const SC::cli::Thread_limit limit(threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(threads);
     auto result =
         std::make_shared<Match>(Match{source, target, SC::cli::match_shapes(source->shape, target->shape, search)});
     std::vector<std::string>& warnings = result->matched.ranked[0].warnings;
@@ -83,8 +83,8 @@ void save(const Match& match, const std::string& path)
   const std::string extension = SC::IO::lower_extension(path);
   SC::cli::Loaded_shape source = match.source->shape, target = match.target->shape;
   if (extension == ".glb") {
-    SC::cli::read_appearance(match.source->file, source);
-    SC::cli::read_appearance(match.target->file, target);
+    SC::cli::read_appearance(source);
+    SC::cli::read_appearance(target);
   }
   if (extension != ".json" && extension != ".glb" && extension != ".html")
     throw SC::Invalid_input(path + ": a match is saved as .json, .glb or .html");
@@ -147,13 +147,9 @@ std::string transfer_looks(const Match& match, const std::string& output, int si
   request.options.size = size;
   request.options.new_coordinates = new_coordinates;
   SC::cli::Loaded_shape source = match.source->shape, target = match.target->shape;
-  const std::string &source_file = match.source->file, &target_file = match.target->file;
-  SC::cli::Transferred_looks transferred =
-      SC::cli::transfer_looks(source_file, source, target_file, target, match.best(), request);
+  SC::cli::Transferred_looks transferred = SC::cli::transfer_looks(source, target, match.best(), request);
   transferred.warnings.insert(transferred.warnings.begin(), match.best().warnings.begin(), match.best().warnings.end());
-  return text([&](std::ostream& out) {
-    SC::cli::write_transfer_json(out, source_file, source, target_file, target, request, transferred);
-  });
+  return text([&](std::ostream& out) { SC::cli::write_transfer_json(out, source, target, request, transferred); });
 }
 
 } // namespace

@@ -6,8 +6,7 @@
 #include "options.h"
 #include "work.h"
 
-#include "cli/labelled_models.h"
-#include "cli/predicted_labels.h"
+#include "cli/labels.h"
 #include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -73,7 +72,7 @@ Role_model train_of_folders(const std::vector<std::string>& folders, int trees, 
   const SC::cli::Common_options common = model_options(options);
   Work work;
   return work.run(progress, [&](Work&) {
-    const SC::cli::Thread_limit limit(common.threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(common.threads);
     return Role_model{std::make_shared<const SC::Role_model>(SC::cli::train_roles(training, common).model)};
   });
 }

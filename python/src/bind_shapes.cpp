@@ -96,7 +96,7 @@ std::shared_ptr<Graph> build_graph(const Shape& shape, const py::dict& options, 
   Work work;
   return work.run(progress, [&](Work& work) {
     common.on_progress = reports_to(work);
-    const SC::cli::Thread_limit limit(common.threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(common.threads);
     return std::make_shared<Graph>(Graph{shape.file, SC::cli::load_shape(shape.file, shape.model, common)});
   });
 }
@@ -110,7 +110,7 @@ std::vector<std::shared_ptr<Graph>> load_graphs(const std::vector<std::string>& 
   return work.run(progress, [&](Work& work) {
     common.on_progress = reports_to(work);
     common.roles = SC::IO::shipped_role_model();
-    const SC::cli::Thread_limit limit(common.threads);
+    const std::shared_ptr<void> limit = SC::cli::limit_threads(common.threads);
     std::vector<std::string> warnings;
     std::vector<SC::cli::Loaded_shape> shapes =
         is_pair ? SC::cli::load_pair(paths, common, warnings) : SC::cli::load_shapes(paths, common);
@@ -132,7 +132,7 @@ void save_graph(const Graph& graph, const std::string& path)
   SC::cli::Loaded_shape shape;
   if (SC::IO::lower_extension(path) == ".glb") {
     shape = graph.shape;
-    SC::cli::read_appearance(graph.file, shape);
+    SC::cli::read_appearance(shape);
   }
   const std::map<std::string, std::function<void(std::ostream&)>> formats{
       {".json", [&](std::ostream& out) { SC::IO::write_structural_graph_json(out, g); }},

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cli/load_shape.h"
-#include "cli/match_shapes.h"
+#include "cli/match.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>

@@ -3,8 +3,8 @@
 
 #include "options.h"
 
-#include "cli/blend_output.h"
-#include "cli/evaluate_results.h"
+#include "cli/blend.h"
+#include "cli/evaluate.h"
 #include "cli/text.h"
 
 #include <pybind11/stl.h>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "cli/Collection_options.h"
 #include "cli/Match_options.h"
+#include "cli/collection.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>

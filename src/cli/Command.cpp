@@ -5,10 +5,14 @@
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "cli/text.h"
+#include "io/system/atomic_file.h"
+#include "io/system/operating_system.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -33,6 +37,55 @@ Exit status: 0 success; 1 an input cannot be used or an output cannot be
 written; 2 wrong usage.
 )";
 
+/// Prints at its end what the command took, if that is asked for: time and memory, on standard error.
+struct Run_report
+{
+  const Common_options& options;
+  double begin = now();
+
+  ~Run_report()
+  {
+    if (options.verbose)
+      std::cerr << "shape_correspondence: " << short_number(now() - begin) << " s, at most "
+                << short_number(IO::peak_megabytes()) << " MB\n";
+  }
+};
+
+/// A text of help with its paragraphs and list items in lines of `line_width`; a longer command goes on after a
+/// backslash.
+std::string reflowed(const std::string& text)
+{
+  std::string result, paragraph;
+  std::size_t indent = 0; // of the lines of the paragraph after its first
+  const auto flush = [&] {
+    if (paragraph.empty()) return;
+    const std::size_t first = paragraph.find_first_not_of(' ');
+    const bool is_command = paragraph.find("shape_correspondence ") < paragraph.find_first_of(".,`");
+    const std::size_t sign = is_command ? 2 : 0; // of what goes on
+    const std::vector<std::string> lines = wrapped(paragraph, line_width - std::max(indent, first) - sign);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      result += std::string(i == 0 ? first : indent, ' ') + lines[i] +
+                (is_command && i + 1 < lines.size() ? " \\" : "") + '\n';
+    paragraph.clear();
+  };
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t start = line.find_first_not_of(' ');
+    const bool begins = line.empty() || line.rfind("Usage", 0) == 0 || line.rfind("Example", 0) == 0,
+               is_item = !line.empty() && line.compare(start, 2, "- ") == 0;
+    if (begins || is_item || paragraph.empty() || start != indent || start > 4) {
+      flush();
+      indent = begins ? 12 : is_item ? start + 2 : start == 0 ? 0 : start + 2;
+    }
+    if (line.empty())
+      result += '\n';
+    else
+      paragraph += (paragraph.empty() ? "" : " ") + (paragraph.empty() ? line : line.substr(start));
+  }
+  flush();
+  return result;
+}
+
 /// The values of options that are marked as files.
 std::vector<std::string> files_of(const Option_table& table, bool Option::*mark)
 {
@@ -52,6 +105,38 @@ void check_number(std::size_t inputs, std::size_t least, std::size_t most)
                     (most == 1 ? " input" : " inputs") + ", not " + std::to_string(inputs));
 }
 
+namespace fs = std::filesystem;
+
+/// Whether two paths lead to the same file, or would if it were there.
+bool are_same_file(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);
+  const auto place = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(IO::written_file(path), error), error);
+  };
+  return a == b || IO::are_same_name(place(a), place(b));
+}
+
+/// Checks output files before long work; empty ones are not asked for. `-` is standard output.
+/// \param inputs files and folders that are read
+/// \throw Usage_error if two are the same file, however they are spelt, or one is an input; Invalid_input if one cannot
+/// be written
+void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& inputs)
+{
+  std::vector<std::string> outputs;
+  for (const std::string& file : files) {
+    if (file.empty()) continue;
+    for (const std::string& other : outputs)
+      if (are_same_file(file, other)) throw Usage_error("two outputs are the same file, " + file);
+    for (const std::string& input : inputs)
+      if (file != "-" && !input.empty() && are_same_file(file, input))
+        throw Usage_error("the output " + file + " is an input, too");
+    outputs.push_back(file);
+    IO::check_writable(file);
+  }
+}
+
 } // namespace
 
 void Command::write_help(std::ostream& out, bool all) const
@@ -69,10 +154,10 @@ void Command::run(const std::vector<std::string>& arguments)
   if (common.quiet && common.verbose) throw Usage_error("--quiet and --verbose do not go together");
   if (std::count(inputs.begin(), inputs.end(), "") > 0) throw Usage_error("the name of an input is empty");
   check_number(inputs.size(), least_, most_);
-  const Run_report report(common);
+  const Run_report report{common};
   check();
   check_outputs(output_files(), input_files());
-  const Thread_limit limit(common.threads);
+  const std::shared_ptr<void> limit = limit_threads(common.threads);
   work();
 }
 
@@ -93,14 +178,32 @@ void Command::refuse_abstraction_of_graphs() const
       refuse_option(option.name, "on structural graphs, which are abstracted already");
 }
 
+const std::vector<Command_entry>& commands()
+{
+  static const std::vector<Command_entry> result{
+      {"parts", "lists the objects of model files and the parts made of them", parts_command},
+      {"graph", "builds the structural graph of a shape", graph_command},
+      {"match", "finds the part correspondence of two shapes", match_command},
+      {"blend", "makes the in-between shapes of two shapes", blend_command},
+#ifndef __EMSCRIPTEN__ // the page for browsers is to be small
+      {"transfer", "carries colours, textures or labels from one shape to the other", transfer_command},
+      {"collection", "matches all pairs of a set of shapes and analyses the set", collection_command},
+      {"evaluate", "scores correspondences against labelled parts", evaluate_command},
+      {"roles", "learns the roles of parts from labelled shapes and predicts them", roles_command},
+      {"label", "labels the parts of a shape by their roles", label_command},
+      {"demo", "matches and blends two chairs that come with the program", demo_command},
+      {"completion", "prints a script that completes commands in bash, zsh or fish", completion_command},
+      {"help", "prints this text, or all options of a command", help_command},
+#endif
+  };
+  return result;
+}
+
 std::unique_ptr<Command> command_of(const std::string& name)
 {
-  std::vector<std::string> names;
-  for (const Command_entry& command : commands()) {
+  for (const Command_entry& command : commands())
     if (command.name == name) return command.make();
-    names.push_back(command.name);
-  }
-  throw Usage_error("there is no command '" + name + "'" + suggestion(name, names));
+  throw Usage_error("there is no command '" + name + "'" + suggestion(name, mapped(commands(), &Command_entry::name)));
 }
 
 void write_help(std::ostream& out)

@@ -55,8 +55,7 @@ private:
 /// A command in the list of all.
 struct Command_entry
 {
-  const char* name;
-  const char* summary; ///< in one line
+  std::string name, summary; ///< in one line
   std::unique_ptr<Command> (*make)();
 };
 

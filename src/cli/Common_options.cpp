@@ -3,6 +3,7 @@
 
 #include "cli/Common_options.h"
 
+#include "cli/text.h"
 #include "io/system/input_file.h"
 
 #include <algorithm>
@@ -22,12 +23,15 @@ const std::vector<std::string> axes{"x", "y", "z", "auto"};
 const std::vector<std::pair<const char*, Abstraction_kind>> abstraction_kinds{
     {"auto", Abstraction_kind::AUTOMATIC}, {"curve", Abstraction_kind::CURVE}, {"sheet", Abstraction_kind::SHEET}};
 
+const std::vector<std::pair<const char*, Part_splitting>> part_splittings{{"auto", Part_splitting::AUTO},
+                                                                          {"file", Part_splitting::FILE},
+                                                                          {"components", Part_splitting::COMPONENTS},
+                                                                          {"segments", Part_splitting::SEGMENTS}};
+
 /// PART=KIND
 Text_field part_kind(std::map<std::string, Abstraction_kind>& kinds)
 {
-  Text_field result;
-  result.is_repeated = true;
-  result.set = [&kinds](const std::string& label, const std::string& text) {
+  const auto set = [&kinds](const std::string& label, const std::string& text) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0)
       throw Usage_error(label + " takes the name of a part, = and its kind, not '" + text + "'");
@@ -35,7 +39,7 @@ Text_field part_kind(std::map<std::string, Abstraction_kind>& kinds)
     choice(kind, abstraction_kinds).set(label, text.substr(equals + 1));
     kinds.insert({text.substr(0, equals), kind});
   };
-  return result;
+  return {{}, set, {}, /* is_repeated = */ true};
 }
 
 /// Names of kinds, with commas in between.
@@ -63,22 +67,20 @@ Text_field symmetry_kinds(Symmetry_options& options)
 
 Text_field abstraction_method(Abstraction_options& options)
 {
-  Text_field result;
-  result.known = {"flow", "fitted", "boxes"};
-  result.get = [] { return "fitted"; };
-  result.set = [&options, known = result.known](const std::string& label, const std::string& word) {
-    check_word(label, word, known);
-    if (word == "flow") options.abstractor = Mean_curvature_abstraction();
-    if (word == "boxes") options.abstractor = Bounding_box_abstraction();
-  };
-  return result;
+  return word_field(
+      {"flow", "fitted", "boxes"}, [] { return "fitted"; },
+      [&options](const std::string& word) {
+        if (word == "flow") options.abstractor = Mean_curvature_abstraction();
+        if (word == "boxes") options.abstractor = Bounding_box_abstraction();
+      });
 }
 
 void add_structure_options(Option_table& table, Common_options& options)
 {
   Option_table::Group add = table.rare_group("Options on structural graphs");
   Symmetry_options& symmetry = options.structure.symmetry;
-  add("no-symmetry", Switched_off{&symmetry.enabled}, "make every part a group of its own");
+  add(
+      "no-symmetry", [&symmetry] { symmetry.enabled = false; }, "make every part a group of its own");
   add("symmetries", "KINDS", symmetry_kinds(symmetry), "kinds of symmetry groups to detect");
   add("symmetry-tolerance", "T", &symmetry.tolerance,
       "largest distance of a part from its image, as a fraction of the diagonal of the part")
@@ -157,22 +159,20 @@ Point Common_options::up_vector() const
 
 Text_field output_by_ending(const std::vector<std::pair<std::string, std::string*>>& files)
 {
-  Text_field result;
-  result.is_repeated = true;
-  result.set = [files](const std::string& label, const std::string& path) {
+  const auto set = [files](const std::string& label, const std::string& path) {
     const std::string ending = path == "-" ? ".json" : IO::lower_extension(path);
-    std::string known;
     for (const auto& [wanted, file] : files) {
-      known += (known.empty() ? "" : ", ") + wanted;
       if (ending != wanted) continue;
       if (!file->empty() && *file != path)
         throw Usage_error(label + ": there are two files " + wanted + ", " + *file + " and " + path);
       *file = path;
       return;
     }
-    throw Usage_error(label + ": '" + path + "' is named like no file that this command writes: " + known);
+    const auto ending_of = [](const auto& known) { return known.first; };
+    throw Usage_error(label + ": '" + path +
+                      "' is named like no file that this command writes: " + listed(mapped(files, ending_of)));
   };
-  return result;
+  return {{}, set, {}, /* is_repeated = */ true};
 }
 
 std::vector<std::string> words_of(const std::string& list)
@@ -217,14 +217,14 @@ void add_reading_options(Option_table& table, Common_options& options)
       .words(axes)
       .in_python()
       .usual();
-  add("parts", "MODE", &options.parts,
+  add("parts", "MODE", choice(options.parts, part_splittings),
       "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
       "divided where they are concave) or auto (its objects, but objects of unrelated loose pieces are split). "
       "`shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they are")
-      .words({"auto", "file", "components", "segments"})
       .in_python()
       .usual();
-  add("segment", Switched_to{&options.parts, "segments"}, "the same as --parts segments");
+  add(
+      "segment", [&options] { options.parts = Part_splitting::SEGMENTS; }, "the same as --parts segments");
   add("allow-outside-files", &options.reading.allow_outside_files,
       "read also files that a model or a graph names outside its own folder: buffers, materials, textures, meshes of "
       "parts")

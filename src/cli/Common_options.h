@@ -7,6 +7,7 @@
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <array>
 #include <cstddef>
@@ -28,8 +29,8 @@ struct Common_options
   std::string cache;             ///< folder of graphs; empty: none
   std::string up;                ///< x, y, z or auto; empty: what the file says, or a guess that favours y
   std::string progress = "auto"; ///< auto, always or never
-  std::string parts = "auto";    ///< auto, file, components or segments
-  std::string parts_from;        ///< a file that says which piece is in which part; empty: none
+  Part_splitting parts = Part_splitting::AUTO;
+  std::string parts_from; ///< a file that says which piece is in which part; empty: none
   IO::Reading_options reading;
   Structure_options structure;
   struct Of_input

@@ -4,15 +4,12 @@
 #include "cli/Match_options.h"
 #include "base/limits.h"
 #include "base/number_text.h"
-#include "cli/labelled_models.h"
-#include "cli/load_shape.h"
+#include "cli/labels.h"
 #include "cli/text.h"
 
 #include <CGAL/Shape_correspondence/match_as_in_paper.h>
 
-#include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -46,54 +43,43 @@ double parse_weight(const std::string& label, const std::string& text)
 /// WC,WS
 Text_field two_weights(Energy_weights& weights)
 {
-  Text_field result;
-  result.get = [&] { return short_number(weights.connectedness) + "," + short_number(weights.split); };
-  result.set = [&](const std::string& label, const std::string& text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos) throw Usage_error(label + " takes two numbers, w_c,w_s, not '" + text + "'");
-    weights.connectedness = parse_weight(label, text.substr(0, comma));
-    weights.split = parse_weight(label, text.substr(comma + 1));
-  };
-  return result;
+  const auto get = [&] { return short_number(weights.connectedness) + "," + short_number(weights.split); };
+  return {get, [&](const std::string& label, const std::string& text) {
+            const std::size_t comma = text.find(',');
+            if (comma == std::string::npos)
+              throw Usage_error(label + " takes two numbers, w_c,w_s, not '" + text + "'");
+            weights.connectedness = parse_weight(label, text.substr(0, comma));
+            weights.split = parse_weight(label, text.substr(comma + 1));
+          }};
 }
 
 Text_field left_out_term(Energy_weights& weights)
 {
-  Text_field result;
-  result.known = {"distortion", "connectedness", "split"};
-  result.set = [&weights, known = result.known](const std::string& label, const std::string& term) {
-    check_word(label, term, known);
+  return word_field({"distortion", "connectedness", "split"}, {}, [&weights](const std::string& term) {
     (term == "distortion" ? weights.distortion : term == "split" ? weights.split : weights.connectedness) = 0;
-  };
-  return result;
+  });
 }
 
 /// The shapes that are deformed, and which result is taken of two.
 Text_field deformed_shapes(Search_options& search)
 {
-  Text_field result;
-  result.known = {"both", "least", "forward"};
-  result.get = [&search] {
+  const auto get = [&search] {
     return !search.both_directions ? "forward" : search.direction_by_energy ? "least" : "both";
   };
-  result.set = [&search, known = result.known](const std::string& label, const std::string& word) {
-    check_word(label, word, known);
+  return word_field({"both", "least", "forward"}, get, [&search](const std::string& word) {
     search.both_directions = word != "forward";
     search.direction_by_energy = word == "least";
-  };
-  return result;
+  });
 }
 
 Text_field number_of_alignments(std::optional<int>& number)
 {
-  Text_field result;
-  result.get = [] { return "auto"; };
-  result.set = [&number](const std::string& label, const std::string& text) {
-    if (text == "auto") return;
-    number = parse_number<int>(label, text);
-    if (*number < 1) throw Usage_error(label + " must be at least 1, not " + text);
-  };
-  return result;
+  return {[] { return "auto"; },
+          [&number](const std::string& label, const std::string& text) {
+            if (text == "auto") return;
+            number = parse_number<int>(label, text);
+            if (*number < 1) throw Usage_error(label + " must be at least 1, not " + text);
+          }};
 }
 
 std::string name_of(Search_method method) { return choice(method, search_methods).get(); }
@@ -254,7 +240,9 @@ void add_match_options(Option_table& table, Match_options& match)
       "stretched a little) or hard (to the point, as in the paper). Default with --paper: hard")
       .only_for({"beam"})
       .asks_for("beam");
-  add("no-cut", Switched_off{&search.matching.cut_curves}, "do not cut curves into segments; for beam and exact search")
+  add(
+      "no-cut", [&search] { search.matching.cut_curves = false; },
+      "do not cut curves into segments; for beam and exact search")
       .only_for(by_energy);
   add("allow-unmatched", "COST", &search.matching.unmatched_cost,
       "allow symmetry groups without counterpart, at this cost for each of their contacts (0.5 if no number is given); "
@@ -298,13 +286,6 @@ void add_match_options(Option_table& table, Match_options& match)
       .for_pairs();
 }
 
-void refuse_search_options(const Option_table& given)
-{
-  for (const Option& option : given.options())
-    if (option.is_given && option.group == match_group && option.name != "min-confidence")
-      throw Usage_error("the correspondence is given by --match; leave --" + option.name + " out");
-}
-
 Search_options search_options(const Match_options& match, const Option_table& given)
 {
   Search_options search = match.search;
@@ -330,79 +311,6 @@ void take_graphs_of_paper(const Match_options& match, const Option_table& given,
   const Structure_options paper = paper_structure_options();
   if (!given.is_given(abstraction_option)) options.abstraction.abstractor = paper.abstraction.abstractor;
   if (!given.is_given(contact_points_option)) options.contacts.closest_points = paper.contacts.closest_points;
-}
-
-std::vector<std::string> add_examples(const Match_options& match, const Common_options& common, Search_options& search)
-{
-  if (match.examples.empty()) return {};
-  return add_examples(match.examples, common, search.roles, search.category);
-}
-
-namespace {
-
-/// A shape of which parts are chosen by their names.
-struct Named_parts
-{
-  const std::string& path;
-  std::vector<std::string> names;
-
-  /// The index of the part of a name, or the number of parts.
-  std::size_t find(const std::string& name) const
-  {
-    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
-  }
-
-  std::size_t index(const std::string& name, const std::string& option) const
-  {
-    if (const std::size_t found = find(name); found < names.size()) return found;
-    throw Usage_error("--" + option + ": '" + path + "' has no part '" + name + "'" + suggestion(name, names) +
-                      "; `shape_correspondence graph` lists its parts");
-  }
-
-  std::vector<std::size_t> indices(const std::string& list, const std::string& option) const
-  {
-    std::vector<std::size_t> result;
-    for (const std::string& name : words_of(list))
-      result.push_back(index(name, option));
-    return result;
-  }
-};
-
-/// The pair that A=B names, where names may have = themselves.
-Part_pair pair_of(const std::string& text, const Named_parts& source, const Named_parts& target,
-                  const std::string& option)
-{
-  std::vector<Part_pair> found;
-  std::size_t first = text.find('=');
-  for (std::size_t at = first; at != std::string::npos; at = text.find('=', at + 1)) {
-    const Part_pair pair{source.find(text.substr(0, at)), target.find(text.substr(at + 1))};
-    if (pair.source < source.names.size() && pair.target < target.names.size()) found.push_back(pair);
-  }
-  if (found.size() == 1) return found[0];
-  if (found.size() > 1)
-    throw Usage_error("--" + option + ": '" + text + "' can be read as several pairs of parts, as names have '='");
-  if (first == std::string::npos)
-    throw Usage_error("--" + option + " takes a part of the source and a part of the target, A=B, not '" + text + "'");
-  return {source.index(text.substr(0, first), option), target.index(text.substr(first + 1), option)};
-}
-
-} // namespace
-
-void choose_parts(const Match_options& match, const Structural_graph& source, const Structural_graph& target,
-                  const std::vector<std::string>& paths, Search_options& search)
-{
-  const Named_parts from{paths[0], part_names(source)}, to{paths[1], part_names(target)};
-  search.source_parts = from.indices(match.source_parts, "source-parts");
-  search.target_parts = to.indices(match.target_parts, "target-parts");
-  for (const std::string& text : match.pinned)
-    search.matching.pinned.push_back(pair_of(text, from, to, "pin"));
-  for (const std::string& text : match.forbidden)
-    search.matching.forbidden.push_back(pair_of(text, from, to, "forbid"));
-  for (const Part_pair& pin : search.matching.pinned)
-    for (const Part_pair& other : search.matching.forbidden)
-      if (pin.source == other.source && pin.target == other.target)
-        throw Usage_error("--pin and --forbid name the same pair, '" + from.names[pin.source] + "' and '" +
-                          to.names[pin.target] + "'");
 }
 
 } // namespace CGAL::Shape_correspondence::cli

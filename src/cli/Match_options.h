@@ -5,7 +5,6 @@
 
 #include "cli/Common_options.h"
 
-#include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <optional>
@@ -43,18 +42,5 @@ Search_options search_options(const Match_options& match, const Option_table& gi
 
 /// Sets what graphs have by `--paper`, where options do not say otherwise.
 void take_graphs_of_paper(const Match_options& match, const Option_table& given, Structure_options& options);
-
-/// For commands that take a correspondence in place of a search. `min-confidence` is of both.
-/// \throw Usage_error if an option of the search is given
-void refuse_search_options(const Option_table& given);
-
-/// Adds the labelled shapes of `--examples`, if any, to the roles of a search, where they help.
-/// \return what is said of those that are left out
-std::vector<std::string> add_examples(const Match_options& match, const Common_options& common, Search_options& search);
-
-/// Sets the chosen parts, the pinned pairs and the forbidden pairs of `search`.
-/// \param paths name the shapes in messages \throw Usage_error if there is no part of a name
-void choose_parts(const Match_options& match, const Structural_graph& source, const Structural_graph& target,
-                  const std::vector<std::string>& paths, Search_options& search);
 
 } // namespace CGAL::Shape_correspondence::cli

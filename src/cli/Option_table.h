@@ -11,7 +11,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -41,24 +40,18 @@ struct Text_field
   bool is_repeated = false;            ///< `set` is called for each value
 };
 
-/// A field that a switch makes false.
-struct Switched_off
-{
-  bool* field;
-};
+/// A field that is set to one of some words. \param get may be empty
+Text_field word_field(const std::vector<std::string>& known, const std::function<std::string()>& get,
+                      const std::function<void(const std::string&)>& set);
 
-/// A field that a switch sets to a word.
-struct Switched_to
-{
-  std::string* field;
-  const char* word;
-};
+/// What a switch does that is not to make a field true.
+using Switch = std::function<void()>;
 
 /// An option of a command: the data for help, checks, completion, manual page and Python.
 struct Option
 {
-  using Field = std::variant<bool*, Switched_off, Switched_to, int*, std::int64_t*, std::size_t*, double*,
-                             std::optional<double>*, std::string*, std::vector<std::string>*, Text_field>;
+  using Field = std::variant<bool*, Switch, int*, std::int64_t*, std::size_t*, double*, std::string*,
+                             std::vector<std::string>*, Text_field>;
 
   std::string name;       ///< long
   std::string short_name; ///< one letter, or empty
@@ -124,12 +117,11 @@ public:
   Option_table& operator=(const Option_table&) = delete;
 
   /// Adds options to a group, as `group("name", "VALUE", field, "help")`.
-  class Group
+  struct Group
   {
-  public:
-    Group(Option_table& table, std::string title, bool is_rare)
-        : table_(table), title_(std::move(title)), is_rare_(is_rare)
-    {}
+    Option_table& table;
+    std::string title;
+    bool is_rare;
 
     /// \param name long, or as `name,n` with one letter \param value names the value
     Option& operator()(const std::string& name, const std::string& value, Option::Field field, const std::string& help);
@@ -138,11 +130,6 @@ public:
     {
       return (*this)(name, "", std::move(field), help);
     }
-
-  private:
-    Option_table& table_;
-    std::string title_;
-    bool is_rare_;
   };
   Group group(const std::string& title) { return {*this, title, false}; }
   /// A group of which `--help` has only the options that are `usual()`.
@@ -172,33 +159,22 @@ private:
   std::deque<Option> options_;
 };
 
-/// Whether a field holds a number.
-template <typename Value>
-constexpr bool is_number = std::is_same_v<Value, int> || std::is_same_v<Value, std::int64_t> ||
-                           std::is_same_v<Value, std::size_t> || std::is_same_v<Value, double>;
-
-/// What a pointer of `Option::Field` points to; other fields as they are.
-template <typename Field>
-using Value_of = std::remove_pointer_t<std::decay_t<Field>>;
-
 /// A field that has a word for each of its values.
 template <typename Value>
 Text_field choice(Value& field, const std::vector<std::pair<const char*, Value>>& words)
 {
-  Text_field result;
+  std::vector<std::string> known;
   for (const auto& [word, value] : words)
-    result.known.emplace_back(word);
-  result.get = [&field, words] {
+    known.emplace_back(word);
+  const auto get = [&field, words] {
     for (const auto& [word, value] : words)
       if (field == value) return std::string(word);
     return std::string();
   };
-  result.set = [&field, words, known = result.known](const std::string& label, const std::string& text) {
-    check_word(label, text, known);
+  return word_field(known, get, [&field, words](const std::string& text) {
     for (const auto& [word, value] : words)
       if (text == word) field = value;
-  };
-  return result;
+  });
 }
 
 } // namespace CGAL::Shape_correspondence::cli

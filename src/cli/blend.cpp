@@ -1,11 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/blend.h"
 #include "cli/Pair_command.h"
-#include "cli/blend_output.h"
-#include "cli/blend_warnings.h"
-#include "cli/match_shapes.h"
-#include "cli/progress_bar.h"
+#include "cli/match.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "matching/unlikely_pairs.h"
@@ -57,16 +55,6 @@ Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
 
 )";
 
-Blend_options with_progress(Blend_options result, Progress_bar& bar)
-{
-  result.progress = [&bar](double done) {
-    constexpr std::size_t steps = 100;
-    bar.show(std::size_t(done * steps), steps);
-    return true;
-  };
-  return result;
-}
-
 void print_schedules(const Shape_blend& blend)
 {
   std::vector<std::vector<std::string>> rows{{"schedule"}};
@@ -116,10 +104,9 @@ private:
   void read_looks()
   {
     if (!output_.may_show_materials() || output_.colours == "match") return;
-    for (std::size_t i : {0u, 1u}) {
-      read_appearance(inputs[i], shapes[i]);
-      for (const std::string& warning : shapes[i].appearance.warnings)
-        warnings.push_back(inputs[i] + ": " + warning);
+    for (Loaded_shape& shape : shapes) {
+      read_appearance(shape);
+      append(warnings, warnings_of_appearance(shape));
     }
   }
 
@@ -137,8 +124,8 @@ private:
   void work() override
   {
     load();
-    for (std::size_t i : {0u, 1u})
-      complete_surfaces(inputs[i], shapes[i]);
+    for (Loaded_shape& shape : shapes)
+      complete_surfaces(shape);
     Correspondence pairs = correspondence();
     const std::vector<std::string> unlikely = remove_unlikely(pairs, match.search.min_confidence, source(), target());
 
@@ -146,18 +133,23 @@ private:
     Blend_options options = blend_options(output_);
     if (!output_.size) options.size = likely_size(source(), target(), warnings);
     options.min_confidence = 0; // unlikely pairs are out already
+    options.progress = [&bar](double done) {
+      constexpr std::size_t steps = 100;
+      bar.show(std::size_t(done * steps), steps);
+      return true;
+    };
     const IO::Page_models models({source().model_pointer(), target().model_pointer()},
                                  output_.is_page() ? IO::largest_blend_page_triangles
                                                    : std::numeric_limits<std::size_t>::max());
     if (models.are_simplified())
       warnings.push_back("the page shows the shapes with fewer triangles, so that browsers can play it; files do not");
-    const Shape_blend blend(source().graph, *models[0], target().graph, *models[1], pairs, with_progress(options, bar));
+    const Shape_blend blend(source().graph, *models[0], target().graph, *models[1], pairs, options);
     read_looks();
     const IO::Blend_appearance appearance{source().appearance, target().appearance};
     const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
     write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr);
-    for (const std::vector<std::string>& more : {pairs.warnings, unlikely})
-      warnings.insert(warnings.end(), more.begin(), more.end());
+    append(warnings, pairs.warnings);
+    append(warnings, unlikely);
     warn_of_obstacles(blend, source(), target(), warnings);
     const auto write_json = [&](std::ostream& out) {
       IO::write_blend_json(out, blend, source().graph, target().graph, inputs[0], inputs[1], output_.path,

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/blend_output.h"
 #include "base/for_each_index.h"
 #include "base/limits.h"
+#include "cli/blend.h"
+#include "cli/text.h"
 #include "io/system/atomic_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
@@ -30,8 +31,7 @@ std::string schedule_word(const std::string& name)
 std::vector<std::string> schedule_words()
 {
   std::vector<std::string> result = {"best", "all"};
-  for (const std::string& name : Shape_blend::schedule_names())
-    result.push_back(schedule_word(name));
+  append(result, mapped(Shape_blend::schedule_names(), schedule_word));
   return result;
 }
 
@@ -97,7 +97,8 @@ void add_output_options(Option_table::Group& add, Blend_output& output)
       .words(schedule_words());
   add("at", "T", &output.at,
       "make one shape only, that at time T between 0, the source, and 1, the target. Default: the whole blend")
-      .between(0, 1);
+      .between(0, 1)
+      .without_default();
   add("solid", &output.solid,
       "with --at: wrap the shape into one closed surface, for printing and Boolean operations (.obj or .ply)");
   add("size", "SIZE",
@@ -193,7 +194,7 @@ void write_all(const std::string& folder, const Blend_output& output, const std:
   for (std::size_t i = 0; i < blends.size(); ++i) {
     const std::string path = folder + '/' + std::to_string(i + 1) + '_' + schedule_word(blends[i].schedules()[0].name);
     if (output.is_one_shape()) {
-      write_shape(path + '.' + output.format, output.format, blends[i], appearance, *output.at, output.solid);
+      write_shape(path + '.' + output.format, output.format, blends[i], appearance, output.at, output.solid);
       continue;
     }
     std::filesystem::create_directory(path);
@@ -208,7 +209,7 @@ void write_blend(const Blend_output& output, const Shape_blend& blend, const Cor
 {
   const IO::Blend_appearance none, &looks = appearance ? *appearance : none;
   if (const std::string format = file_format(output); !format.empty())
-    write_shape(output.path, format, blend, looks, *output.at, output.solid);
+    write_shape(output.path, format, blend, looks, output.at, output.solid);
   else if (is_glb(output.path))
     IO::write_atomically(output.path, [&](std::ostream& out) {
       if (appearance)

@@ -1,16 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/Collection_options.h"
+#include "cli/collection.h"
 #include "cli/Command.h"
 #include "cli/Match_options.h"
-#include "cli/collection_analysis.h"
-#include "cli/collection_shapes.h"
-#include "cli/collection_work.h"
+#include "cli/labels.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "cli/text.h"
-#include "cli/transfer_labels.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
@@ -19,6 +16,7 @@
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -83,6 +81,16 @@ int threads_of_process(const Common_options& common, const Team& team)
   return int(std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes));
 }
 
+/// Refuses to be one of several processes, each of which would do all the work.
+std::unique_ptr<Team> this_process()
+{
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) // of Open MPI, of MPICH
+    if (const char* size = std::getenv(variable); size && std::atoi(size) > 1)
+      throw Usage_error("to share the work among processes, `mpirun` takes the program shape_correspondence_mpi, which "
+                        "is built with -DSHAPE_CORRESPONDENCE_MPI=ON");
+  return std::make_unique<Team>();
+}
+
 class Collection_command : public Command
 {
 public:
@@ -139,10 +147,12 @@ private:
     Team& team = *made;
     if (team.size() > 1 && options_.store.empty())
       throw Usage_error("several processes need --store, a folder that all of them can use");
-    const Thread_limit limit(threads_of_process(common, team));
+    if (!team.is_first()) common.progress = "never"; // one bar for all
+    const std::shared_ptr<void> limit = limit_threads(threads_of_process(common, team));
     if (!left_out_.empty() && team.is_first())
       warn(common, inputs[0] + ": left out, since they are no shapes: " + listed(left_out_));
-    for (const std::string& left_out : add_examples(match_, common, matching_.search))
+    for (const std::string& left_out :
+         add_examples(match_.examples, common, matching_.search.roles, matching_.search.category))
       if (team.is_first()) warn(common, left_out);
     common.roles = matching_.search.roles;
     if (common.cache.empty()) common.cache = stored("cache");
@@ -185,9 +195,7 @@ private:
   void write_outputs(const Analysis& analysis, const Collection_shapes& shapes) const
   {
     const IO::Collection& collection = analysis.collection;
-    std::vector<std::string> names;
-    for (const IO::Collection::Shape& shape : collection.shapes)
-      names.push_back(shape.name);
+    const std::vector<std::string> names = mapped(collection.shapes, &IO::Collection::Shape::name);
     write_output(common.json, [&](std::ostream& out) { IO::write_collection_json(out, collection); });
     write_output(common.html, [&](std::ostream& out) {
       IO::write_collection_html(
@@ -211,6 +219,8 @@ private:
 };
 
 } // namespace
+
+std::unique_ptr<Team> (*make_team)() = this_process;
 
 void add_collection_options(Option_table& table, Common_options& common, Collection_options& options)
 {

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/collection_analysis.h"
+#include "cli/collection.h"
+#include "cli/load_shape.h"
+#include "cli/text.h"
 
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
@@ -121,6 +123,8 @@ Pairs analyse_energies(const Collection_options& options, Collection_work& work,
   return clustered_pairs(distances, options.neighbours);
 }
 
+IO::Collection::Shape entry_of(const Collection_shape& shape) { return {shape.name, shape.path, shape.parts}; }
+
 } // namespace
 
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work)
@@ -128,13 +132,9 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
   Analysis analysis{{options.store, shapes.size()}, {}, {}, {}};
   IO::Collection& result = analysis.collection;
   result.warnings = shapes.skipped();
-  std::vector<std::size_t> part_counts;
-  for (const Collection_shape& shape : shapes.shapes()) {
-    result.shapes.push_back({shape.name, shape.path, shape.parts});
-    part_counts.push_back(shape.parts.size());
-    for (const std::string& warning : shape.warnings)
-      result.warnings.push_back(shape.path + ": " + warning);
-  }
+  result.shapes = mapped(shapes.shapes(), entry_of);
+  for (const Collection_shape& shape : shapes.shapes())
+    append(result.warnings, about(shape.path, shape.warnings));
   const Pairs clustered = analyse_energies(options, work, analysis);
   Pairs wanted = clustered;
   for (const IO::Collection::Bridge& bridge : result.bridges)
@@ -148,7 +148,8 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
     bridge.correspondence.map = composed_map(bridge.correspondence.chain, maps);
   for (const auto& [i, j] : clustered)
     analysis.maps.push_back({i, j, std::move(maps.at({i, j}))});
-  result.co_analysis = co_analysis(part_counts, analysis.maps, options.co_analysis);
+  const auto number_of_parts = [](const Collection_shape& shape) { return shape.parts.size(); };
+  result.co_analysis = co_analysis(mapped(shapes.shapes(), number_of_parts), analysis.maps, options.co_analysis);
   result.co_analysis_shape_pairs = clustered.size() / 2;
   if (options.agreeing) analysis.maps = agreeing_maps(std::move(analysis.maps), result.co_analysis);
   if (options.matches) result.matches = analysis.maps;
@@ -161,8 +162,7 @@ IO::Nearest_in_collection nearest_in_collection(const Structural_graph& query, c
 {
   IO::Nearest_in_collection result;
   result.query = {structure(query).name, file, part_names(query)};
-  for (const Collection_shape& shape : shapes.shapes())
-    result.shapes.push_back({shape.name, shape.path, shape.parts});
+  result.shapes = mapped(shapes.shapes(), entry_of);
   result.warnings = shapes.skipped();
   result.nearest = nearest_shapes<CGAL::Parallel_if_available_tag>(
       query, shapes.size(), [&](std::size_t i) { return shapes.graph(i); }, count, matching);

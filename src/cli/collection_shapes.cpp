@@ -1,12 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/collection_shapes.h"
 #include "base/for_each_index.h"
+#include "cli/collection.h"
 #include "cli/load_shape.h"
-#include "cli/progress_bar.h"
-#include "cli/read_model.h"
 #include "cli/run.h"
+#include "cli/text.h"
 #include "io/read/Json_field.h"
 #include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
@@ -45,7 +44,7 @@ std::vector<std::string> model_files(const fs::path& folder)
 bool has_several_objects(const std::string& model)
 {
   try {
-    return read_objects(model, {}).shape.parts().size() > 1;
+    return IO::read_objects(model, Point::UnitY()).shape.parts().size() > 1;
   } catch (const Invalid_input&) { // reported when it is read
     return false;
   }
@@ -71,6 +70,8 @@ struct Loaded_input
   Collection_shape shape;
   std::string failure;    ///< empty: none
   Structural_graph graph; ///< empty where it is in a folder
+
+  bool is_loaded() const { return !(failure + shape.content).empty(); }
 };
 
 std::string text_of(const Structural_graph& graph)
@@ -148,11 +149,11 @@ void take(const IO::Json_field& message, Loaded_input& input)
 }
 
 /// Sends the inputs that were loaded here to the other processes, and receives theirs.
-void exchange(std::vector<Loaded_input>& inputs, const std::vector<char>& is_loaded, Team& team)
+void exchange(std::vector<Loaded_input>& inputs, Team& team)
 {
   IO::Json messages = IO::Json::array();
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    if (is_loaded[i]) messages.push_back(message(i, inputs[i]));
+    if (inputs[i].is_loaded()) messages.push_back(message(i, inputs[i]));
   for (const std::string& text : team.gathered(messages.line())) {
     std::istringstream in(text);
     for (const IO::Json_field& one : IO::read_json(in, "message").elements())
@@ -168,11 +169,8 @@ std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, con
 {
   Common_options quiet = options; // one bar for all
   quiet.progress = "never";
-  Common_options shown = options;
-  shown.quiet = options.quiet || !team.is_first();
-  Progress_bar bar(shown, "graphs", "shape");
+  Progress_bar bar(options, "graphs", "shape");
   std::vector<Loaded_input> inputs(paths.size());
-  std::vector<char> is_loaded(paths.size(), 0);
   std::mutex mutex;
   std::size_t done = 0;
   const std::size_t chunk = team.size() == 1 ? paths.size() : inputs_at_a_time;
@@ -181,12 +179,11 @@ std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, con
     internal::for_each_index<CGAL::Parallel_if_available_tag>(end - begin, [&](std::size_t k) {
       const std::size_t i = begin + k;
       inputs[i] = load_input(paths[i], folder, quiet);
-      is_loaded[i] = 1;
       const std::lock_guard<std::mutex> lock(mutex);
       bar.show(++done, paths.size());
     });
   });
-  if (team.size() > 1) exchange(inputs, is_loaded, team);
+  if (team.size() > 1) exchange(inputs, team);
   for (std::size_t i = 0; i < inputs.size(); ++i)
     inputs[i].shape.path = paths[i];
   return inputs;
@@ -298,10 +295,7 @@ std::optional<Segmented_shape> Collection_shapes::model(std::size_t shape, const
   if (is_graph_file(wanted.path)) return std::nullopt;
   try {
     Read_model read = read_model(wanted.path, options);
-    std::vector<std::string> names;
-    for (const Shape_part& part : read.split.shape.parts())
-      names.push_back(part.name);
-    if (names != wanted.parts) return std::nullopt;
+    if (mapped(read.split.shape.parts(), &Shape_part::name) != wanted.parts) return std::nullopt;
     if (read.is_up_estimated) { // the graph's axis may have been estimated by roles
       Eigen::Index axis = 1;
       structure(graph(shape)).frame.axes.col(1).cwiseAbs().maxCoeff(&axis);

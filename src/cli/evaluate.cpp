@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cli/evaluate.h"
 #include "cli/Command.h"
-#include "cli/evaluate_results.h"
 #include "cli/run.h"
 #include "cli/text.h"
 
@@ -149,10 +149,10 @@ std::vector<Judged_result> judge(const std::vector<Named_result>& named, const s
 
 Evaluation mean_scores(const std::vector<Judged_result>& results, const Evaluation_options& options)
 {
-  std::vector<Scored_correspondence> scores;
-  for (const Judged_result& r : results)
-    scores.push_back({r.source->category, r.source->file, r.target->file, r.score});
-  return Shape_correspondence::mean_scores(scores, options);
+  const auto scored = [](const Judged_result& r) {
+    return Scored_correspondence{r.source->category, r.source->file, r.target->file, r.score};
+  };
+  return Shape_correspondence::mean_scores(mapped(results, scored), options);
 }
 
 /// A mean with its interval; of a single result, without.
@@ -236,16 +236,13 @@ IO::Json json_of(const Judged_result& r)
 
 void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, const std::vector<Judged_result>& results)
 {
-  IO::Json document;
-  document["format"] = "shape_correspondence/evaluation";
-  document["version"] = 1;
-  document["categories"] = IO::Json::array();
-  for (const auto& [category, score] : evaluation.categories)
-    document["categories"].push_back(json_of(category, score));
-  document["mean"] = json_of("", evaluation.mean);
-  document["results"] = IO::Json::array();
-  for (const Judged_result& result : results)
-    document["results"].push_back(json_of(result));
+  const auto of_category = [](const auto& category) { return json_of(category.first, category.second); };
+  const auto of_result = [](const Judged_result& result) { return json_of(result); };
+  const IO::Json document = {{"format", "shape_correspondence/evaluation"},
+                             {"version", 1},
+                             {"categories", mapped(evaluation.categories, of_category)},
+                             {"mean", json_of("", evaluation.mean)},
+                             {"results", mapped(results, of_result)}};
   document.write(out);
 }
 
@@ -257,17 +254,15 @@ std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& path
 {
   std::vector<IO::Labelled_shape> shapes;
   for (const std::string& path : paths)
-    for (IO::Labelled_shape& shape : IO::read_part_labels(path))
-      shapes.push_back(std::move(shape));
+    append(shapes, IO::read_part_labels(path));
   return shapes;
 }
 
 std::vector<Named_result> read_results(const std::vector<std::string>& inputs)
 {
-  std::vector<Named_result> results;
-  for (const std::string& file : result_files(inputs))
-    results.push_back({file, IO::read_correspondence_json(file)});
-  return results;
+  return mapped(result_files(inputs), [](const std::string& file) {
+    return Named_result{file, IO::read_correspondence_json(file)};
+  });
 }
 
 void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,

@@ -114,12 +114,11 @@ private:
   void work() override
   {
     common.roles = IO::shipped_role_model();
-    Loaded_shape shape = load_shape(inputs[0], common);
-    check_part_kinds(common, part_names(shape.graph));
+    Loaded_shape shape = std::move(load_shapes(inputs, common)[0]);
     std::vector<std::string> notes = structure(shape.graph).warnings;
     if (!common.glb.empty()) {
-      read_appearance(inputs[0], shape);
-      note_appearance(inputs[0], shape, common, notes);
+      read_appearance(shape);
+      note_appearance(shape, common, notes);
     }
     write_output(common.json, [&](std::ostream& out) { IO::write_structural_graph_json(out, shape.graph); });
     write_output(common.glb, [&](std::ostream& out) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
+#include "cli/text.h"
 
 #include <CGAL/Shape_correspondence/version.h>
 
@@ -43,7 +44,7 @@ void write_manual_page(std::ostream& out)
   write_help(help);
   write_as_it_is(out, help.str());
   for (const Command_entry& command : commands()) {
-    out << ".SH " << boost::to_upper_copy(std::string(command.name)) << '\n';
+    out << ".SH " << boost::to_upper_copy(command.name) << '\n';
     std::ostringstream text;
     command.make()->write_help(text, true);
     write_as_it_is(out, text.str());
@@ -83,13 +84,7 @@ private:
   bool as_manual_page_ = false;
 };
 
-std::string names_of_commands()
-{
-  std::vector<std::string> names;
-  for (const Command_entry& command : commands())
-    names.push_back(command.name);
-  return boost::algorithm::join(names, " ");
-}
+std::string names_of_commands() { return boost::algorithm::join(mapped(commands(), &Command_entry::name), " "); }
 
 /// The inputs of a command that are words.
 std::string words_of_inputs(const std::string& command)

@@ -1,23 +1,31 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/for_each_index.h"
 #include "cli/Command.h"
-#include "cli/collection_shapes.h"
-#include "cli/labelled_models.h"
-#include "cli/labels_json.h"
+#include "cli/collection.h"
+#include "cli/labels.h"
 #include "cli/load_shape.h"
-#include "cli/predicted_labels.h"
 #include "cli/run.h"
 #include "cli/text.h"
+#include "io/system/atomic_file.h"
 #include "io/system/quoting.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -40,6 +48,100 @@ std::vector<Transferred_label> likeliest_labels(const Part_roles& found)
   for (std::size_t part = 0; part < found.labels.size(); ++part)
     result.push_back({found.labels[part], found.probabilities.row(Eigen::Index(part)).maxCoeff()});
   return result;
+}
+
+/// The labels of parts, with their probabilities, as `labels.json` lists them; parts without a label are left out.
+IO::Json parts_json(const std::vector<std::string>& parts, const std::vector<Transferred_label>& labels)
+{
+  IO::Json result = IO::Json::array();
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const auto& [label, probability] = labels[part];
+    if (label.coarse.empty()) continue;
+    IO::Json entry = {{"name", parts[part]}, {"coarse", label.coarse}};
+    if (!label.fine.empty()) entry["fine"] = label.fine;
+    entry["probability"] = probability;
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+/// A `labels.json`.
+IO::Json labels_json(const std::vector<std::string>& parts, const std::string& category,
+                     const std::vector<Transferred_label>& labels)
+{
+  return {{"format", "shape_correspondence/labels"}, {"category", category}, {"parts", parts_json(parts, labels)}};
+}
+
+using Labels = std::vector<Transferred_label>; // by part
+
+Labelled_model labelled_source(const std::string& path, const Common_options& common)
+{
+  std::vector<Labelled_model> models = load_labelled_models({path}, common);
+  if (models.size() > 1)
+    throw Invalid_input(path + ": it has " + std::to_string(models.size()) +
+                        " labelled shapes; --labels-from takes the folder of one");
+  return std::move(models[0]);
+}
+
+/// The folder of a shape's labels: named as the file or folder of the shape.
+fs::path folder_of(const Collection_shape& shape, const std::string& folder)
+{
+  const fs::path path = fs::absolute(shape.path).lexically_normal();
+  const fs::path name = path.has_filename() ? path : path.parent_path();
+  return fs::path(folder) / (fs::is_directory(name) ? name.filename() : name.stem());
+}
+
+void write_files(const Collection_shapes& shapes, const std::string& category, const std::vector<Labels>& labels,
+                 const std::string& folder)
+{
+  std::set<fs::path> used;
+  for (const Collection_shape& shape : shapes.shapes())
+    if (!used.insert(folder_of(shape, folder)).second)
+      throw Invalid_input(shape.path +
+                          ": another shape of the set has the same name, so that its labels would go to '" +
+                          folder_of(shape, folder).string() + "', too; rename one");
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const fs::path target = folder_of(shapes.shapes()[i], folder);
+    fs::create_directories(target);
+    IO::write_atomically((target / "labels.json").string(), [&](std::ostream& out) {
+      labels_json(shapes.shapes()[i].parts, category, labels[i]).write(out);
+    });
+  }
+}
+
+IO::Json document(const Labelled_model& source, const Collection_shapes& shapes, const std::vector<Labels>& labels)
+{
+  IO::Json of_shapes = IO::Json::array();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Collection_shape& shape = shapes.shapes()[i];
+    of_shapes.push_back({{"name", shape.name}, {"file", shape.path}, {"parts", parts_json(shape.parts, labels[i])}});
+  }
+  return {{"format", "shape_correspondence/transferred_labels"},
+          {"version", 1},
+          {"source", source.labels.file},
+          {"category", source.labels.category},
+          {"shapes", of_shapes},
+          {"warnings", shapes.skipped()}};
+}
+
+void print(const Collection_shapes& shapes, const std::vector<Labels>& labels)
+{
+  std::vector<std::vector<std::string>> rows{{"shape", "parts", "mean confidence", "labels"}};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    double sum = 0;
+    std::map<std::string, int> counts;
+    for (const Transferred_label& label : labels[i]) {
+      sum += label.confidence;
+      ++counts[label.label.coarse];
+    }
+    std::string text;
+    for (const auto& [label, count] : counts)
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + label;
+    const std::size_t parts = std::max<std::size_t>(1, labels[i].size());
+    rows.push_back(
+        {shapes.shapes()[i].name, std::to_string(labels[i].size()), short_number(sum / double(parts)), text});
+  }
+  write_table(std::cout, rows);
 }
 
 } // namespace
@@ -65,12 +167,10 @@ void label_shape(const std::string& path, const Label_options& options, const st
   std::shared_ptr<const Role_model> model = role_model_of(options.roles);
   Common_options with_roles = common;
   with_roles.roles = model;
-  const Loaded_shape shape = load_shape(path, with_roles);
-  check_part_kinds(common, part_names(shape.graph));
+  const Loaded_shape shape = std::move(load_shapes({path}, with_roles)[0]);
   std::string category = options.category;
-  if (!options.examples.empty())
-    for (const std::string& left_out : add_examples(options.examples, common, model, category, true))
-      warn(common, left_out);
+  for (const std::string& left_out : add_examples(options.examples, common, model, category, true))
+    warn(common, left_out);
   const Part_roles found = predicted_roles(path, shape.graph, *model, category);
   const std::vector<Transferred_label> labels = likeliest_labels(found);
   const std::vector<std::string> parts = part_names(shape.graph);
@@ -82,6 +182,21 @@ void label_shape(const std::string& path, const Label_options& options, const st
         {parts[part], labels[part].label.coarse, labels[part].label.fine, percentage(labels[part].confidence)});
   std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
   write_table(std::cout, rows);
+}
+
+void transfer_labels(const Collection_shapes& shapes, const Collection_options& options, const Search_options& search,
+                     const Common_options& common)
+{
+  const Labelled_model source = labelled_source(options.labels_from, common);
+  const Correspondence_finder finder(source.graph, search);
+  std::vector<Labels> labels(shapes.size());
+  internal::for_each_index(shapes.size(), true, [&](std::size_t i) {
+    const Structural_graph target = shapes.graph(i);
+    labels[i] = finder.transfer_labels(source.part_labels, Prepared_shape(target));
+  });
+  if (!options.labels_to.empty()) write_files(shapes, source.labels.category, labels, options.labels_to);
+  write_output(common.json, [&](std::ostream& out) { document(source, shapes, labels).write(out); });
+  if (common.prints_table()) print(shapes, labels);
 }
 
 namespace {

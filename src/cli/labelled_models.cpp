@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/labelled_models.h"
+#include "cli/labels.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "cli/text.h"
@@ -25,6 +25,12 @@ namespace fs = std::filesystem;
 namespace {
 
 using Pair = std::array<std::size_t, 2>;
+
+/// The folder of the part meshes.
+std::string parts_of(const IO::Labelled_shape& shape)
+{
+  return (fs::path(shape.file).parent_path() / "parts").string();
+}
 
 std::vector<Part_label> labels_by_part(const Structural_graph& graph, const IO::Labelled_shape& labels)
 {
@@ -109,19 +115,16 @@ std::string unlabelled_shapes(const std::vector<std::string>& folders)
 
 } // namespace
 
-std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options)
+std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>& folders, const Common_options& options)
 {
-  const std::vector<IO::Labelled_shape> shapes = IO::read_part_labels(folder);
-  std::vector<std::string> paths;
-  for (const IO::Labelled_shape& shape : shapes)
-    paths.push_back((fs::path(shape.file).parent_path() / "parts").string());
   Common_options labelled = options;
-  labelled.parts = "file"; // the labelled ones
-  std::vector<Loaded_shape> loaded = load_shapes(paths, labelled);
+  labelled.parts = Part_splitting::FILE; // the labelled ones
   std::vector<Labelled_model> result;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    std::vector<Part_label> labels = labels_by_part(loaded[i].graph, shapes[i]);
-    result.push_back({folder, shapes[i], loaded[i].graph, std::move(labels)});
+  for (const std::string& folder : folders) {
+    const std::vector<IO::Labelled_shape> shapes = IO::read_part_labels(folder);
+    const std::vector<Loaded_shape> loaded = load_shapes(mapped(shapes, parts_of), labelled);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      result.push_back({folder, shapes[i], loaded[i].graph, labels_by_part(loaded[i].graph, shapes[i])});
   }
   return result;
 }
@@ -134,7 +137,8 @@ std::shared_ptr<const Role_model> role_model_of(const std::string& file)
 std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,
                                       std::shared_ptr<const Role_model>& model, std::string& category, bool always_new)
 {
-  const std::vector<Labelled_model> models = load_labelled_models(folder, options);
+  if (folder.empty()) return {};
+  const std::vector<Labelled_model> models = load_labelled_models({folder}, options);
   const bool is_asked_for = !category.empty();
   const Role_model known = model ? *model : Role_model();
   const std::vector<std::string> names = known.categories();
@@ -180,18 +184,13 @@ std::vector<Pair> listed_pairs(const std::vector<Labelled_model>& models, std::s
 Trained_roles train_roles(const Role_training& training, const Common_options& options)
 {
   Trained_roles result;
-  const auto load = [&](const std::vector<std::string>& folders) {
-    for (const std::string& folder : folders)
-      for (Labelled_model& model : load_labelled_models(folder, options))
-        result.models.push_back(std::move(model));
-  };
   std::vector<std::string> folders = training.folders;
-  folders.insert(folders.end(), training.generated.begin(), training.generated.end());
+  append(folders, training.generated);
   if (const std::string left_out = unlabelled_shapes(folders); !left_out.empty()) warn(options, left_out);
-  load(training.folders);
+  result.models = load_labelled_models(training.folders, options);
   result.number_of_real = result.models.size();
   const std::vector<Pair> pairs = listed_pairs(result.models, training.most_pairs);
-  load(training.generated);
+  append(result.models, load_labelled_models(training.generated, options));
   result.model = train_role_model(labelled_graphs(result.models, result.number_of_real), training.options, pairs);
   return result;
 }

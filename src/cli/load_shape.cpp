@@ -3,9 +3,6 @@
 
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
-#include "cli/Known_folder.h"
-#include "cli/progress_bar.h"
-#include "cli/read_model.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/input_file.h"
@@ -43,9 +40,10 @@ std::optional<bool> is_of_flow(const Structural_graph& graph)
   return std::nullopt;
 }
 
-void load_graph(const std::string& path, const Common_options& common, const Structure_options& options,
-                Loaded_shape& shape)
+void load_graph(const Common_options& common, Loaded_shape& shape)
 {
+  const std::string& path = shape.path;
+  const Structure_options& options = common.structure;
   const double begin = now();
   std::ifstream in = IO::open_input(path);
   if (has_extension(path, ".xml") && common.finds_up())
@@ -58,12 +56,10 @@ void load_graph(const std::string& path, const Common_options& common, const Str
   shape.read_seconds = now() - begin;
 }
 
-void build_graph(const Common_options& common, const Structure_options& options, Loaded_shape& shape)
+void build_graph(const Structure_options& options, Loaded_shape& shape)
 {
   Structure_times times;
-  shape.graph = common.threads == 1
-                    ? build_structural_graph<CGAL::Sequential_tag>(*shape.model, options, &times)
-                    : build_structural_graph<CGAL::Parallel_if_available_tag>(*shape.model, options, &times);
+  shape.graph = build_structural_graph<CGAL::Parallel_if_available_tag>(*shape.model, options, &times);
   shape.abstraction_seconds += times.abstraction;
   shape.structure_seconds += times.structure;
 }
@@ -76,34 +72,20 @@ void check_has_parts(const Part_split& split, const Common_options& common)
   if (split.pieces.size() > 1)
     why = "of " + std::to_string(split.pieces.size()) + " pieces; " +
           (common.parts_from.empty() ? "say --parts components" : "name several parts in " + common.parts_from);
-  else if (!split.by_segments && common.parts != "components")
+  else if (!split.by_segments && common.parts != Part_splitting::COMPONENTS)
     why = "of one piece; use --parts segments";
   throw Invalid_input("it has only one part, " + why + ": correspondences are between shapes of two parts or more");
 }
 
-std::optional<Structural_graph> cached_graph(const std::string& content, const Common_options& common)
-{
-  if (common.cache.empty()) return std::nullopt;
-  try {
-    const IO::Structural_graph_cache cache(common.cache);
-    std::optional<Structural_graph> graph = cache.find(content);
-    if (!graph && cache.is_damaged(content))
-      warn(common, common.cache + ": a graph in it is damaged; it is made again");
-    return graph;
-  } catch (const Invalid_input& error) {
-    warn(common, error.what());
-    return std::nullopt;
-  }
-}
-
-/// Puts a graph into the cache; a failure is a warning.
-void cache_graph(const Structural_graph& graph, const Common_options& common)
+/// Calls `use` with the cache, if there is one; a failure is a warning. \param consequence ends the warning
+template <typename Use>
+void with_cache(const Common_options& common, const std::string& consequence, const Use& use)
 {
   if (common.cache.empty()) return;
   try {
-    IO::Structural_graph_cache(common.cache).insert(graph);
+    use(IO::Structural_graph_cache(common.cache));
   } catch (const Invalid_input& error) {
-    warn(common, std::string(error.what()) + "; the graph is not kept");
+    warn(common, error.what() + consequence);
   }
 }
 
@@ -115,14 +97,19 @@ void load_model(Read_model& model, const Common_options& common, const Structure
   shape.split = std::move(model.split);
   shape.model = shape.split.shape;
   const std::string content = IO::content_hash(*shape.model, options);
-  std::optional<Structural_graph> known = cached_graph(content, common);
+  std::optional<Structural_graph> known;
+  with_cache(common, "", [&](const IO::Structural_graph_cache& cache) {
+    known = cache.find(content);
+    if (!known && cache.is_damaged(content))
+      warn(common, common.cache + ": a graph in it is damaged; it is made again");
+  });
   shape.read_seconds += now() - begin;
   if (known) {
     shape.graph = std::move(*known);
   } else {
-    build_graph(common, options, shape);
+    build_graph(options, shape);
     structure(shape.graph).content = content;
-    cache_graph(shape.graph, common);
+    with_cache(common, "; the graph is not kept", [&](const auto& cache) { cache.insert(shape.graph); });
   }
   // Not in the cache, where another way to the same parts may have put the graph
   structure(shape.graph).automatic_parts = shape.split.by_segments;
@@ -153,9 +140,7 @@ std::string message_about(const std::string& path, const std::string& message)
   return message.rfind(path, 0) == 0 ? message : path + ": " + message;
 }
 
-bool is_json_file(const std::string& path) { return has_extension(path, ".json"); }
-
-bool is_graph_file(const std::string& path) { return is_json_file(path) || has_extension(path, ".xml"); }
+bool is_graph_file(const std::string& path) { return has_extension(path, ".json") || has_extension(path, ".xml"); }
 
 namespace {
 
@@ -181,41 +166,43 @@ Loaded_shape loaded(const std::string& path, const Common_options& common, const
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
   return with_path(path, [&] {
     Loaded_shape shape;
+    shape.path = path;
     shape.reading = common.reading;
     load(options, shape);
     return shape;
   });
 }
 
-/// An input of which there is a graph, in its file or in the cache. \param folder gets what the cache may know it by
-std::optional<Loaded_shape> find_graph(const std::string& path, const Common_options& common,
-                                       std::optional<Known_folder>& folder)
+/// An input of which there is a graph, in its file or in the cache. \param key gets what the cache may know it by
+std::optional<Loaded_shape> find_graph(const std::string& path, const Common_options& common, std::string& key)
 {
   return with_path(path, [&]() -> std::optional<Loaded_shape> {
-    const Structure_options& options = common.structure;
-    std::optional<Loaded_shape> shape(std::in_place);
-    shape->reading = common.reading;
+    Loaded_shape shape;
+    shape.path = path;
+    shape.reading = common.reading;
     if (is_graph_file(path)) {
-      load_graph(path, common, options, *shape);
+      load_graph(common, shape);
       return shape;
     }
     const double begin = now();
-    std::optional<Structural_graph> known = folder.emplace(path, common, options).find();
+    key = key_of_folder(path, common);
+    std::optional<Structural_graph> known = known_graph(key, common);
     if (!known) return std::nullopt;
-    shape->graph = std::move(*known);
-    shape->read_seconds = now() - begin;
+    shape.graph = std::move(*known);
+    shape.read_seconds = now() - begin;
     return shape;
   });
 }
 
-Loaded_shape build_shape(const std::string& path, const Common_options& common, const Known_folder& folder)
+/// \param key by which the cache may know the input
+Loaded_shape build_shape(const std::string& path, const Common_options& common, const std::string& key)
 {
   return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
     const double begin = now();
     Read_model model = read_model(path, common);
     shape.read_seconds = now() - begin;
     load_model(model, common, options, shape);
-    folder.keep(shape.graph, model.warnings);
+    keep_known(path, key, common, shape.graph, model.warnings);
     if (!common.roles || !model.is_up_estimated) return;
     const std::optional<Point> up = up_by_roles(model, shape.graph, *common.roles);
     if (!up || *up == shape.model->up()) return;
@@ -224,13 +211,25 @@ Loaded_shape build_shape(const std::string& path, const Common_options& common, 
   });
 }
 
+/// Throws `Usage_error` if an option names a part that none of the shapes has.
+void check_part_kinds(const Common_options& options, const std::vector<Loaded_shape>& shapes)
+{
+  std::vector<std::string> parts;
+  for (const Loaded_shape& shape : shapes)
+    append(parts, part_names(shape.graph));
+  for (const auto& [part, kind] : options.structure.abstraction.part_kinds)
+    if (std::find(parts.begin(), parts.end(), part) == parts.end())
+      throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
+                        "; `shape_correspondence graph` lists the parts");
+}
+
 } // namespace
 
 Loaded_shape load_shape(const std::string& path, const Common_options& common)
 {
-  std::optional<Known_folder> folder;
-  std::optional<Loaded_shape> shape = find_graph(path, common, folder);
-  return shape ? std::move(*shape) : build_shape(path, common, *folder);
+  std::string key;
+  std::optional<Loaded_shape> shape = find_graph(path, common, key);
+  return shape ? std::move(*shape) : build_shape(path, common, key);
 }
 
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& common)
@@ -240,52 +239,37 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
   });
 }
 
-namespace {
-
-/// Throws `Usage_error` if an option names a part that none of the shapes has.
-void check_part_kinds(const Common_options& options, const std::vector<Loaded_shape>& shapes)
-{
-  std::vector<std::string> parts;
-  for (const Loaded_shape& shape : shapes)
-    for (std::string& name : part_names(shape.graph))
-      parts.push_back(std::move(name));
-  check_part_kinds(options, parts);
-}
-
-} // namespace
-
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   // One after the other, since that takes less time than to start threads
-  std::vector<Loaded_shape> shapes(paths.size());
-  std::vector<std::optional<Known_folder>> folders(paths.size());
-  std::vector<std::size_t> models;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (std::optional<Loaded_shape> shape = find_graph(paths[i], options.of_input(i), folders[i]))
-      shapes[i] = std::move(*shape);
-    else
-      models.push_back(i);
-  }
-  internal::for_each_index<CGAL::Parallel_if_available_tag>(models.size(), [&](std::size_t k) {
-    const std::size_t i = models[k];
-    shapes[i] = build_shape(paths[i], options.of_input(i), *folders[i]);
+  std::vector<std::optional<Loaded_shape>> shapes(paths.size());
+  std::vector<std::string> keys(paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    shapes[i] = find_graph(paths[i], options.of_input(i), keys[i]);
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(paths.size(), [&](std::size_t i) {
+    if (!shapes[i]) shapes[i] = build_shape(paths[i], options.of_input(i), keys[i]);
   });
-  check_part_kinds(options, shapes);
-  return shapes;
+  std::vector<Loaded_shape> result;
+  for (std::optional<Loaded_shape>& shape : shapes)
+    result.push_back(std::move(*shape));
+  check_part_kinds(options, result);
+  return result;
 }
 
 std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
                                     std::vector<std::string>& warnings)
 {
-  if (!finds_up_of_pair(paths, options)) return load_shapes(paths, options);
+  Pair_axes axes = unknown_axes(paths, options);
+  if (!axes.is_unknown[0] && !axes.is_unknown[1]) return load_shapes(paths, options);
   std::vector<Loaded_shape> shapes(2);
-  std::vector<Model_objects> objects(2);
+  std::array<IO::Model_objects, 2> objects;
   internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
     const double begin = now();
-    objects[i] = with_path(paths[i], [&] { return read_objects(paths[i], options.of_input(i)); });
+    const Common_options of_input = options.of_input(i);
+    objects[i] =
+        with_path(paths[i], [&] { return IO::read_objects(paths[i], of_input.up_vector(), of_input.reading); });
     shapes[i].read_seconds = now() - begin;
   });
-  Pair_axes axes = unknown_axes(paths, options);
   std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);
   std::array<Read_model, 2> models;
   internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
@@ -309,65 +293,49 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
       });
     });
   }
-  warnings.insert(warnings.end(), of_axes.begin(), of_axes.end());
+  append(warnings, of_axes);
   check_part_kinds(options, shapes);
   return shapes;
 }
 
-void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts)
+void complete_surfaces(Loaded_shape& shape)
 {
-  for (const auto& [part, kind] : options.structure.abstraction.part_kinds)
-    if (std::find(parts.begin(), parts.end(), part) == parts.end())
-      throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
-                        "; `shape_correspondence graph` lists the parts");
-}
-
-void complete_surfaces(const std::string& path, Loaded_shape& shape)
-{
-  if (!shape.model && is_json_file(path)) shape.model = IO::read_part_meshes(path, shape.graph, shape.reading);
+  if (!shape.model && has_extension(shape.path, ".json"))
+    shape.model = IO::read_part_meshes(shape.path, shape.graph, shape.reading);
   if (!shape.model)
-    throw Invalid_input(path + ": it is a structural graph without surfaces, which a blend is made of; give the model "
-                               "that it was built from, or name the parts' meshes in it (key \"mesh\")");
+    throw Invalid_input(shape.path + ": it is a structural graph without surfaces, which a blend is made of; give the "
+                                     "model that it was built from, or name the parts' meshes in it (key \"mesh\")");
 }
 
-void read_appearance(const std::string& path, Loaded_shape& shape)
+void read_appearance(Loaded_shape& shape)
 {
   shape.appearance = {};
-  if (!shape.model || is_graph_file(path) || shape.split.pieces.empty() || !fs::exists(path)) return;
+  if (!shape.model || is_graph_file(shape.path) || shape.split.pieces.empty() || !fs::exists(shape.path)) return;
   Shape_appearance of_objects;
   const Segmented_shape objects =
-      IO::read_shape_and_appearance(path, of_objects, Point::UnitY(), nullptr, shape.reading);
+      IO::read_shape_and_appearance(shape.path, of_objects, Point::UnitY(), nullptr, shape.reading);
   for (const Model_piece& piece : shape.split.pieces)
     if (piece.object >= objects.parts().size())
-      throw Invalid_input(path + ": the file has changed since it was read; try again");
+      throw Invalid_input(shape.path + ": the file has changed since it was read; try again");
   shape.appearance = appearance_of_parts(objects, of_objects, shape.split);
 }
 
-void note_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options,
-                     std::vector<std::string>& notes)
+std::vector<std::string> warnings_of_appearance(const Loaded_shape& shape)
 {
-  for (const std::string& warning : shape.appearance.warnings)
-    if (options.prints_table())
-      notes.push_back(path + ": " + warning);
-    else
-      warn(options, path + ": " + warning);
+  return about(shape.path, shape.appearance.warnings);
 }
 
-std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes)
+void note_appearance(const Loaded_shape& shape, const Common_options& options, std::vector<std::string>& notes)
 {
-  std::vector<std::string> result;
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    for (const std::string& warning : structure(shapes[i].graph).warnings)
-      result.push_back(paths[i] + ": " + warning);
-  return result;
+  const std::vector<std::string> warnings = warnings_of_appearance(shape);
+  if (options.prints_table()) return append(notes, warnings);
+  for (const std::string& warning : warnings)
+    warn(options, warning);
 }
 
 std::vector<std::string> part_names(const Structural_graph& graph)
 {
-  std::vector<std::string> names;
-  for (const Part_abstraction& part : structure(graph).parts)
-    names.push_back(part.name);
-  return names;
+  return mapped(structure(graph).parts, &Part_abstraction::name);
 }
 
 } // namespace CGAL::Shape_correspondence::cli

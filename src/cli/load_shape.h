@@ -4,21 +4,67 @@
 #pragma once
 
 #include "cli/Common_options.h"
-#include "cli/read_model.h"
+#include "io/read/read_objects.h"
 
+#include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
 
+/// A model, its parts, and warnings about them.
+struct Read_model
+{
+  Segmented_shape objects; ///< as the file has them
+  Part_split split;
+  double up_confidence = 1; ///< of the upright axis; 1 if it is given
+  bool is_up_estimated = false;
+  std::vector<std::string> warnings;
+};
+
+/// The name of an upright axis: x, y or z.
+char axis_name(const Point& axis);
+
+/// Finds the upright axis of the objects and makes parts of them, as the options say. \throw Invalid_input
+Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options);
+
+/// Reads a model, finds its upright axis and makes its parts, as the options say. In mode `auto` the files of a folder
+/// of part meshes are the parts, and y is up. \throw Invalid_input
+Read_model read_model(const std::string& path, const Common_options& options);
+
+/// The upright axis of a model estimated by the roles of its parts; none unless the parts are clearly nearer to
+/// labelled ones of a category than with any other axis up, or nearer and the model stands most stably along it.
+/// \param graph of the parts of the model
+std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph& graph, const Role_model& roles);
+
+/// Sets the upright axis of the objects of a model, estimated by roles, and replaces the warning about it.
+void turn_by_roles(const Point& up, Read_model& model);
+
+/// The upright axes of two inputs that are estimated together, by input.
+struct Pair_axes
+{
+  std::array<bool, 2> is_unknown{};
+  std::array<std::optional<Point>, 2> by_roles; ///< estimated by roles; empty: not estimated so
+};
+
+/// Which of the axes of two inputs are estimated together: if both are models, and no option asks for one of them
+/// alone, those that neither options nor files give.
+Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options);
+
+/// Estimates these axes and sets them in the shapes and in `options.of_pair`. \return warnings
+std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
+                                         const std::array<Segmented_shape*, 2>& shapes, Common_options& options);
+
 /// An input of a command: its structural graph, its model where it is one, and the seconds that it took.
 struct Loaded_shape
 {
+  std::string path; ///< names it in messages
   Structural_graph graph;
   std::optional<Segmented_shape> model;
   Part_split split;                 ///< how the model got its parts; of a graph file empty
@@ -30,6 +76,19 @@ struct Loaded_shape
 
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
+
+// A folder of part meshes of which the cache may have the graph, under the bytes of its files: nothing is parsed to
+// find it. Of other inputs, and where options make other parts of the files, the cache knows nothing in this way.
+
+/// What the cache knows a folder by, from its files and the options; empty: it cannot know it.
+std::string key_of_folder(const std::string& path, const Common_options& common);
+
+/// The graph with the warnings of its reader; none if the cache does not have it, or its files are damaged.
+std::optional<Structural_graph> known_graph(const std::string& key, const Common_options& common);
+
+/// Keeps which graph of the cache it is. \param key of the files before they were read \param warnings of the reader
+void keep_known(const std::string& path, const std::string& key, const Common_options& common,
+                const Structural_graph& graph, const std::vector<std::string>& warnings);
 
 /// The message, prefixed with the path unless it begins with it.
 std::string message_about(const std::string& path, const std::string& message);
@@ -43,6 +102,7 @@ Loaded_shape load_shape(const std::string& path, const Common_options& options);
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& options);
 
 /// The same for several inputs, each with its own options; graphs are built on as many threads as there are.
+/// \throw Usage_error if --part-kind names a part that none of them has
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
 /// The same for the source and the target of a correspondence, whose upright axes are estimated together where they are
@@ -50,22 +110,18 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
 std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
                                     std::vector<std::string>& warnings);
 
-/// Throws `Usage_error` if --part-kind names a part that is not in `parts`, the parts of all inputs.
-void check_part_kinds(const Common_options& options, const std::vector<std::string>& parts);
-
 /// Reads the meshes that a graph names, where it has no model. \throw Invalid_input if it names none
-void complete_surfaces(const std::string& path, Loaded_shape& shape);
+void complete_surfaces(Loaded_shape& shape);
 
 /// Reads the materials, textures and colours of a model, which `load_shape()` leaves out; graph files have none.
 /// \throw Invalid_input if the file has changed since
-void read_appearance(const std::string& path, Loaded_shape& shape);
+void read_appearance(Loaded_shape& shape);
 
-/// Adds the warnings about it to the notes of a table, or prints them on standard error if no table is printed.
-void note_appearance(const std::string& path, const Loaded_shape& shape, const Common_options& options,
-                     std::vector<std::string>& notes);
+/// The warnings about it.
+std::vector<std::string> warnings_of_appearance(const Loaded_shape& shape);
 
-/// The warnings of the graphs of inputs, each after the path of its input.
-std::vector<std::string> warnings_of(const std::vector<std::string>& paths, const std::vector<Loaded_shape>& shapes);
+/// Adds these to the notes of a table, or prints them on standard error if no table is printed.
+void note_appearance(const Loaded_shape& shape, const Common_options& options, std::vector<std::string>& notes);
 
 /// A warning if the parts of a graph were abstracted by another method than is wanted: by mean curvature flow alone, or
 /// not. Empty: no warning.
@@ -74,8 +130,7 @@ std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_want
 /// By index.
 std::vector<std::string> part_names(const Structural_graph& graph);
 
-/// Whether a path is that of a file that ends in `.json`, and whether it is that of a structural graph.
-bool is_json_file(const std::string& path);
+/// Whether a path is that of a file of a structural graph.
 bool is_graph_file(const std::string& path);
 
 } // namespace CGAL::Shape_correspondence::cli

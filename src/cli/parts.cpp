@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
-#include "cli/collection_shapes.h"
+#include "cli/collection.h"
 #include "cli/load_shape.h"
-#include "cli/read_model.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/read/model_parts.h"
@@ -55,20 +54,6 @@ std::vector<std::string> models_in(const std::string& folder)
   return result;
 }
 
-std::size_t count_open(const Part_split& split, std::size_t object)
-{
-  return std::size_t(std::count_if(split.pieces.begin(), split.pieces.end(),
-                                   [&](const Model_piece& piece) { return piece.object == object && !piece.closed; }));
-}
-
-double size_of_object(const Read_model& model, std::size_t object)
-{
-  double result = 0;
-  for (const Model_piece& piece : model.split.pieces)
-    if (piece.object == object) result = std::max(result, piece.size);
-  return result;
-}
-
 /// How many parts of how many objects, and which way is up.
 std::string summary(const Read_model& model)
 {
@@ -87,9 +72,15 @@ void print_model(const std::string& path, const Read_model& model, bool verbose)
   std::vector<std::vector<std::string>> objects{{"object", "triangles", "open pieces", "largest piece", "result"}};
   for (std::size_t i = 0; i < model.objects.parts().size(); ++i) {
     const Shape_part& object = model.objects.parts()[i];
-    objects.push_back({object.name, std::to_string(object.mesh.triangles.cols()),
-                       std::to_string(count_open(model.split, i)), short_number(size_of_object(model, i)),
-                       model.split.decisions[i]});
+    std::size_t open = 0;
+    double largest = 0;
+    for (const Model_piece& piece : model.split.pieces) {
+      if (piece.object != i) continue;
+      open += !piece.closed;
+      largest = std::max(largest, piece.size);
+    }
+    objects.push_back({object.name, std::to_string(object.mesh.triangles.cols()), std::to_string(open),
+                       short_number(largest), model.split.decisions[i]});
   }
   write_table(std::cout, std::move(objects));
   std::vector<std::vector<std::string>> pieces{{"part", "piece", "size", "surface", "reason"}};

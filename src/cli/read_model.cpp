@@ -1,7 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/read_model.h"
+#include "cli/load_shape.h"
+#include "cli/text.h"
 #include "io/read/model_parts.h"
 #include "io/system/input_file.h"
 #include "roles/up_by_roles.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -34,18 +34,19 @@ bool says_up(const std::string& path)
 
 constexpr const char* warning_of_up = "The upright axis was taken to be ";
 
-std::string warning_of(const Up_estimate& found, const std::string& option)
+std::string warning_of(const Point& up, const std::string& why, const std::string& option)
 {
-  return std::string(warning_of_up) + axis_name(found.up) + ", along which the model stands most stably (confidence " +
-         std::to_string(std::lround(100 * found.confidence)) + " %); if that is wrong, give another with " + option +
+  return std::string(warning_of_up) + axis_name(up) + ", " + why + "; if that is wrong, give another with " + option +
          ".";
 }
 
-std::string warning_by_roles(const Point& up, const std::string& option)
+std::string stability(const Up_estimate& found)
 {
-  return std::string(warning_of_up) + axis_name(up) +
-         ", with which the parts are most like labelled ones; if that is wrong, give another with " + option + ".";
+  return "along which the model stands most stably (confidence " + std::to_string(std::lround(100 * found.confidence)) +
+         " %)";
 }
+
+constexpr const char* likeness = "with which the parts are most like labelled ones";
 
 /// Whether neither options nor the file format give the upright axis of a model.
 bool is_up_unknown(const std::string& path, const Common_options& options)
@@ -61,17 +62,8 @@ void find_up(const std::string& path, const Common_options& options, Read_model&
   model.objects.set_up(found.up);
   model.up_confidence = found.confidence;
   model.is_up_estimated = true;
-  if (is_asked_for || found.up != Point::UnitY()) model.warnings.push_back(warning_of(found, "--up"));
-}
-
-Part_splitting mode_of(const std::string& path, const std::string& word)
-{
-  const std::map<std::string, Part_splitting> modes{{"file", Part_splitting::FILE},
-                                                    {"components", Part_splitting::COMPONENTS},
-                                                    {"segments", Part_splitting::SEGMENTS}};
-  const auto found = modes.find(word);
-  if (found != modes.end()) return found->second;
-  return is_folder(path) ? Part_splitting::FILE : Part_splitting::AUTO;
+  if (is_asked_for || found.up != Point::UnitY())
+    model.warnings.push_back(warning_of(found.up, stability(found), "--up"));
 }
 
 /// The maximum number of objects named in a warning.
@@ -91,12 +83,13 @@ void warn_of_changes(const std::string& path, Read_model& model)
     model.warnings.push_back("Pieces end where the material changes, since then the parts are more like labelled ones; "
                              "--parts components or file makes others.");
   if (!split.changes_objects()) return;
-  std::string names;
-  std::size_t number = 0;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < split.decisions.size(); ++i)
-    if (split.is_split(i) && ++number <= most_named) names += (number > 1 ? ", " : "") + model.objects.parts()[i].name;
-  if (number > most_named) names += " and " + std::to_string(number - most_named) + " more";
-  const std::string what = number > 0 ? "Objects of loose pieces were split into parts: " + names
+    if (split.is_split(i)) names.push_back(model.objects.parts()[i].name);
+  const std::size_t number = names.size();
+  names.resize(std::min(number, most_named));
+  const std::string more = number > most_named ? " and " + std::to_string(number - most_named) + " more" : "";
+  const std::string what = number > 0 ? "Objects of loose pieces were split into parts: " + listed(names) + more
                                       : "Tiny objects joined the parts that they touch";
   model.warnings.push_back(what + ". --parts file takes the objects as they are; `shape_correspondence parts " + path +
                            "` says why.");
@@ -108,18 +101,14 @@ bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_
 
 char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
 
-bool finds_up_of_pair(const std::vector<std::string>& paths, const Common_options& options)
-{
-  for (std::size_t i = 0; i < 2; ++i)
-    if (!is_model(paths[i]) || options.of_input(i).finds_up()) return false;
-  return is_up_unknown(paths[0], options.of_input(0)) || is_up_unknown(paths[1], options.of_input(1));
-}
-
 Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options)
 {
   Pair_axes result;
-  for (std::size_t i = 0; i < 2; ++i)
-    result.is_unknown[i] = is_up_unknown(paths[i], options.of_input(i));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Common_options of_input = options.of_input(i);
+    if (!is_model(paths[i]) || of_input.finds_up()) return {};
+    result.is_unknown[i] = is_up_unknown(paths[i], of_input);
+  }
   return result;
 }
 
@@ -139,8 +128,8 @@ std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, 
     options.of_pair[i].up = axis_name(found[i].up);
     if (found[i].up == Point::UnitY()) continue;
     const std::string option = i == 0 ? "--source-up" : "--target-up";
-    warnings.push_back(paths[i] + ": " +
-                       (axes.by_roles[i] ? warning_by_roles(found[i].up, option) : warning_of(found[i], option)));
+    const std::string why = axes.by_roles[i] ? likeness : stability(found[i]);
+    warnings.push_back(paths[i] + ": " + warning_of(found[i].up, why, option));
   }
   return warnings;
 }
@@ -162,20 +151,15 @@ void turn_by_roles(const Point& up, Read_model& model)
   warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
                                 [](const std::string& warning) { return warning.rfind(warning_of_up, 0) == 0; }),
                  warnings.end());
-  if (up != Point::UnitY()) warnings.push_back(warning_by_roles(up, "--up"));
-}
-
-Model_objects read_objects(const std::string& path, const Common_options& options)
-{
-  return IO::read_objects(path, options.up_vector(), options.reading);
+  if (up != Point::UnitY()) warnings.push_back(warning_of(up, likeness, "--up"));
 }
 
 Read_model read_model(const std::string& path, const Common_options& options)
 {
-  return model_of_objects(path, read_objects(path, options), options);
+  return model_of_objects(path, IO::read_objects(path, options.up_vector(), options.reading), options);
 }
 
-Read_model model_of_objects(const std::string& path, Model_objects objects, const Common_options& options)
+Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options)
 {
   Read_model model;
   model.objects = std::move(objects.shape);
@@ -186,7 +170,7 @@ Read_model model_of_objects(const std::string& path, Model_objects objects, cons
     return model;
   }
   Part_splitting_options splitting;
-  splitting.mode = mode_of(path, options.parts);
+  splitting.mode = options.parts == Part_splitting::AUTO && is_folder(path) ? Part_splitting::FILE : options.parts;
   splitting.materials = std::move(objects.materials);
   model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
   if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);

@@ -3,9 +3,8 @@
 
 #include "base/for_each_index.h"
 #include "cli/Command.h"
-#include "cli/evaluate_results.h"
-#include "cli/labelled_models.h"
-#include "cli/predicted_labels.h"
+#include "cli/evaluate.h"
+#include "cli/labels.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "matching/mean_differences.h"
@@ -121,9 +120,8 @@ Evaluated_roles evaluated(const std::vector<Labelled_model>& models,
   Evaluated_roles result;
   result.geometry.resize(pairs.size());
   result.with_roles.resize(pairs.size());
-  std::vector<Prepared_shape> shapes;
-  for (const Labelled_model& labelled : models)
-    shapes.emplace_back(labelled.graph);
+  const auto prepared = [](const Labelled_model& labelled) { return Prepared_shape(labelled.graph); };
+  const std::vector<Prepared_shape> shapes = mapped(models, prepared);
   for_each_index(pairs.size(), true, [&](std::size_t i) {
     const Labelled_model &source = models[pairs[i][0]], &target = models[pairs[i][1]];
     const Ground_truth truth = ground_truth(source.part_labels, target.part_labels);
@@ -146,14 +144,21 @@ Evaluated_roles evaluated(const std::vector<Labelled_model>& models,
   return result;
 }
 
-/// Calls `row(category, geometry, with roles, gain)` for every category, and for the mean.
-template <typename Row>
-void for_each_row(const Evaluated_roles& found, const Row& row)
+/// The scores of a category, or the mean.
+struct Score_row
 {
+  std::string category;
+  Mean_score geometry, with_roles, gain;
+};
+
+std::vector<Score_row> rows_of(const Evaluated_roles& found)
+{
+  std::vector<Score_row> rows;
   for (std::size_t c = 0; c < found.gain.categories.size(); ++c)
-    row(found.gain.categories[c].first, found.mean_geometry.categories[c].second,
-        found.mean_with_roles.categories[c].second, found.gain.categories[c].second);
-  row("mean", found.mean_geometry.mean, found.mean_with_roles.mean, found.gain.mean);
+    rows.push_back({found.gain.categories[c].first, found.mean_geometry.categories[c].second,
+                    found.mean_with_roles.categories[c].second, found.gain.categories[c].second});
+  rows.push_back({"mean", found.mean_geometry.mean, found.mean_with_roles.mean, found.gain.mean});
+  return rows;
 }
 
 std::string interval_text(const Estimate& estimate) { return decimals(estimate.low) + ".." + decimals(estimate.high); }
@@ -162,55 +167,51 @@ void write_evaluation_table(std::ostream& out, const Evaluated_roles& found)
 {
   std::vector<std::vector<std::string>> rows{
       {"category", "pairs", "geometry P", "R", "F1", "with roles P", "R", "F1", "95 %", "gain", "95 %"}};
-  for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
-                          const Mean_score& gain) {
+  for (const auto& [category, geometry, with_roles, gain] : rows_of(found)) {
     rows.push_back({category, std::to_string(geometry.correspondences)});
     for (const Mean_score* score : {&geometry, &with_roles})
       for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
         rows.back().push_back(decimals(estimate->mean));
-    for (const std::string& text : {interval_text(with_roles.f1), decimals(gain.f1.mean), interval_text(gain.f1)})
-      rows.back().push_back(text);
-  });
+    append(rows.back(), {interval_text(with_roles.f1), decimals(gain.f1.mean), interval_text(gain.f1)});
+  }
   write_table(out, rows);
+}
+
+IO::Json scores_json(const Mean_score& score)
+{
+  return {{"precision", estimate_json(score.precision)},
+          {"recall", estimate_json(score.recall)},
+          {"f1", estimate_json(score.f1)}};
 }
 
 IO::Json evaluation_json(const Evaluated_roles& found)
 {
-  IO::Json result;
-  result["format"] = "shape_correspondence/role_evaluation";
-  result["version"] = 2;
-  result["categories"] = IO::Json::array();
-  const auto json_of_score = [](const Mean_score& score) -> IO::Json {
-    return {{"precision", estimate_json(score.precision)},
-            {"recall", estimate_json(score.recall)},
-            {"f1", estimate_json(score.f1)}};
+  const auto of_category = [](const Score_row& row) -> IO::Json {
+    return {{"category", row.category},
+            {"pairs", row.geometry.correspondences},
+            {"geometry", scores_json(row.geometry)},
+            {"with_roles", scores_json(row.with_roles)},
+            {"gain", scores_json(row.gain)}};
   };
-  for_each_row(found, [&](const std::string& category, const Mean_score& geometry, const Mean_score& with_roles,
-                          const Mean_score& gain) {
-    result["categories"].push_back({{"category", category},
-                                    {"pairs", geometry.correspondences},
-                                    {"geometry", json_of_score(geometry)},
-                                    {"with_roles", json_of_score(with_roles)},
-                                    {"gain", json_of_score(gain)}});
-  });
-  result["pairs"] = IO::Json::array();
+  IO::Json pairs = IO::Json::array();
   for (std::size_t i = 0; i < found.geometry.size(); ++i) {
-    result["pairs"].push_back({{"category", found.geometry[i].category},
-                               {"source", found.geometry[i].source},
-                               {"target", found.geometry[i].target},
-                               {"geometry", found.geometry[i].score.f1()},
-                               {"with_roles", found.with_roles[i].score.f1()}});
+    const Scored_correspondence& geometry = found.geometry[i];
+    pairs.push_back({{"category", geometry.category},
+                     {"source", geometry.source},
+                     {"target", geometry.target},
+                     {"geometry", geometry.score.f1()},
+                     {"with_roles", found.with_roles[i].score.f1()}});
   }
-  return result;
+  return {{"format", "shape_correspondence/role_evaluation"},
+          {"version", 2},
+          {"categories", mapped(rows_of(found), of_category)},
+          {"pairs", pairs}};
 }
 
 void evaluate(const std::vector<std::string>& folders, const Roles_options& roles, const Common_options& common)
 {
   const std::shared_ptr<const Role_model> model = role_model_of(roles.label.roles);
-  std::vector<Labelled_model> models;
-  for (const std::string& folder : folders)
-    for (Labelled_model& labelled : load_labelled_models(folder, common))
-      models.push_back(std::move(labelled));
+  const std::vector<Labelled_model> models = load_labelled_models(folders, common);
   const auto pairs = listed_pairs(models, roles.training.most_pairs);
   if (pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
   const Evaluated_roles found = evaluated(models, pairs, model, roles.training.options.seed);

@@ -3,47 +3,37 @@
 
 #include "cli/run.h"
 #include "base/for_each_index.h"
-#include "cli/text.h"
 #include "io/system/atomic_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/quoting.h"
 
 #include <chrono>
-#include <filesystem>
+#include <cmath>
 #include <iostream>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::size_t bar_width = 30;
+constexpr const char* erase_line = "\r\033[K";
+constexpr double interval = 0.1; // seconds
+constexpr double moment = 2;     // seconds at the beginning, without an estimate of the time left
 
-/// Whether two paths lead to the same file, or would if it were there.
-bool are_same_file(const std::string& a, const std::string& b)
+std::string time_text(double seconds)
 {
-  std::error_code error;
-  if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);
-  const auto place = [&](const std::string& path) {
-    return fs::weakly_canonical(fs::absolute(IO::written_file(path), error), error);
-  };
-  return a == b || IO::are_same_name(place(a), place(b));
+  const long s = std::lround(seconds);
+  if (s < 60) return std::to_string(s) + " s";
+  if (s < 3600) return std::to_string(s / 60) + " min " + std::to_string(s % 60) + " s";
+  return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
+}
+
+bool is_enabled(const Common_options& options)
+{
+  if (options.quiet || options.progress == "never") return false;
+  return options.progress == "always" || IO::errors_are_on_terminal();
 }
 
 } // namespace
-
-void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& inputs)
-{
-  std::vector<std::string> outputs;
-  for (const std::string& file : files) {
-    if (file.empty()) continue;
-    for (const std::string& other : outputs)
-      if (are_same_file(file, other)) throw Usage_error("two outputs are the same file, " + file);
-    for (const std::string& input : inputs)
-      if (file != "-" && !input.empty() && are_same_file(file, input))
-        throw Usage_error("the output " + file + " is an input, too");
-    outputs.push_back(file);
-    IO::check_writable(file);
-  }
-}
 
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write)
 {
@@ -57,13 +47,34 @@ void warn(const Common_options& options, const std::string& message)
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-Thread_limit::Thread_limit(int threads) : control_(threads > 0 ? internal::limit_threads(threads) : nullptr) {}
+std::shared_ptr<void> limit_threads(int threads) { return threads > 0 ? internal::limit_threads(threads) : nullptr; }
 
-Run_report::~Run_report()
+Progress_bar::Progress_bar(const Common_options& options, std::string label, std::string unit)
+    : enabled_(is_enabled(options)),
+      on_progress_(options.on_progress),
+      label_(IO::quote_terminal(label)),
+      unit_(std::move(unit)),
+      begin_(now())
+{}
+
+Progress_bar::~Progress_bar()
 {
-  if (enabled_)
-    std::cerr << "shape_correspondence: " << short_number(now() - begin_) << " s, at most "
-              << short_number(IO::peak_megabytes()) << " MB\n";
+  if (shown_) std::cerr << erase_line << std::flush;
+}
+
+void Progress_bar::show(std::size_t done, std::size_t total)
+{
+  if (on_progress_) return on_progress_(label_, done, total);
+  const double time = now();
+  if (!enabled_ || total == 0 || (shown_ && done < total && time - last_shown_ < interval)) return;
+  const std::size_t filled = bar_width * done / total;
+  std::cerr << erase_line << '[' << std::string(filled, '#') << std::string(bar_width - filled, '.') << "] " << label_
+            << ": " << unit_ << ' ' << done << " of " << total;
+  const double left = done > 0 ? (time - begin_) * double(total - done) / double(done) : 0;
+  if (time - begin_ > moment && done < total) std::cerr << ", " << time_text(left) << " left";
+  std::cerr << std::flush;
+  last_shown_ = time;
+  shown_ = true;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

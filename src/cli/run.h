@@ -5,6 +5,7 @@
 
 #include "cli/Common_options.h"
 
+#include <cstddef>
 #include <functional>
 #include <iosfwd>
 #include <memory>
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
-
-/// Checks output files before long work; empty ones are not asked for. `-` is standard output.
-/// \param inputs files and folders that are read
-/// \throw Usage_error if two are the same file, however they are spelt, or one is an input; Invalid_input if one cannot
-/// be written
-void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& inputs);
 
 /// Writes an output file, all of it or nothing; none if it is not asked for. \throw Invalid_input if that fails
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write);
@@ -28,28 +23,28 @@ void warn(const Common_options& options, const std::string& message);
 /// Seconds on the wall since some moment.
 double now();
 
-/// While it lives, no more threads work than this; 0 sets no limit.
-class Thread_limit
+/// While the result lives, no more threads work than this; 0 sets no limit.
+std::shared_ptr<void> limit_threads(int threads);
+
+/// A progress bar on standard error, with the estimated time left after the first two seconds; it is erased at the end.
+/// If the options have a function for progress, that is called instead.
+class Progress_bar
 {
 public:
-  explicit Thread_limit(int threads);
+  /// \param unit name of the items counted
+  Progress_bar(const Common_options& options, std::string label, std::string unit = "part");
+  ~Progress_bar();
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
 
-private:
-  std::shared_ptr<void> control_;
-};
-
-/// Prints at its end what the command took, if that is asked for: time and memory, on standard error.
-class Run_report
-{
-public:
-  explicit Run_report(const Common_options& options) : enabled_(options.verbose), begin_(now()) {}
-  ~Run_report();
-  Run_report(const Run_report&) = delete;
-  Run_report& operator=(const Run_report&) = delete;
+  void show(std::size_t done, std::size_t total);
 
 private:
   bool enabled_;
-  double begin_;
+  bool shown_ = false;
+  std::function<void(const std::string&, std::size_t, std::size_t)> on_progress_;
+  std::string label_, unit_;
+  double begin_, last_shown_ = 0; // seconds
 };
 
 } // namespace CGAL::Shape_correspondence::cli

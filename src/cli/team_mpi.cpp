@@ -16,33 +16,10 @@ namespace mpi = boost::mpi;
 
 enum Tag { request, reply };
 
-/// The work of one process, of which a failure is kept for all to know.
-class Kept_work
-{
-public:
-  explicit Kept_work(const std::function<void(std::size_t)>& work) : work_(work) {}
-
-  void operator()(std::size_t i)
-  {
-    if (!failure_.empty()) return;
-    try {
-      work_(i);
-    } catch (const std::bad_alloc&) {
-      failure_ = "there is not enough memory";
-    } catch (const std::exception& error) {
-      failure_ = error.what();
-    }
-  }
-
-  const std::string& failure() const { return failure_; }
-
-private:
-  const std::function<void(std::size_t)>& work_;
-  std::string failure_;
-};
+using Work = std::function<void(std::size_t)>;
 
 /// The first process answers requests between two numbers of its own.
-void lead(const mpi::communicator& world, std::size_t n, Kept_work& work)
+void lead(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   std::size_t next = 0;
   int dismissed = 0;
@@ -61,7 +38,7 @@ void lead(const mpi::communicator& world, std::size_t n, Kept_work& work)
 }
 
 /// The others ask for the next number before they begin with one, so that they need not wait for it.
-void follow(const mpi::communicator& world, std::size_t n, Kept_work& work)
+void follow(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   const auto received = [&] {
     std::size_t i = n;
@@ -88,11 +65,21 @@ public:
     return std::size_t(mpi::communicator(here, mpi::comm_take_ownership).size());
   }
 
-  void for_each(std::size_t n, const std::function<void(std::size_t)>& work) override
+  void for_each(std::size_t n, const Work& work) override
   {
-    Kept_work kept(work);
+    std::string own_failure; // kept for all to know
+    const Work kept = [&](std::size_t i) {
+      if (!own_failure.empty()) return;
+      try {
+        work(i);
+      } catch (const std::bad_alloc&) {
+        own_failure = "there is not enough memory";
+      } catch (const std::exception& error) {
+        own_failure = error.what();
+      }
+    };
     is_first() ? lead(world_, n, kept) : follow(world_, n, kept);
-    for (const std::string& failure : gathered(kept.failure()))
+    for (const std::string& failure : gathered(own_failure))
       if (!failure.empty()) throw Invalid_input(failure);
   }
 

@@ -90,48 +90,6 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t length)
   return lines;
 }
 
-void write_wrapped(std::ostream& out, const std::string& text)
-{
-  const char* indent = "";
-  for (const std::string& line : wrapped(text, line_width - 2)) {
-    out << indent << line << '\n';
-    indent = "  ";
-  }
-}
-
-std::string reflowed(const std::string& text)
-{
-  std::string result, paragraph;
-  std::size_t indent = 0; // of the lines of the paragraph after its first
-  const auto flush = [&] {
-    if (paragraph.empty()) return;
-    const std::size_t first = paragraph.find_first_not_of(' ');
-    const bool is_command = paragraph.find("shape_correspondence ") < paragraph.find_first_of(".,`");
-    const std::size_t sign = is_command ? 2 : 0; // of what goes on
-    const std::vector<std::string> lines = wrapped(paragraph, line_width - std::max(indent, first) - sign);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      result += std::string(i == 0 ? first : indent, ' ') + lines[i] +
-                (is_command && i + 1 < lines.size() ? " \\" : "") + '\n';
-    paragraph.clear();
-  };
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    const std::size_t start = line.find_first_not_of(' ');
-    const bool begins = line.empty() || line.rfind("Usage", 0) == 0 || line.rfind("Example", 0) == 0,
-               is_item = !line.empty() && line.compare(start, 2, "- ") == 0;
-    if (begins || is_item || paragraph.empty() || start != indent || start > 4) {
-      flush();
-      indent = begins ? 12 : is_item ? start + 2 : start == 0 ? 0 : start + 2;
-    }
-    if (line.empty())
-      result += '\n';
-    else
-      paragraph += (paragraph.empty() ? "" : " ") + (paragraph.empty() ? line : line.substr(start));
-  }
-  flush();
-  return result;
-}
-
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all)
 {
   static const std::regex library_option(R"( \(`[^`]*`\))");

@@ -3,8 +3,11 @@
 
 #pragma once
 
+#include <functional>
 #include <iosfwd>
+#include <iterator>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -18,13 +21,6 @@ constexpr std::size_t line_width = 80; ///< characters
 /// any.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes a text in lines; further ones are indented.
-void write_wrapped(std::ostream& out, const std::string& text);
-
-/// A text of help with its paragraphs and list items in lines of `line_width`; a longer command goes on after a
-/// backslash.
-std::string reflowed(const std::string& text);
-
 /// Writes notes, one a line; of several only how many they are, unless all are wanted. Names of the library's options
 /// are left out.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
@@ -37,6 +33,29 @@ std::string decimals(double number, int count = 3);
 
 /// A share in whole percent.
 std::string percentage(double share);
+
+/// A member of each element, or what a function makes of it.
+template <typename Range, typename Of>
+auto mapped(const Range& range, const Of& of)
+{
+  std::vector<std::decay_t<decltype(std::invoke(of, *std::begin(range)))>> result;
+  for (const auto& element : range)
+    result.push_back(std::invoke(of, element));
+  return result;
+}
+
+/// Appends all of `more`.
+template <typename Value>
+void append(std::vector<Value>& all, const std::vector<Value>& more)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The messages, each after the path that it is about.
+inline std::vector<std::string> about(const std::string& path, const std::vector<std::string>& messages)
+{
+  return mapped(messages, [&](const std::string& message) { return path + ": " + message; });
+}
 
 /// The words with commas in between; "-" for none.
 std::string listed(const std::vector<std::string>& words);

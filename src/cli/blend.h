@@ -3,14 +3,17 @@
 
 #pragma once
 
-#include "cli/Option_table.h"
+#include "cli/load_shape.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -23,10 +26,11 @@ struct Blend_output
   std::optional<Blend_size> size; ///< empty: as the heights are
   std::string colours = "auto";   ///< auto, materials or match
   int frames = 25;
-  std::optional<double> at; ///< the time of the one shape that is made; empty: the whole blend
-  bool solid = false;       ///< that shape is one closed surface
+  double at =
+      std::numeric_limits<double>::quiet_NaN(); ///< the time of the one shape that is made; NaN: the whole blend
+  bool solid = false;                           ///< that shape is one closed surface
 
-  bool is_one_shape() const { return at.has_value(); }
+  bool is_one_shape() const { return !std::isnan(at); }
   bool is_page() const;
   /// Whether the output is a file, not a folder.
   bool is_file() const;
@@ -44,5 +48,16 @@ Blend_options blend_options(const Blend_output& output);
 /// Writes the blend. \param appearance of the models; null: corresponding parts have one colour
 void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
                  const IO::Blend_appearance* appearance);
+
+/// Removes pairs that are less probable than `least`. \return a warning for each of them
+std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,
+                                         const Loaded_shape& target);
+
+/// The size of the frames where none is asked for: `SAME`, with a warning, for shapes that seem to be in other units.
+Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
+
+/// Tells which parts have no map onto their counterparts, and why.
+void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
+                       std::vector<std::string>& warnings);
 
 } // namespace CGAL::Shape_correspondence::cli

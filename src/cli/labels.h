@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,16 +27,18 @@ struct Labelled_model
   std::vector<Part_label> part_labels; ///< by part of the graph
 };
 
-/// All labelled shapes of a folder of SHAPE/ or CATEGORY/SHAPE/ with `labels.json` and `parts/`.
+/// All labelled shapes of folders of SHAPE/ or CATEGORY/SHAPE/ with `labels.json` and `parts/`.
 /// \throw Invalid_input if one cannot be used, or a part has no label
-std::vector<Labelled_model> load_labelled_models(const std::string& folder, const Common_options& options);
+std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>& folders,
+                                                 const Common_options& options);
 
 /// The role model in a file; empty: the one that comes with the program.
 std::shared_ptr<const Role_model> role_model_of(const std::string& file);
 
-/// Adds the labelled shapes of a folder to what a model was learned from, see `extend_role_model()`: those of a
-/// category in which they help, see `gains_of_examples()`. If they are of one category, and none is asked for,
-/// that category is meant. \param model null: none so far \param always_new also all of a category that the model lacks
+/// Adds the labelled shapes of a folder, if there is one, to what a model was learned from, see `extend_role_model()`:
+/// those of a category in which they help, see `gains_of_examples()`. If they are of one category, and none is asked
+/// for, that category is meant. \param model null: none so far \param always_new also all of a category that the model
+/// lacks
 /// \return what is said of those that are left out
 std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,
                                       std::shared_ptr<const Role_model>& model, std::string& category,
@@ -63,5 +66,27 @@ struct Trained_roles
 
 /// Learns roles from folders, see `train_role_model()`: what `roles train` and Python do.
 Trained_roles train_roles(const Role_training& training, const Common_options& options);
+
+/// The roles of a shape's parts. \param path names the shape in messages \param category empty: the likeliest
+/// \throw Invalid_input if the shape is of no category of the model
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category);
+
+/// Writes the likeliest label of every part, in the form of `labels.json`.
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found);
+
+/// What labels are predicted by.
+struct Label_options
+{
+  std::string roles;    ///< file of the role model; empty: the one that comes with the program
+  std::string examples; ///< folder of labelled shapes that are learned in addition; empty: none
+  std::string category; ///< of the shape; empty: the one that it is like
+};
+
+/// Prints the likeliest role of every part of a shape, and writes them in the form of `labels.json`.
+/// \param output file of the labels; - is standard output; empty: none
+/// \throw Invalid_input if the shape is of no category of the model
+void label_shape(const std::string& path, const Label_options& options, const std::string& output,
+                 const Common_options& common);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -31,18 +31,12 @@ struct Transferred_looks
 };
 
 /// Transfers looks or labels along a correspondence and writes the target with them.
-/// \param source_file, target_file where the shapes were read from \throw Invalid_input
-Transferred_looks transfer_looks(const std::string& source_file, Loaded_shape& source, const std::string& target_file,
-                                 Loaded_shape& target, const Correspondence& correspondence,
+/// \throw Invalid_input
+Transferred_looks transfer_looks(Loaded_shape& source, Loaded_shape& target, const Correspondence& correspondence,
                                  const Transfer_request& request);
 
 /// Writes what every target part got, in the format `shape_correspondence/transfer`, version 1.
-void write_transfer_json(std::ostream& out, const std::string& source_file, const Loaded_shape& source,
-                         const std::string& target_file, const Loaded_shape& target, const Transfer_request& request,
-                         const Transferred_looks& transferred);
-
-/// The same as a table.
-void write_transfer_table(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
-                          const Transferred_looks& transferred);
+void write_transfer_json(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
+                         const Transfer_request& request, const Transferred_looks& transferred);
 
 } // namespace CGAL::Shape_correspondence::cli

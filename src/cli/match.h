@@ -29,8 +29,4 @@ Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& targ
 void write_match_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                        const Structural_graph& target, bool verbose);
 
-/// Writes what became of each symmetry group of the deformed shape, with its share of the energy.
-void write_group_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
-                       const Structural_graph& target);
-
 } // namespace CGAL::Shape_correspondence::cli
