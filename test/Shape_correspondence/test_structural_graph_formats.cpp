@@ -89,6 +89,21 @@ TEST_CASE("A structure graph in XML is read")
   CHECK(num_vertices(graph) == 2);                         // the legs are found to be one group
 }
 
+TEST_CASE("Edges between the same nodes are one contact with the places of all, in either order")
+{
+  const std::string edge = "<edge><n>a</n><n>top</n><coord><uv>0.25 0 0 0</uv><uv>0.5 0 0 0</uv></coord>"
+                           "<coord><uv>0 0 0 0</uv><uv>0 1 0 0</uv></coord></edge>";
+  const Structural_graph graph = read(table_xml(edge + "<edge><n>top</n><n>b</n></edge>"));
+  const std::vector<Contact>& contacts = structure(graph).contacts;
+  REQUIRE(contacts.size() == 4);
+  REQUIRE(contacts[0].further.size() == 2);
+  CHECK(contacts[0].further[0][0].isApprox(Eigen::Vector2d(0, 0))); // on the top
+  CHECK(contacts[0].further[0][1].x() == Approx(0.25));             // along the leg
+  CHECK(contacts[0].further[1][0].isApprox(Eigen::Vector2d(0, 1)));
+  CHECK(contacts[0].further[1][1].x() == Approx(0.5));
+  CHECK(contacts[1].further.size() == 1);
+}
+
 TEST_CASE("Given groups are kept, and their symmetry is found")
 {
   const Structural_graph graph = read(table_xml("<group><n>a</n><n>b</n></group><group><n>c</n><n>d</n></group>"));

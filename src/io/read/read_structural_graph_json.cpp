@@ -3,7 +3,7 @@
 
 #include "base/limits.h"
 #include "io/read/Json_field.h"
-#include "io/read/frame_of_abstractions.h"
+#include "io/read/graph_documents.h"
 #include "io/read/report_text.h"
 #include "io/system/input_file.h"
 #include "shape/meshes.h"
@@ -232,19 +232,9 @@ std::vector<Contact> read_contacts(const Json_field& list, const std::vector<Par
                                    const Part_indices& indices)
 {
   std::vector<Contact> contacts;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> earlier;
-  for (const Json_field& element : list.elements()) {
-    Contact contact = read_contact(element, parts, indices);
-    const auto [place, is_new] = earlier.emplace(std::minmax(contact.parts[0], contact.parts[1]), contacts.size());
-    if (is_new) {
-      contacts.push_back(contact);
-      continue;
-    }
-    Contact& known = contacts[place->second];
-    if (known.parts != contact.parts) std::swap(contact.parameters[0], contact.parameters[1]);
-    known.further.push_back(contact.parameters);
-  }
-  return contacts;
+  for (const Json_field& element : list.elements())
+    contacts.push_back(read_contact(element, parts, indices));
+  return merged_contacts(std::move(contacts));
 }
 
 Shape_frame read_frame(const Json_field& field, const Point& up)

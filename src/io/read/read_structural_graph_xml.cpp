@@ -4,7 +4,7 @@
 #include "base/clamped.h"
 #include "base/limits.h"
 #include "io/read/document.h"
-#include "io/read/frame_of_abstractions.h"
+#include "io/read/graph_documents.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
@@ -309,16 +309,9 @@ std::vector<Contact> read_contacts(const Tree& document, const std::string& file
                                    const Indices& indices)
 {
   std::vector<Contact> contacts;
-  std::map<std::array<std::size_t, 2>, std::size_t> earlier;
-  for (const Xml_reader& edge : elements(document, "edge", file)) {
-    const Contact contact = read_edge(edge, parts, indices);
-    const auto [place, is_new] = earlier.emplace(contact.parts, contacts.size());
-    if (is_new)
-      contacts.push_back(contact);
-    else
-      contacts[place->second].further.push_back(contact.parameters);
-  }
-  return contacts;
+  for (const Xml_reader& edge : elements(document, "edge", file))
+    contacts.push_back(read_edge(edge, parts, indices));
+  return merged_contacts(std::move(contacts));
 }
 
 /// The groups that the document gives, and one of its own for every part that it leaves out; none if it gives none.
