@@ -345,29 +345,20 @@ private:
     return result;
   }
 
-  /// Moves groups to the other step, one or two at a time, as long as that is better. \return the cost
+  /// Moves groups to the other step, as long as that is better. \return the cost
   double improve(Parts& is_there) const
   {
-    constexpr std::size_t most_for_two = 64; // groups: with more, one at a time
     double least = cost(is_there);
-    const auto move = [&](const Parts& groups) {
-      is_there ^= groups;
-      const double value = cost(is_there, least);
-      const bool is_better = quantized(value) < quantized(least);
-      if (is_better)
-        least = value;
-      else
-        is_there ^= groups;
-      return is_better;
-    };
     for (bool is_better = true; is_better;) {
       is_better = false;
-      for (const Parts& group : exchanged_)
-        is_better |= move(group);
-      if (is_better || exchanged_.size() > most_for_two) continue;
-      for (std::size_t i = 0; i < exchanged_.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          is_better |= move(exchanged_[i] ^ exchanged_[j]);
+      for (const Parts& group : exchanged_) {
+        is_there ^= group;
+        const double value = cost(is_there, least);
+        if (quantized(value) < quantized(least))
+          least = value, is_better = true;
+        else
+          is_there ^= group;
+      }
     }
     return least;
   }
