@@ -58,6 +58,8 @@ private:
 };
 
 #ifdef SHAPE_CORRESPONDENCE_PLAIN_THREADS
+constexpr bool is_caller_alone() { return false; }
+
 template <typename Work>
 void run_in_parallel(std::size_t n, const Work& work)
 {
@@ -72,6 +74,9 @@ void run_in_parallel(std::size_t n, const Work& work)
     thread.join();
 }
 #elif defined(CGAL_LINKED_WITH_TBB)
+/// Whether no other thread may work: TBB would start one all the same, and ends the program where it cannot.
+bool is_caller_alone() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2; }
+
 template <typename Work>
 void run_in_parallel(std::size_t n, const Work& work)
 {
@@ -93,7 +98,8 @@ void run_in_parallel(std::size_t n, const Work& work)
 std::atomic<int> working_threads{std::max(1, int(std::thread::hardware_concurrency()))},
     idle_threads{working_threads - 1};
 
-constexpr std::size_t most_taken = 1024; // by a loop
+constexpr std::size_t most_taken = 1024;           // by a loop
+constexpr bool is_caller_alone() { return false; } // a loop that finds no idle thread starts none
 
 /// \return how many, up to `most`
 int take_idle_threads(int most)
@@ -133,7 +139,7 @@ void run_in_parallel(std::size_t n, const Work& work)
 
 void for_each_index(std::size_t n, bool parallel, const std::function<void(std::size_t)>& work)
 {
-  if (!parallel || n < 2) {
+  if (!parallel || n < 2 || is_caller_alone()) {
     for (std::size_t i = 0; i < n; ++i)
       work(i);
     return;

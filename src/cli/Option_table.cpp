@@ -78,9 +78,7 @@ const po::value_semantic* semantic(const Option& option)
         if constexpr (std::is_same_v<Value, bool>)
           return po::bool_switch()->notifier([field](bool is_set) { *field |= is_set; });
         else if constexpr (std::is_same_v<Value, Switch>)
-          return po::bool_switch()->notifier([field](bool is_set) {
-            if (is_set) field();
-          });
+          return po::bool_switch();
         else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
           return described(option, po::value(field));
         else if constexpr (!std::is_same_v<Value, Text_field>)
@@ -237,6 +235,7 @@ std::vector<std::string> Option_table::parse(const std::vector<std::string>& arg
   }
   for (Option& option : options_) {
     if (!option.is_given) continue;
+    if (const auto* set = std::get_if<Switch>(&option.field)) (*set)();
     if (std::holds_alternative<Text_field>(option.field)) take_texts(values[option.name], option);
     option.check("--" + option.name);
   }

@@ -241,19 +241,20 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
 
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
-  // One after the other, since that takes less time than to start threads
-  std::vector<std::optional<Loaded_shape>> shapes(paths.size());
+  std::vector<Loaded_shape> shapes(paths.size());
   std::vector<std::string> keys(paths.size());
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    shapes[i] = find_graph(paths[i], options.of_input(i), keys[i]);
-  internal::for_each_index<CGAL::Parallel_if_available_tag>(paths.size(), [&](std::size_t i) {
-    if (!shapes[i]) shapes[i] = build_shape(paths[i], options.of_input(i), keys[i]);
+  std::vector<std::size_t> models;
+  for (std::size_t i = 0; i < paths.size(); ++i) // one after the other: that takes less time than to start threads
+    if (std::optional<Loaded_shape> shape = find_graph(paths[i], options.of_input(i), keys[i]))
+      shapes[i] = std::move(*shape);
+    else
+      models.push_back(i);
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(models.size(), [&](std::size_t k) {
+    const std::size_t i = models[k];
+    shapes[i] = build_shape(paths[i], options.of_input(i), keys[i]);
   });
-  std::vector<Loaded_shape> result;
-  for (std::optional<Loaded_shape>& shape : shapes)
-    result.push_back(std::move(*shape));
-  check_part_kinds(options, result);
-  return result;
+  check_part_kinds(options, shapes);
+  return shapes;
 }
 
 std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,

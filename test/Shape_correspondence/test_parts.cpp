@@ -36,6 +36,8 @@ TEST_CASE("Parts are made of a model that has none, and marked as automatic")
   const json graph = json::parse(done.out);
   CHECK(graph["segmentation"] == "automatic");
   CHECK(graph["parts"].size() >= 2);
+  for (const char* words : {" --segment --parts file", " --parts file --segment"}) // it says more
+    CHECK(run("graph " + model + words + " --abstraction boxes --json -").out == done.out);
   CHECK_THAT(graph["warnings"][0].get<std::string>(), Contains("automatic segmentation"));
   CHECK_THAT(graph["warnings"].dump(), Contains("they have no area: 1."));
   const std::string table = quoted(folder.write("table.obj", obj_table()));
