@@ -48,8 +48,9 @@ struct Ply_property
   int use = -1;                         ///< as `use_of()` says
 };
 
-/// What a property of this name is: 0 to 2 a coordinate, 3 to 5 a channel of a colour, 6 and 7 a texture coordinate, -1
-/// none of them.
+constexpr int first_channel = 3, first_texture_coordinate = 6; // uses of properties; coordinates come first
+
+/// What a property of this name is used for: a coordinate, a channel of a colour, a texture coordinate, or -1.
 int use_of(const std::string& name)
 {
   constexpr const char* uses[][4] = {{"x"},
@@ -126,15 +127,16 @@ private:
     void set(const Ply_property& property, double number)
     {
       if (property.use < 0) return;
-      if (property.use < 3) {
+      if (property.use < first_channel) {
         ++coordinates;
         point[property.use] = number;
-      } else if (property.use < 6) {
+      } else if (property.use < first_texture_coordinate) {
         has_colours = true;
-        colour[property.use - 3] = number / property.type->white;
+        colour[property.use - first_channel] = number / property.type->white;
       } else {
         has_coordinates = true;
-        at[property.use - 6] = float(property.use == 6 ? number : 1 - number);
+        const int axis = property.use - first_texture_coordinate;
+        at[axis] = float(axis == 0 ? number : 1 - number);
       }
     }
   };

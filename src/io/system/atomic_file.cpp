@@ -119,7 +119,9 @@ private:
 std::error_code make_new_folder(const fs::path& folder)
 {
   std::error_code error;
-  return fs::create_directory(folder, error) || error ? error : std::make_error_code(std::errc::file_exists);
+  const bool is_new = fs::create_directory(folder, error);
+  if (!is_new && !error) return std::make_error_code(std::errc::file_exists);
+  return error;
 }
 
 /// Without slashes at its end, which would be inside the folder.
