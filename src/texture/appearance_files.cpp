@@ -30,7 +30,7 @@ constexpr std::size_t most_triangles = 200000;
 void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance,
                         const std::string& library)
 {
-  const auto precision = out.precision(17);
+  out.precision(17);
   out << "mtllib " << library << '\n';
   int first = 1, corner = 1;
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
@@ -49,7 +49,6 @@ void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const S
     }
     first += static_cast<int>(mesh.points.cols());
   }
-  out.precision(precision);
 }
 
 /// A mesh whose triangles are divided until no edge is longer, as far as that makes no more than `most_triangles`.

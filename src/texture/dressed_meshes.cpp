@@ -173,9 +173,7 @@ Add_scenes dressed_scenes(std::vector<std::pair<const Segmented_shape*, const Sh
 
 void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
 {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // glTF has y up
-  if (shape.up() != Point::UnitY())
-    turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix();
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix(); // glTF has y up
   Glb_file glb;
   Glb_materials materials(glb, appearance);
   std::vector<int> nodes;

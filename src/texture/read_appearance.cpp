@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -79,17 +80,6 @@ std::map<std::string, Library_material> read_library(std::string_view text, std:
   return result;
 }
 
-int index_of_texture(const Texture& texture, std::vector<Texture>& textures)
-{
-  const auto is_same = [&](const Texture& other) {
-    return other.name == texture.name && other.wrap_u == texture.wrap_u && other.wrap_v == texture.wrap_v;
-  };
-  const auto found = std::find_if(textures.begin(), textures.end(), is_same);
-  if (found != textures.end()) return int(found - textures.begin());
-  textures.push_back(texture);
-  return int(textures.size()) - 1;
-}
-
 /// Materials by name, of all libraries of an OBJ file; the first of a name counts.
 std::map<std::string, Library_material>
 read_libraries(const Named_files& files, const std::vector<std::string>& statements, std::vector<std::string>& warnings)
@@ -124,14 +114,19 @@ std::vector<bool> look_up_materials(const Named_files& files, Model_content& con
   std::vector<bool> known(content.materials.size(), !content.materials_are_names);
   if (!content.materials_are_names) return known;
   const std::map<std::string, Library_material> library = read_libraries(files, content.libraries, warnings);
+  std::map<std::tuple<std::string, Texture_wrap, Texture_wrap>, int> textures; // their numbers
   for (std::size_t i = 0; i < known.size(); ++i) {
     Surface_material& material = content.materials[i];
     const auto found = library.find(material.name);
     if (found == library.end()) continue;
     known[i] = true;
     material.colour = found->second.colour;
-    if (found->second.texture.name.empty()) continue;
-    material.texture = index_of_texture(found->second.texture, content.textures);
+    const Texture& texture = found->second.texture;
+    if (texture.name.empty()) continue;
+    const auto [number, is_new] =
+        textures.emplace(std::tuple(texture.name, texture.wrap_u, texture.wrap_v), int(content.textures.size()));
+    if (is_new) content.textures.push_back(texture);
+    material.texture = number->second;
     material.colour.head<3>().setOnes(); // the texture stands for the colour
   }
   return known;
@@ -140,16 +135,11 @@ std::vector<bool> look_up_materials(const Named_files& files, Model_content& con
 void load_textures(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
 {
   for (Texture& texture : content.textures) {
-    std::string fault;
-    if (texture.bytes.empty()) {
-      Named_file file = files.read(texture.name);
-      texture.bytes = std::move(file.bytes);
-      fault = file.fault;
-    }
-    if (fault.empty() && texture.bytes.size() > largest_file) fault = "is larger than 64 MB";
-    if (fault.empty()) fault = fault_of_image(texture.bytes);
+    auto [bytes, fault] = texture.bytes.empty() ? files.read(texture.name) : Named_file{std::move(texture.bytes), ""};
+    if (fault.empty() && bytes.size() > largest_file) fault = "is larger than 64 MB";
+    if (fault.empty()) fault = fault_of_image(bytes);
+    texture.bytes = fault.empty() ? std::move(bytes) : "";
     if (fault.empty()) continue;
-    texture.bytes.clear();
     warnings.push_back("The texture " + cited_file(texture.name) + " was left out: it " + fault + ".");
   }
   for (Surface_material& material : content.materials)

@@ -93,15 +93,12 @@ public:
   }
 
   /// Parts without looks from the source take those of parts that they touch, and then of parts that touch these.
-  /// \return by part, the part whose looks from the source it has
-  std::vector<std::size_t> take_from_neighbours(const std::vector<Contact>& contacts, const Segmented_shape& target)
+  void take_from_neighbours(const std::vector<Contact>& contacts, const Segmented_shape& target)
   {
     const std::vector<Steps> sizes = sizes_of_parts(target);
     const auto is_larger = [&](std::size_t a, std::size_t b) {
       return sizes[a] > sizes[b] || (sizes[a] == sizes[b] && a < b);
     };
-    std::vector<std::size_t> like(result_.parts.size());
-    std::iota(like.begin(), like.end(), std::size_t(0));
     std::map<std::size_t, std::size_t> found; // of a round
     do {
       found.clear();
@@ -117,10 +114,8 @@ public:
       for (const auto& [part, other] : found) {
         result_.parts[part].origin = Looks_origin::NEIGHBOUR;
         result_.parts[part].neighbour = other;
-        like[part] = like[other];
       }
     } while (!found.empty());
-    return like;
   }
 
   /// Paints the target by the colours of places on the source, by target part.
@@ -203,15 +198,17 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
   Transfer transfer(source, source_shape, target, target_shape, target_appearance, correspondence, options);
   const Looks_sampler looks(source_appearance, options.neutral);
   transfer.take_from_sources(source_shape, structure(source).frame, looks);
-  const std::vector<std::size_t> like = transfer.take_from_neighbours(structure(target).contacts, target_shape);
+  transfer.take_from_neighbours(structure(target).contacts, target_shape);
   // Of their own, so that a part of the source is not divided among a part and what touches it
   std::array<Correspondence, 2> pairs;
-  const auto map_of = [&](std::size_t part) {
-    return transfer.parts()[part].origin == Looks_origin::NEIGHBOUR ? 1 : 0;
-  };
-  for (std::size_t part = 0; part < like.size(); ++part)
-    if (const Transferred_part& from = transfer.parts()[like[part]]; from.origin == Looks_origin::SOURCE)
-      pairs[map_of(part)].pairs.push_back({from.sources[0], part});
+  const std::vector<Transferred_part>& parts = transfer.parts();
+  const auto map_of = [&](std::size_t part) { return parts[part].origin == Looks_origin::NEIGHBOUR ? 1 : 0; };
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::size_t like = part;
+    while (parts[like].origin == Looks_origin::NEIGHBOUR)
+      like = parts[like].neighbour;
+    if (parts[like].origin == Looks_origin::SOURCE) pairs[map_of(part)].pairs.push_back({parts[like].sources[0], part});
+  }
   std::deque<Point_map> maps; // by map_of()
   for (Correspondence& chosen : pairs) {
     chosen.target_quarter_turns = correspondence.target_quarter_turns;
