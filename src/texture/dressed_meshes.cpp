@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <tuple>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -152,12 +153,9 @@ Add_scenes dressed_scenes(std::vector<std::pair<const Segmented_shape*, const Sh
 {
   return [=](Glb_file& glb, const std::vector<Placed_shape>& shapes, std::vector<Glb_scene>& scenes) {
     std::vector<Shape_appearance> looks;
-    bool are_known = false;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t i = 0; i < shapes.size(); ++i)
       looks.push_back(drawn_appearance(models[i].first, *models[i].second, shapes[i].shape.model(), most_bytes));
-      are_known = are_known || !looks.back().empty();
-    }
-    if (!are_known) return;
+    if (std::all_of(looks.begin(), looks.end(), std::mem_fn(&Shape_appearance::empty))) return;
     scenes.push_back({material_layer, {}});
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       Glb_materials materials(glb, looks[i]);

@@ -126,14 +126,9 @@ public:
       if (Looks_origin& origin = result_.parts[i].origin; origin == Looks_origin::NEUTRAL && target_looks_.is_known(i))
         origin = Looks_origin::TARGET;
     const auto colour_of_point = [&](std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights) {
-      switch (result_.parts[part].origin) {
-      case Looks_origin::TARGET:
-        return target_looks_(part, triangle, weights);
-      case Looks_origin::NEUTRAL:
-        return options_.neutral;
-      default:
-        return colour(part, Eigen::Index(triangle), weights);
-      }
+      const Looks_origin origin = result_.parts[part].origin;
+      if (origin == Looks_origin::TARGET) return target_looks_(part, triangle, weights);
+      return origin == Looks_origin::NEUTRAL ? options_.neutral : colour(part, Eigen::Index(triangle), weights);
     };
     Texture texture{"transferred", "", {}, Texture_wrap::CLAMP, Texture_wrap::CLAMP};
     texture.image = bake(layout_, options_.size, options_.margin, options_.samples, options_.neutral, colour_of_point);
