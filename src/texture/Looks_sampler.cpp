@@ -62,19 +62,13 @@ Eigen::Vector3d Looks_sampler::operator()(std::size_t part, std::size_t triangle
   if (number >= 0) {
     const Surface_material& material = appearance_.materials[std::size_t(number)];
     result = material.colour.head<3>();
-    if (material.texture >= 0 && !looks.coordinates.empty() &&
-        !appearance_.textures[std::size_t(material.texture)].image.empty()) {
-      Eigen::Vector2d at = Eigen::Vector2d::Zero();
-      for (std::size_t k = 0; k < 3; ++k)
-        at += weights[Eigen::Index(k)] * looks.coordinates[3 * triangle + k].cast<double>();
-      result = result.cwiseProduct(texture_at(appearance_.textures[std::size_t(material.texture)], at));
+    if (material.texture >= 0 && !looks.coordinates.empty()) {
+      const Texture& texture = appearance_.textures[std::size_t(material.texture)];
+      if (!texture.image.empty())
+        result = result.cwiseProduct(texture_at(texture, value_at<double>(looks.coordinates, triangle, weights)));
     }
   }
-  if (looks.colours.empty()) return result;
-  Eigen::Vector3d factor = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-    factor += weights[Eigen::Index(k)] * looks.colours[3 * triangle + k].cast<double>();
-  return result.cwiseProduct(factor);
+  return looks.colours.empty() ? result : result.cwiseProduct(value_at<double>(looks.colours, triangle, weights));
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -7,8 +7,20 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// The value at a point of a triangle, between those of its corners. \param weights barycentric coordinates
+template <typename Number, typename Vector>
+auto value_at(const std::vector<Vector>& of_corners, std::size_t triangle, const Eigen::Vector3d& weights)
+{
+  Eigen::Matrix<Number, Vector::RowsAtCompileTime, 1> result;
+  result.setZero();
+  for (std::size_t k = 0; k < 3; ++k)
+    result += Number(weights[Eigen::Index(k)]) * of_corners[3 * triangle + k].template cast<Number>();
+  return result;
+}
 
 /// The colours of points of a shape's surface, in linear light.
 class Looks_sampler

@@ -8,8 +8,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -20,38 +18,34 @@ constexpr double most_overlap = 0.01;
 constexpr double most_collapsed = 0.01;
 // Cosine of the steepest face that joins a chart of its neighbours; its texture is stretched by 1 / cosine
 constexpr double steepest = 0.4;
-constexpr int smoothing_rounds = 3;
 constexpr double off_border = 1e-6; // barycentric: pixels whose middles are on an edge are of no triangle
 
-/// A chart: triangles of a part, and where their corners lie, from (0, 0) on, in the units of the shape.
+/// Triangles of a part that lie side by side; the box of their corners is from (0, 0) on, in the units of the shape.
 struct Chart
 {
-  std::size_t part = 0;
+  std::size_t part;
   std::vector<int> triangles;
-  std::vector<Flat_triangle> flat;
-  Eigen::Vector2d extent = Eigen::Vector2d::Zero();
+  Eigen::Vector2d extent;
 };
-
-Eigen::AlignedBox2d bounds(const std::vector<Flat_triangle>& triangles)
-{
-  Eigen::AlignedBox2d result;
-  for (const Flat_triangle& triangle : triangles)
-    for (const Eigen::Vector2d& corner : triangle)
-      result.extend(corner);
-  return result;
-}
 
 /// Cuts a part into charts.
 class Chart_maker
 {
 public:
-  Chart_maker(std::size_t part, const Part_mesh& mesh, const Eigen::Matrix3d& frame)
-      : part_(part), mesh_(mesh), points_(frame.transpose() * mesh.points), neighbours_(neighbours_of(mesh))
+  /// \param flat gets the triangles' places in their charts
+  Chart_maker(std::size_t part, const Part_mesh& mesh, const Eigen::Matrix3d& frame, std::vector<Flat_triangle>& flat)
+      : part_(part),
+        triangles_(mesh.triangles),
+        points_(frame.transpose() * mesh.points),
+        neighbours_(neighbours_of(mesh)),
+        flat_(flat)
   {}
 
   void make(std::vector<Chart>& charts)
   {
     assign_directions();
+    for (std::size_t t = 0; t < neighbours_.size(); ++t)
+      flat_.push_back(projected(t));
     std::vector<bool> done(neighbours_.size(), false);
     for (std::size_t t = 0; t < done.size(); ++t)
       while (!done[t])
@@ -59,15 +53,14 @@ public:
   }
 
 private:
-  Point normal(int t) const
+  /// The cosine of the angle between a triangle's normal and one of six directions.
+  double cosine(std::size_t t, int direction) const
   {
-    const auto corner = [&](int k) -> Point { return points_.col(mesh_.triangles(k, t)); };
-    const Point result = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-    const double length = result.norm();
-    return length > 0 ? Point(result / length) : Point(0, 0, 1);
+    const Point normal = contacts::area_vector(triangle_of(points_, triangles_, Eigen::Index(t)));
+    const double length = normal.norm();
+    const Point unit = length > 0 ? Point(normal / length) : Point(0, 0, 1);
+    return (direction % 2 ? -1. : 1.) * unit[direction / 2];
   }
-
-  static Point direction(int d) { return (d % 2 ? -1. : 1.) * Point::Unit(d / 2); }
 
   /// Each triangle faces one of six directions, that which its normal is nearest to or that of most of its neighbours.
   void assign_directions()
@@ -76,34 +69,22 @@ private:
     for (std::size_t t = 0; t < neighbours_.size(); ++t) {
       int best = 0;
       for (int d = 1; d < 6; ++d)
-        if (normal(int(t)).dot(direction(d)) > normal(int(t)).dot(direction(best)) + alike) best = d;
+        if (cosine(t, d) > cosine(t, best) + alike) best = d;
       directions_.push_back(best);
     }
-    for (int round = 0; round < smoothing_rounds; ++round) {
-      std::vector<int> smoothed = directions_;
-      for (std::size_t t = 0; t < neighbours_.size(); ++t)
-        for (int neighbour : neighbours_[t]) {
-          const int d = directions_[std::size_t(neighbour)];
-          const auto of_it = [&](int other) { return directions_[std::size_t(other)] == d; };
-          const auto votes = std::count_if(neighbours_[t].begin(), neighbours_[t].end(), of_it);
-          if (votes >= 2 && normal(int(t)).dot(direction(d)) > steepest) smoothed[t] = d;
-        }
-      directions_.swap(smoothed);
-    }
+    smooth(neighbours_, directions_, [&](std::size_t t, int direction) { return cosine(t, direction) > steepest; });
   }
 
-  Flat_triangle projected(int t) const
+  Flat_triangle projected(std::size_t t) const
   {
-    const int axis = directions_[std::size_t(t)] / 2;
-    const bool is_mirrored = directions_[std::size_t(t)] % 2 == 1; // seen from outside, right is right
+    const int axis = directions_[t] / 2;
+    const bool is_mirrored = directions_[t] % 2 == 1; // seen from outside, right is right
     Flat_triangle result;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Point p = points_.col(mesh_.triangles(Eigen::Index(k), t));
+      const Point p = points_.col(triangles_(Eigen::Index(k), Eigen::Index(t)));
       // Up is up in the picture, whose rows go down
-      const Eigen::Vector2d at = axis == 0   ? Eigen::Vector2d(-p.z(), -p.y())
-                                 : axis == 1 ? Eigen::Vector2d(p.x(), p.z())
-                                             : Eigen::Vector2d(p.x(), -p.y());
-      result[k] = is_mirrored ? Eigen::Vector2d(-at.x(), at.y()) : at;
+      const double right = axis == 0 ? -p.z() : p.x(), down = axis == 1 ? p.z() : -p.y();
+      result[k] = {is_mirrored ? -right : right, down};
     }
     return result;
   }
@@ -121,83 +102,79 @@ private:
         seen[n] = true;
         found.push_back(next);
       }
-    Chart chart;
-    chart.part = part_;
-    std::vector<Flat_triangle> flat;
-    for (int t : found)
-      flat.push_back(projected(t));
-    const std::vector<bool> fits = without_overlap(flat);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (!fits[i]) continue;
-      done[std::size_t(found[i])] = true;
-      chart.triangles.push_back(found[i]);
-      chart.flat.push_back(flat[i]);
-    }
+    Chart chart{part_, without_overlap(found), {}};
+    for (int t : chart.triangles)
+      done[std::size_t(t)] = true;
     lay_down(chart);
     return chart;
   }
 
-  /// Which triangles do not overlap earlier ones in a coarse picture. The first one never does.
-  static std::vector<bool> without_overlap(const std::vector<Flat_triangle>& flat)
+  Eigen::AlignedBox2d bounds(const std::vector<int>& triangles) const
+  {
+    Eigen::AlignedBox2d result;
+    for (int t : triangles)
+      for (const Eigen::Vector2d& corner : flat_[std::size_t(t)])
+        result.extend(corner);
+    return result;
+  }
+
+  /// The triangles that do not overlap earlier ones in a coarse picture. The first one never does.
+  std::vector<int> without_overlap(const std::vector<int>& triangles) const
   {
     constexpr int size = 256;
-    constexpr int few = 2; // pixels on edges
-    const Eigen::AlignedBox2d box = bounds(flat);
+    constexpr std::size_t few = 2; // pixels on edges
+    const Eigen::AlignedBox2d box = bounds(triangles);
     const double extent = box.sizes().maxCoeff();
-    std::vector<bool> result(flat.size(), true);
-    if (!(extent > 0) || flat.size() == 1) return result;
+    if (!(extent > 0) || triangles.size() == 1) return triangles;
+    std::vector<int> result;
     std::vector<bool> taken(std::size_t(size) * size, false);
-    for (std::size_t i = 0; i < flat.size(); ++i) {
-      Flat_triangle scaled = flat[i];
+    for (int t : triangles) {
+      Flat_triangle scaled = flat_[std::size_t(t)];
       for (Eigen::Vector2d& corner : scaled)
         corner = (corner - box.min()) * (size - 1) / extent;
-      std::vector<std::size_t> pixels;
-      int overlapping = 0;
+      std::size_t pixels = 0, overlapping = 0;
+      const auto count = [&](std::size_t pixel) {
+        ++pixels;
+        overlapping += taken[pixel];
+      };
+      for_each_pixel(scaled, size, count, off_border);
+      if (overlapping > few && 10 * overlapping > pixels) continue;
       for_each_pixel(
-          scaled, size,
-          [&](int x, int y) {
-            const std::size_t pixel = std::size_t(y) * size + std::size_t(x);
-            overlapping += taken[pixel];
-            pixels.push_back(pixel);
-          },
-          off_border);
-      result[i] = i == 0 || overlapping <= few || 10 * std::size_t(overlapping) <= pixels.size();
-      if (!result[i]) continue;
-      for (std::size_t pixel : pixels)
-        taken[pixel] = true;
+          scaled, size, [&](std::size_t pixel) { taken[pixel] = true; }, off_border);
+      result.push_back(t);
     }
     return result;
   }
 
   /// Moves a chart to (0, 0), its longer side along x.
-  static void lay_down(Chart& chart)
+  void lay_down(Chart& chart)
   {
-    if (const Eigen::Vector2d sizes = bounds(chart.flat).sizes(); sizes.y() > sizes.x())
-      for (Flat_triangle& triangle : chart.flat)
-        for (Eigen::Vector2d& corner : triangle)
-          corner = Eigen::Vector2d(-corner.y(), corner.x());
-    const Eigen::AlignedBox2d box = bounds(chart.flat);
-    for (Flat_triangle& triangle : chart.flat)
-      for (Eigen::Vector2d& corner : triangle)
+    if (const Eigen::Vector2d sizes = bounds(chart.triangles).sizes(); sizes.y() > sizes.x())
+      for (int t : chart.triangles)
+        for (Eigen::Vector2d& corner : flat_[std::size_t(t)])
+          corner = quarter_turn(corner);
+    const Eigen::AlignedBox2d box = bounds(chart.triangles);
+    for (int t : chart.triangles)
+      for (Eigen::Vector2d& corner : flat_[std::size_t(t)])
         corner -= box.min();
     chart.extent = box.sizes();
   }
 
   std::size_t part_;
-  const Part_mesh& mesh_;
+  const Eigen::Matrix3Xi& triangles_;
   Points points_; ///< in the frame
   std::vector<std::vector<int>> neighbours_;
   std::vector<int> directions_;
+  std::vector<Flat_triangle>& flat_;
 };
 
-/// Puts charts into rows, the highest first. \return their places, or none if they do not fit
-std::optional<std::vector<Eigen::Vector2d>>
-packed(const std::vector<Chart>& charts, const std::vector<std::size_t>& by_height, double scale, int size, int margin)
+/// Puts charts into rows. \return their places, or none if they do not fit
+std::optional<std::vector<Eigen::Vector2d>> packed(const std::vector<Chart>& charts, double scale, int size, int margin)
 {
-  std::vector<Eigen::Vector2d> places(charts.size());
+  std::vector<Eigen::Vector2d> places;
   double x = 0, y = 0, height = 0;
-  for (std::size_t i : by_height) {
-    const Eigen::Vector2d extent = (scale * charts[i].extent).array().ceil() + 2 * margin + 1;
+  for (const Chart& chart : charts) {
+    const Eigen::Vector2d extent = (scale * chart.extent).array().ceil() + 2 * margin + 1;
     if (extent.x() > size) return std::nullopt;
     if (x + extent.x() > size) {
       x = 0;
@@ -205,7 +182,7 @@ packed(const std::vector<Chart>& charts, const std::vector<std::size_t>& by_heig
       height = 0;
     }
     if (y + extent.y() > size) return std::nullopt;
-    places[i] = Eigen::Vector2d(x + margin + 0.5, y + margin + 0.5);
+    places.emplace_back(x + margin + 0.5, y + margin + 0.5);
     x += extent.x();
     height = std::max(height, extent.y());
   }
@@ -236,15 +213,12 @@ std::optional<Texture_layout> given_layout(const Segmented_shape& shape, const S
       const double of_triangle = contacts::area_vector(triangle_of(mesh, Eigen::Index(t))).norm() / 2;
       area += of_triangle;
       if (!(std::abs(cross(flat[1] - flat[0], flat[2] - flat[0])) > 0)) collapsed += of_triangle;
-      for_each_pixel(
-          flat, size,
-          [&](int x, int y) {
-            const std::size_t pixel = std::size_t(y) * std::size_t(size) + std::size_t(x);
-            ++covered;
-            twice += taken[pixel];
-            taken[pixel] = true;
-          },
-          off_border);
+      const auto cover = [&](std::size_t pixel) {
+        ++covered;
+        twice += taken[pixel];
+        taken[pixel] = true;
+      };
+      for_each_pixel(flat, size, cover, off_border);
       result[part].push_back(flat);
     }
   }
@@ -255,34 +229,27 @@ std::optional<Texture_layout> given_layout(const Segmented_shape& shape, const S
 Texture_layout new_layout(const Segmented_shape& shape, const Eigen::Matrix3d& frame, int size, int margin)
 {
   std::vector<Chart> charts;
-  Texture_layout result;
-  for (std::size_t part = 0; part < shape.parts().size(); ++part) {
-    const Part_mesh& mesh = shape.parts()[part].mesh;
-    result.emplace_back(std::size_t(mesh.triangles.cols()));
-    Chart_maker(part, mesh, frame).make(charts);
-  }
-  std::vector<std::size_t> by_height(charts.size());
-  std::iota(by_height.begin(), by_height.end(), std::size_t(0));
-  std::stable_sort(by_height.begin(), by_height.end(),
-                   [&](std::size_t a, std::size_t b) { return charts[a].extent.y() > charts[b].extent.y(); });
+  Texture_layout result(shape.parts().size());
+  for (std::size_t part = 0; part < result.size(); ++part)
+    Chart_maker(part, shape.parts()[part].mesh, frame, result[part]).make(charts);
   double longest = 0;
   for (const Chart& chart : charts)
     longest = std::max(longest, chart.extent.x());
+  std::stable_sort(charts.begin(), charts.end(),
+                   [](const Chart& a, const Chart& b) { return a.extent.y() > b.extent.y(); });
   double low = 0, high = size / longest;
   constexpr int rounds = 30;
   for (int round = 0; round < rounds; ++round) {
     const double middle = (low + high) / 2;
-    (packed(charts, by_height, middle, size, margin) ? low : high) = middle;
+    (packed(charts, middle, size, margin) ? low : high) = middle;
   }
-  std::optional<std::vector<Eigen::Vector2d>> places = packed(charts, by_height, low, size, margin);
+  std::optional<std::vector<Eigen::Vector2d>> places = packed(charts, low, size, margin);
   for (; !places && margin > 0; --margin) // more charts than there is room for their margins
-    places = packed(charts, by_height, low, size, margin - 1);
+    places = packed(charts, low, size, margin - 1);
   for (std::size_t i = 0; i < charts.size(); ++i)
-    for (std::size_t t = 0; t < charts[i].triangles.size(); ++t) {
-      Flat_triangle& flat = result[charts[i].part][std::size_t(charts[i].triangles[t])];
-      for (std::size_t k = 0; k < 3; ++k)
-        flat[k] = (places ? (*places)[i] : Eigen::Vector2d(0.5, 0.5)) + low * charts[i].flat[t][k];
-    }
+    for (int t : charts[i].triangles)
+      for (Eigen::Vector2d& corner : result[charts[i].part][std::size_t(t)])
+        corner = (places ? (*places)[i] : Eigen::Vector2d(0.5, 0.5)) + low * corner;
   return result;
 }
 

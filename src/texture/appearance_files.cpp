@@ -6,14 +6,14 @@
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "io/write/ply_file.h"
-#include "texture/dressed_meshes.h"
+#include "map/Subdivision.h"
+#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
+#include "texture/Looks_sampler.h"
 #include "texture/image_file.h"
-#include "texture/vertex_colours.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <filesystem>
@@ -22,18 +22,15 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double edges_across = 100; // of a coloured mesh, over the diagonal of the shape
-
-void write_bytes(const std::string& path, const std::string& bytes)
-{
-  write_atomically(path, [&](std::ostream& out) { out << bytes; });
-}
+// Of a coloured mesh
+constexpr double edges_across = 100; // the diagonal of the shape, over the longest edge
+constexpr std::size_t most_triangles = 200000;
 
 /// One object per part; every corner has texture coordinates of its own.
 void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance,
                         const std::string& library)
 {
-  const auto precision = out.precision(17);
+  out.precision(17);
   out << "mtllib " << library << '\n';
   int first = 1, corner = 1;
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
@@ -52,32 +49,58 @@ void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const S
     }
     first += static_cast<int>(mesh.points.cols());
   }
-  out.precision(precision);
 }
 
-std::string material_library(const std::string& texture)
+/// A mesh whose triangles are divided until no edge is longer, as far as that makes no more than `most_triangles`.
+Part_mesh divided(const Part_mesh& mesh, double longest_edge)
 {
-  return "newmtl transferred\nKd 1 1 1\nmap_Kd " + texture + '\n';
+  internal::Subdivision fine(mesh.points, mesh.triangles);
+  const auto middle = [&](int a, int b) { return (fine.point(a) - fine.point(b)).norm() > longest_edge ? 0.5 : -1; };
+  while (fine.number_of_triangles() * 4 <= most_triangles && fine.split_edges(middle)) {
+  }
+  return {fine.points(), fine.triangles()};
+}
+
+/// The looks of triangles that are numbered: the number as the material, and where in the triangle a point is.
+Part_appearance numbered(Eigen::Index triangles)
+{
+  Part_appearance result;
+  for (int t = 0; t < triangles; ++t) {
+    result.materials.push_back(t);
+    result.coordinates.insert(result.coordinates.end(), {{0, 0}, {1, 0}, {0, 1}});
+  }
+  return result;
+}
+
+/// A part, divided so that its texture becomes colours of vertices.
+Ply_part coloured(const Segmented_shape& shape, std::size_t part, double longest_edge,
+                  const Transferred_appearance& transferred, bool has_labels)
+{
+  const auto& [name, mesh] = shape.parts()[part];
+  Ply_part result{name, divided(mesh, longest_edge)};
+  const Part_appearance places = appearance_on(mesh, numbered(mesh.triangles.cols()), result.mesh);
+  const internal::Looks_sampler looks(transferred.appearance, grey());
+  Points colours = grey().replicate(1, result.mesh.points.cols());
+  for (Eigen::Index i = 0; i < result.mesh.triangles.size(); ++i) {
+    const Eigen::Vector2d at = places.coordinates[std::size_t(i)].cast<double>();
+    colours.col(result.mesh.triangles.data()[i]) =
+        looks(part, std::size_t(places.materials[std::size_t(i / 3)]), {1 - at.x() - at.y(), at.x(), at.y()});
+  }
+  for (const auto& colour : colours.colwise())
+    for (double channel : srgb_colour(colour))
+      result.colours.push_back(static_cast<std::uint8_t>(std::lround(255 * channel)));
+  for (int given : places.materials)
+    if (has_labels) result.labels.push_back(transferred.parts[part].labels[std::size_t(given)]);
+  return result;
 }
 
 void write_coloured_ply(std::ostream& out, const Segmented_shape& shape, const Transferred_appearance& transferred,
                         const std::vector<std::string>& labels)
 {
-  Eigen::AlignedBox3d box;
-  for (const Shape_part& part : shape.parts())
-    box.extend(Eigen::AlignedBox3d(part.mesh.points.rowwise().minCoeff(), part.mesh.points.rowwise().maxCoeff()));
+  const double longest_edge = internal::diagonal(internal::all_vertices(shape)) / edges_across;
   std::vector<Ply_part> parts;
-  for (std::size_t i = 0; i < shape.parts().size(); ++i) {
-    internal::Coloured_mesh coloured = internal::coloured_mesh(shape.parts()[i].mesh, transferred.appearance, i, grey(),
-                                                               box.diagonal().norm() / edges_across);
-    Ply_part part{shape.parts()[i].name, std::move(coloured.mesh)};
-    for (Eigen::Index v = 0; v < part.mesh.points.cols(); ++v)
-      for (double channel : srgb_colour(coloured.colours.col(v)))
-        part.colours.push_back(static_cast<std::uint8_t>(std::lround(255 * channel)));
-    for (int given : coloured.triangle_given)
-      if (!labels.empty()) part.labels.push_back(transferred.parts[i].labels[std::size_t(given)]);
-    parts.push_back(std::move(part));
-  }
+  for (std::size_t i = 0; i < shape.parts().size(); ++i)
+    parts.push_back(coloured(shape, i, longest_edge, transferred, !labels.empty()));
   write_ply(out, parts, labels);
 }
 
@@ -116,44 +139,15 @@ void write_transferred_shape(const std::string& path, const Segmented_shape& sha
     std::filesystem::path library(path), texture(path);
     library.replace_extension(".mtl");
     texture.replace_extension(".png");
-    write_bytes(texture.string(), png);
-    write_bytes(library.string(), material_library(texture.filename().string()));
+    write_atomically(texture.string(), [&](std::ostream& out) { out << png; });
+    write_atomically(library.string(), [&](std::ostream& out) {
+      out << "newmtl transferred\nKd 1 1 1\nmap_Kd " << texture.filename().string() << '\n';
+    });
     write_atomically(path, [&](std::ostream& out) {
       write_textured_obj(out, shape, transferred.appearance, library.filename().string());
     });
   } else
     throw Invalid_input(path + ": a shape with textures is written as .glb, .obj or .ply");
-}
-
-void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
-{
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // glTF has y up
-  if (shape.up() != Point::UnitY())
-    turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix();
-  Glb_file glb;
-  Glb_materials materials(glb, appearance);
-  std::vector<int> nodes;
-  for (std::size_t part = 0; part < shape.parts().size(); ++part) {
-    const auto& [name, mesh] = shape.parts()[part];
-    nodes.push_back(
-        glb.add_node(name, dressed(shaded(turn * mesh.points, mesh.triangles), materials.of_part(part), materials)));
-  }
-  glb.write(out, {{shape.name(), {glb.add_node(shape.name(), nodes, Point::Zero())}}});
-}
-
-void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
-                              const Structural_graph& target, const Segmented_shape* source_shape,
-                              const Segmented_shape* target_shape, const Shape_appearance& source_appearance,
-                              const Shape_appearance& target_appearance)
-{
-  write_correspondence_glb(out, correspondence, source, target, source_shape, target_shape,
-                           dressed_scenes({{source_shape, &source_appearance}, {target_shape, &target_appearance}}));
-}
-
-void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape,
-                                const Shape_appearance& appearance)
-{
-  write_structural_graph_glb(out, graph, shape, dressed_scenes({{shape, &appearance}}));
 }
 
 } // namespace CGAL::Shape_correspondence::IO

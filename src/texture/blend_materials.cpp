@@ -18,9 +18,6 @@ namespace {
 
 constexpr int fade_steps = 5; // of a colour in an animation
 
-/// The part of a shape that a task is of.
-std::size_t part_of(const Blend_task& task, std::size_t side) { return side == 0 ? task.source : task.target; }
-
 /// Draws a blend by the materials of the shapes.
 class Material_painter : public Blend_painter
 {
@@ -33,74 +30,58 @@ public:
     const std::array<Segmented_shape, 2> shapes = {blend(0), blend(1)};
     const std::array<std::vector<Points>, 2> points = {blend.points(0), blend.points(1)};
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      const Blend_task& task = surfaces_[i].task;
       const auto side = std::size_t(surfaces_[i].side);
-      Looks looks{side, {}, {}};
-      for (std::size_t s = 0; s < 2; ++s)
-        looks.colour[s] = only_colour(s, part_of(surfaces_[i].task, s));
-      const std::size_t part = part_of(surfaces_[i].task, side);
-      looks.appearance = appearance_on(shapes[side].parts()[part].mesh, materials_[side].of_part(part),
-                                       {points[side][i], surfaces_[i].triangles});
-      looks_.push_back(std::move(looks));
+      const std::size_t part = side == 0 ? task.source : task.target;
+      looks_.push_back({appearance_on(shapes[side].parts()[part].mesh, materials_[side].of_part(part),
+                                      {points[side][i], surfaces_[i].triangles}),
+                        fade_of(task)});
     }
   }
 
   std::vector<Drawn_mesh> end(std::size_t side, std::size_t part, const Drawn_mesh& mesh) override
   {
-    return dressed(mesh, materials_[side].of_part(part), materials_[side]);
+    return materials_[side].dressed(mesh, part);
   }
 
   std::vector<double> changes(std::size_t surface) const override
   {
     std::vector<double> result;
     const Blend_task& task = surfaces_[surface].task;
-    for (int step = 1; fades(surface) && step < fade_steps; ++step)
+    for (int step = 1; looks_[surface].fade && step < fade_steps; ++step)
       result.push_back(task.begin + step * (task.end - task.begin) / fade_steps);
     return result;
   }
 
   std::vector<Painted_mesh> surface(std::size_t surface, double t) override
   {
-    const Looks& looks = looks_[surface];
-    Glb_materials& materials = materials_[looks.side];
-    return dressed_meshes(surfaces_[surface].triangles, looks.appearance, materials,
-                          [&](int material, bool has_colours) {
-                            return fades(surface) ? faded(surface, t) : materials(material, has_colours);
-                          });
+    const auto& [appearance, fade] = looks_[surface];
+    return materials_[std::size_t(surfaces_[surface].side)].dressed(
+        surfaces_[surface].triangles, appearance, fade ? faded(*fade, surfaces_[surface].task, t) : -1);
   }
 
 private:
+  /// Two colours, one of which becomes the other.
+  using Fade = std::array<Eigen::Vector4d, 2>;
+
   struct Looks
   {
-    std::size_t side;
     Part_appearance appearance;
-    std::array<std::optional<Eigen::Vector4d>, 2> colour; ///< of the parts at both ends, where they have one
+    std::optional<Fade> fade; ///< where the parts at both ends are of one colour each
   };
 
-  /// The colour of a part that is of one colour.
-  std::optional<Eigen::Vector4d> only_colour(std::size_t side, std::size_t part) const
+  std::optional<Fade> fade_of(const Blend_task& task) const
   {
-    if (part == Blend_task::no_part) return std::nullopt;
-    const Part_appearance& looks = materials_[side].of_part(part);
-    const int material = looks.materials.empty() ? -1 : looks.materials[0];
-    const auto is_other = [&](int number) { return number != material; };
-    if (!looks.colours.empty() || std::any_of(looks.materials.begin(), looks.materials.end(), is_other) ||
-        materials_[side].has_texture(material))
-      return std::nullopt;
-    return materials_[side].colour_of(material, false);
+    if (task.source == Blend_task::no_part || task.target == Blend_task::no_part) return std::nullopt;
+    const auto from = materials_[0].only_colour(task.source), to = materials_[1].only_colour(task.target);
+    if (!from || !to || *from == *to) return std::nullopt;
+    return Fade{*from, *to};
   }
 
-  bool fades(std::size_t surface) const
+  int faded(const Fade& fade, const Blend_task& task, double t)
   {
-    const auto& colour = looks_[surface].colour;
-    return colour[0] && colour[1] && *colour[0] != *colour[1];
-  }
-
-  int faded(std::size_t surface, double t)
-  {
-    const Blend_task& task = surfaces_[surface].task;
     const double f = task.end > task.begin ? std::clamp((t - task.begin) / (task.end - task.begin), 0., 1.) : t;
-    const auto& colour = looks_[surface].colour;
-    const Eigen::Vector4d mixed = (1 - f) * *colour[0] + f * *colour[1];
+    const Eigen::Vector4d mixed = (1 - f) * fade[0] + f * fade[1];
     const auto [known, is_new] = faded_.emplace(std::array<double, 4>{mixed[0], mixed[1], mixed[2], mixed[3]}, 0);
     if (is_new) known->second = glb_.add_material("faded", mixed.head<3>(), mixed[3]);
     return known->second;

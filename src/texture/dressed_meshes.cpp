@@ -5,9 +5,13 @@
 #include "io/system/colours.h"
 #include "texture/image_file.h"
 
-#include <CGAL/Shape_correspondence/transfer_appearance.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <tuple>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -30,6 +34,14 @@ Shape_appearance drawn_appearance(const Segmented_shape* model, const Shape_appe
   return result;
 }
 
+/// Values of corners as the columns of a matrix.
+template <typename Vector>
+auto columns(const std::vector<Vector>& values)
+{
+  using Columns = Eigen::Matrix<float, Vector::RowsAtCompileTime, Eigen::Dynamic>;
+  return Eigen::Map<const Columns>(values.data()->data(), Vector::RowsAtCompileTime, Eigen::Index(values.size()));
+}
+
 } // namespace
 
 bool Glb_materials::has_texture(int material) const
@@ -42,9 +54,7 @@ bool Glb_materials::has_texture(int material) const
 Eigen::Vector4d Glb_materials::colour_of(int material, bool has_colours) const
 {
   if (material >= 0) return appearance_.materials[std::size_t(material)].colour;
-  Eigen::Vector4d result = Eigen::Vector4d::Ones();
-  if (!has_colours) result.head<3>() = grey();
-  return result;
+  return Colour(has_colours ? Colour::Ones() : grey()).homogeneous();
 }
 
 const Part_appearance& Glb_materials::of_part(std::size_t part) const
@@ -53,7 +63,7 @@ const Part_appearance& Glb_materials::of_part(std::size_t part) const
   return part < appearance_.parts.size() ? appearance_.parts[part] : unknown;
 }
 
-int Glb_materials::texture(int number)
+int Glb_materials::texture_in_file(int number)
 {
   const auto [known, is_new] = textures_.emplace(number, 0);
   if (!is_new) return known->second;
@@ -66,25 +76,34 @@ int Glb_materials::texture(int number)
   return known->second = glb_.add("textures", {{"source", image}, {"sampler", sampler}});
 }
 
-int Glb_materials::operator()(int material, bool has_colours)
+int Glb_materials::in_file(int material, bool has_colours)
 {
   const auto [known, is_new] = materials_.emplace(std::pair(material, material < 0 && has_colours), 0);
   if (!is_new) return known->second;
   const Surface_material* const own = material < 0 ? nullptr : &appearance_.materials[std::size_t(material)];
   const Eigen::Vector4d colour = colour_of(material, has_colours);
-  const int number = has_texture(material) ? texture(own->texture) : -1;
+  const int number = has_texture(material) ? texture_in_file(own->texture) : -1;
   return known->second = glb_.add_material(own ? own->name : "no material", colour.head<3>(), colour[3], number);
 }
 
-std::vector<Blend_painter::Painted_mesh> dressed_meshes(const Eigen::Matrix3Xi& triangles, const Part_appearance& looks,
-                                                        const Glb_materials& materials,
-                                                        const std::function<int(int, bool)>& material_of)
+std::optional<Eigen::Vector4d> Glb_materials::only_colour(std::size_t part) const
+{
+  const Part_appearance& looks = of_part(part);
+  const int material = looks.materials.empty() ? -1 : looks.materials[0];
+  const auto is_other = [&](int number) { return number != material; };
+  if (!looks.colours.empty() || std::any_of(looks.materials.begin(), looks.materials.end(), is_other) ||
+      has_texture(material))
+    return std::nullopt;
+  return colour_of(material, false);
+}
+
+std::vector<Blend_painter::Painted_mesh> Glb_materials::dressed(const Eigen::Matrix3Xi& triangles,
+                                                                const Part_appearance& looks, int instead)
 {
   struct Collector
   {
     std::map<std::tuple<int, std::array<float, 2>, std::array<float, 3>>, int> known;
-    std::vector<int> points, triangles;
-    std::vector<float> coordinates, colours;
+    std::vector<int> points, corners, triangles; ///< of each point, one of its corners
   };
   const bool has_coordinates = !looks.coordinates.empty(), has_colours = !looks.colours.empty();
   std::map<int, Collector> by_material;
@@ -100,29 +119,27 @@ std::vector<Blend_painter::Painted_mesh> dressed_meshes(const Eigen::Matrix3Xi& 
     all.triangles.push_back(known->second);
     if (!is_new) continue;
     all.points.push_back(point);
-    if (has_coordinates) all.coordinates.insert(all.coordinates.end(), at.begin(), at.end());
-    if (has_colours) all.colours.insert(all.colours.end(), colour.begin(), colour.end());
+    all.corners.push_back(int(i));
   }
   std::vector<Blend_painter::Painted_mesh> result;
   for (auto& [material, all] : by_material) {
-    const auto points = Eigen::Index(all.points.size());
     Blend_painter::Painted_mesh painted;
     painted.mesh.triangles =
         Eigen::Map<Eigen::Matrix3Xi>(all.triangles.data(), 3, Eigen::Index(all.triangles.size()) / 3);
-    if (has_coordinates && materials.has_texture(material))
-      painted.mesh.coordinates = Eigen::Map<Eigen::Matrix2Xf>(all.coordinates.data(), 2, points);
-    if (has_colours) painted.mesh.colours = Eigen::Map<Eigen::Matrix3Xf>(all.colours.data(), 3, points);
-    painted.mesh.material = material_of(material, has_colours);
+    if (has_coordinates && has_texture(material))
+      painted.mesh.coordinates = columns(looks.coordinates)(Eigen::all, all.corners);
+    if (has_colours) painted.mesh.colours = columns(looks.colours)(Eigen::all, all.corners);
+    painted.mesh.material = instead >= 0 ? instead : in_file(material, has_colours);
     painted.points = std::move(all.points);
     result.push_back(std::move(painted));
   }
   return result;
 }
 
-std::vector<Drawn_mesh> dressed(const Drawn_mesh& mesh, const Part_appearance& looks, Glb_materials& materials)
+std::vector<Drawn_mesh> Glb_materials::dressed(const Drawn_mesh& mesh, std::size_t part)
 {
   std::vector<Drawn_mesh> result;
-  for (auto& [drawn, points] : dressed_meshes(mesh.triangles, looks, materials, std::ref(materials))) {
+  for (auto& [drawn, points] : dressed(mesh.triangles, of_part(part))) {
     drawn.layer = mesh.layer;
     drawn.points = mesh.points(Eigen::all, points);
     if (mesh.normals.cols() > 0) drawn.normals = mesh.normals(Eigen::all, points);
@@ -136,23 +153,48 @@ Add_scenes dressed_scenes(std::vector<std::pair<const Segmented_shape*, const Sh
 {
   return [=](Glb_file& glb, const std::vector<Placed_shape>& shapes, std::vector<Glb_scene>& scenes) {
     std::vector<Shape_appearance> looks;
-    bool are_known = false;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t i = 0; i < shapes.size(); ++i)
       looks.push_back(drawn_appearance(models[i].first, *models[i].second, shapes[i].shape.model(), most_bytes));
-      are_known = are_known || !looks.back().empty();
-    }
-    if (!are_known) return;
+    if (std::all_of(looks.begin(), looks.end(), std::mem_fn(&Shape_appearance::empty))) return;
     scenes.push_back({material_layer, {}});
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       Glb_materials materials(glb, looks[i]);
       const auto draw = [&](std::size_t part) {
         Drawn_mesh mesh = shapes[i].shape.best_mesh(part);
         mesh.layer = material_layer;
-        return dressed(mesh, materials.of_part(part), materials);
+        return materials.dressed(mesh, part);
       };
       scenes.back().roots.push_back(shapes[i].shape.add_to(glb, shapes[i].place, draw));
     }
   };
+}
+
+void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
+{
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix(); // glTF has y up
+  Glb_file glb;
+  Glb_materials materials(glb, appearance);
+  std::vector<int> nodes;
+  for (std::size_t part = 0; part < shape.parts().size(); ++part) {
+    const auto& [name, mesh] = shape.parts()[part];
+    nodes.push_back(glb.add_node(name, materials.dressed(shaded(turn * mesh.points, mesh.triangles), part)));
+  }
+  glb.write(out, {{shape.name(), {glb.add_node(shape.name(), nodes, Point::Zero())}}});
+}
+
+void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                              const Structural_graph& target, const Segmented_shape* source_shape,
+                              const Segmented_shape* target_shape, const Shape_appearance& source_appearance,
+                              const Shape_appearance& target_appearance)
+{
+  write_correspondence_glb(out, correspondence, source, target, source_shape, target_shape,
+                           dressed_scenes({{source_shape, &source_appearance}, {target_shape, &target_appearance}}));
+}
+
+void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph, const Segmented_shape* shape,
+                                const Shape_appearance& appearance)
+{
+  write_structural_graph_glb(out, graph, shape, dressed_scenes({{shape, &appearance}}));
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -7,45 +7,43 @@
 
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 
-#include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The materials of a shape in a GLB file; they, and their textures, are added when they are first asked for.
+/// The materials of a shape in a GLB file; they, and their textures, are added when they are first used.
 class Glb_materials
 {
 public:
   /// \param appearance is kept by reference
   Glb_materials(Glb_file& glb, const Shape_appearance& appearance) : glb_(glb), appearance_(appearance) {}
 
-  /// Of a material of the shape, or the grey one for -1, or its colour's white twin for colours of vertices.
-  int operator()(int material, bool has_colours);
-  /// A material's colour: grey where there is none.
-  Eigen::Vector4d colour_of(int material, bool has_colours) const;
-  bool has_texture(int material) const;
   /// The looks of a part; empty where they are not known.
   const Part_appearance& of_part(std::size_t part) const;
+  /// The colour of a part that is of one colour.
+  std::optional<Eigen::Vector4d> only_colour(std::size_t part) const;
+  /// The triangles of each material; points are repeated where texture coordinates or colours are cut.
+  /// \param instead where not -1, the file's material that they have instead of their own
+  std::vector<Blend_painter::Painted_mesh> dressed(const Eigen::Matrix3Xi& triangles, const Part_appearance& looks,
+                                                   int instead = -1);
+  /// A drawn mesh of a part by its materials, to be drawn.
+  std::vector<Drawn_mesh> dressed(const Drawn_mesh& mesh, std::size_t part);
 
 private:
-  int texture(int number);
+  bool has_texture(int material) const;
+  /// A material's colour: grey for -1, but white where there are colours of vertices.
+  Eigen::Vector4d colour_of(int material, bool has_colours) const;
+  int in_file(int material, bool has_colours);
+  int texture_in_file(int number);
 
   Glb_file& glb_;
   const Shape_appearance& appearance_;
   std::map<std::pair<int, bool>, int> materials_;
   std::map<int, int> textures_;
 };
-
-/// The triangles of each material; points are repeated where texture coordinates or colours are cut.
-/// \param material_of the file's material, by the shape's and whether there are colours
-std::vector<Blend_painter::Painted_mesh> dressed_meshes(const Eigen::Matrix3Xi& triangles, const Part_appearance& looks,
-                                                        const Glb_materials& materials,
-                                                        const std::function<int(int, bool)>& material_of);
-
-/// A drawn mesh by its materials, to be drawn.
-std::vector<Drawn_mesh> dressed(const Drawn_mesh& mesh, const Part_appearance& looks, Glb_materials& materials);
 
 /// Scenes that show shapes by their materials, where one of them has some.
 /// \param models that the looks belong to; pictures may have simplified ones

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "texture/image_file.h"
+#include "io/read/text_words.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -19,15 +20,13 @@ namespace {
 
 constexpr std::string_view png_begin("\x89PNG\r\n\x1a\n", 8), jpeg_begin("\xff\xd8\xff", 3);
 
-bool has_beginning(std::string_view bytes, std::string_view begin) { return bytes.substr(0, begin.size()) == begin; }
-
 } // namespace
 
-bool is_png(std::string_view bytes) { return has_beginning(bytes, png_begin); }
+bool is_png(std::string_view bytes) { return begins_with(bytes, png_begin); }
 
 std::string fault_of_image(std::string_view bytes)
 {
-  return is_png(bytes) || has_beginning(bytes, jpeg_begin) ? "" : "is not a PNG or JPEG image";
+  return is_png(bytes) || begins_with(bytes, jpeg_begin) ? "" : "is not a PNG or JPEG image";
 }
 
 void Image_budget::take(std::size_t width, std::size_t height, std::size_t scans)
@@ -119,13 +118,13 @@ bool decode_jpeg(const std::string& bytes, Image& image)
 Image decoded_jpeg(const std::string& bytes, Image_budget& budget)
 {
   Image image;
-  bool is_good = decode_jpeg(bytes, image);
-  if (is_good) {
-    budget.take(std::size_t(image.width), std::size_t(image.height), number_of_scans(bytes));
-    image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
-    is_good = decode_jpeg(bytes, image);
-  }
-  if (!is_good) throw Invalid_input("is damaged");
+  const auto decode = [&] {
+    if (!decode_jpeg(bytes, image)) throw Invalid_input("is damaged");
+  };
+  decode(); // the size
+  budget.take(std::size_t(image.width), std::size_t(image.height), number_of_scans(bytes));
+  image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
+  decode();
   return image;
 }
 

@@ -28,4 +28,21 @@ inline std::vector<std::vector<int>> neighbours_of(const Part_mesh& mesh)
   return result;
 }
 
+/// Gives triangles the value of most of their neighbours, in three rounds.
+/// \param may_have whether a triangle may have a value
+template <typename May_have>
+void smooth(const std::vector<std::vector<int>>& neighbours, std::vector<int>& values, const May_have& may_have)
+{
+  for (int round = 0; round < 3; ++round) {
+    const std::vector<int> before = values;
+    for (std::size_t t = 0; t < values.size(); ++t)
+      for (int neighbour : neighbours[t]) {
+        const int value = before[std::size_t(neighbour)];
+        const auto has_it = [&](int other) { return before[std::size_t(other)] == value; };
+        if (std::count_if(neighbours[t].begin(), neighbours[t].end(), has_it) >= 2 && may_have(t, value))
+          values[t] = value;
+      }
+  }
+}
+
 } // namespace CGAL::Shape_correspondence::internal

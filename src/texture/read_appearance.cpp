@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/clamped.h"
 #include "io/read/read_objects.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
@@ -9,8 +10,8 @@
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <tuple>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -19,89 +20,64 @@ constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes, of a
 constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // of all of a model
 constexpr float largest_coordinate_of_texture = 1e4f;             // repetitions; beyond, single precision is too coarse
 
-/// A material of a library, with the name of its texture.
+/// A material of a library: its colour, and its texture without bytes; no name: none.
 struct Library_material
 {
-  Surface_material material;
+  Eigen::Vector4d colour = Eigen::Vector4d::Ones();
   Texture texture;
 };
 
-/// Reads a library of materials; statements that are not understood are left out.
-class Mtl_reader
+/// Reads the texture of a material. \return whether it has a name, which may have blanks, and options before it
+bool read_texture(std::string_view line, Texture& result)
 {
-public:
-  explicit Mtl_reader(std::string_view text) : text_(text) {}
-
-  std::map<std::string, Library_material> read()
-  {
-    while (!text_.empty()) {
-      std::string_view line = trimmed(next_line(text_));
-      const std::string_view keyword = next_word(line);
-      if (keyword == "newmtl")
-        material_ = &materials_[std::string(trimmed(line))];
-      else if (material_)
-        read_statement(keyword, line);
-    }
-    return std::move(materials_);
-  }
-
-  std::size_t damaged_statements() const { return damaged_; }
-
-private:
-  void read_statement(std::string_view keyword, std::string_view line)
-  {
-    Eigen::Vector4d& colour = material_->material.colour;
-    if (keyword == "Kd") {
-      Colour given;
-      for (double& value : given)
-        if (!parse(next_word(line), value)) return void(++damaged_);
-      colour.head<3>() = linear_colour(given);
-    } else if (keyword == "d" || keyword == "Tr") {
-      double value = 1;
-      if (!parse(next_word(line), value)) return void(++damaged_);
-      colour[3] = keyword == "d" ? value : 1 - value;
-    } else if (keyword == "map_Kd")
-      read_texture(line);
-  }
-
-  /// Options come before the name, which may have blanks.
-  void read_texture(std::string_view line)
-  {
-    Texture texture;
-    for (std::string_view rest = trimmed(line); !rest.empty() && rest[0] == '-';) {
-      const std::string_view option = next_word(rest);
-      const bool takes_numbers = option == "-s" || option == "-o" || option == "-t" || option == "-mm";
-      if (!takes_numbers) {
-        const bool is_on = next_word(rest) == "on";
-        if (option == "-clamp" && is_on) texture.wrap_u = texture.wrap_v = Texture_wrap::CLAMP;
-      }
-      for (double number = 0; takes_numbers;) {
-        std::string_view after = rest;
-        if (!parse(next_word(after), number)) break;
+  Texture texture;
+  for (std::string_view rest = trimmed(line); !rest.empty() && rest[0] == '-';) {
+    const std::string_view option = next_word(rest);
+    if (option == "-s" || option == "-o" || option == "-t" || option == "-mm") {
+      double number = 0;
+      for (std::string_view after = rest; parse(next_word(after), number);)
         rest = after;
-      }
-      line = rest = trimmed(rest);
-    }
-    texture.name = trimmed(line);
-    if (texture.name.empty()) return void(++damaged_);
-    material_->texture = texture;
+    } else if (next_word(rest) == "on" && option == "-clamp")
+      texture.wrap_u = texture.wrap_v = Texture_wrap::CLAMP;
+    line = rest = trimmed(rest);
   }
+  texture.name = trimmed(line);
+  if (texture.name.empty()) return false;
+  result = texture;
+  return true;
+}
 
-  std::string_view text_;
-  std::map<std::string, Library_material> materials_;
-  Library_material* material_ = nullptr;
-  std::size_t damaged_ = 0;
-};
-
-int index_of_texture(const Texture& texture, std::vector<Texture>& textures)
+/// Reads a statement, or leaves it out if it is not understood. \return whether it is not damaged
+bool read_statement(std::string_view keyword, std::string_view line, Library_material& material)
 {
-  const auto is_same = [&](const Texture& other) {
-    return other.name == texture.name && other.wrap_u == texture.wrap_u && other.wrap_v == texture.wrap_v;
-  };
-  const auto found = std::find_if(textures.begin(), textures.end(), is_same);
-  if (found != textures.end()) return int(found - textures.begin());
-  textures.push_back(texture);
-  return int(textures.size()) - 1;
+  if (keyword == "map_Kd") return read_texture(line, material.texture);
+  if (keyword == "Kd") {
+    Colour given;
+    for (double& value : given)
+      if (!parse(next_word(line), value)) return false;
+    material.colour.head<3>() = linear_colour(given);
+  } else if (keyword == "d" || keyword == "Tr") {
+    double value = 1;
+    if (!parse(next_word(line), value)) return false;
+    material.colour[3] = keyword == "d" ? value : 1 - value;
+  }
+  return true;
+}
+
+/// The materials of a library, by name.
+std::map<std::string, Library_material> read_library(std::string_view text, std::size_t& damaged_statements)
+{
+  std::map<std::string, Library_material> result;
+  Library_material* material = nullptr;
+  while (!text.empty()) {
+    std::string_view line = trimmed(next_line(text));
+    const std::string_view keyword = next_word(line);
+    if (keyword == "newmtl")
+      material = &result[std::string(trimmed(line))];
+    else if (material && !read_statement(keyword, line, *material))
+      ++damaged_statements;
+  }
+  return result;
 }
 
 /// Materials by name, of all libraries of an OBJ file; the first of a name counts.
@@ -121,11 +97,11 @@ read_libraries(const Named_files& files, const std::vector<std::string>& stateme
     for (const auto& [name, file] : libraries) {
       if (!file.fault.empty())
         warnings.push_back("The materials of " + cited_file(name) + " were left out: it " + file.fault + ".");
-      Mtl_reader reader(file.bytes);
-      result.merge(reader.read());
-      if (reader.damaged_statements() > 0)
+      std::size_t damaged = 0;
+      result.merge(read_library(file.bytes, damaged));
+      if (damaged > 0)
         warnings.push_back("Statements of '" + name +
-                           "' that cannot be read were left out: " + std::to_string(reader.damaged_statements()) + ".");
+                           "' that cannot be read were left out: " + std::to_string(damaged) + ".");
     }
   }
   return result;
@@ -138,14 +114,19 @@ std::vector<bool> look_up_materials(const Named_files& files, Model_content& con
   std::vector<bool> known(content.materials.size(), !content.materials_are_names);
   if (!content.materials_are_names) return known;
   const std::map<std::string, Library_material> library = read_libraries(files, content.libraries, warnings);
+  std::map<std::tuple<std::string, Texture_wrap, Texture_wrap>, int> textures; // their numbers
   for (std::size_t i = 0; i < known.size(); ++i) {
     Surface_material& material = content.materials[i];
     const auto found = library.find(material.name);
     if (found == library.end()) continue;
     known[i] = true;
-    material.colour = found->second.material.colour;
-    if (found->second.texture.name.empty()) continue;
-    material.texture = index_of_texture(found->second.texture, content.textures);
+    material.colour = found->second.colour;
+    const Texture& texture = found->second.texture;
+    if (texture.name.empty()) continue;
+    const auto [number, is_new] =
+        textures.emplace(std::tuple(texture.name, texture.wrap_u, texture.wrap_v), int(content.textures.size()));
+    if (is_new) content.textures.push_back(texture);
+    material.texture = number->second;
     material.colour.head<3>().setOnes(); // the texture stands for the colour
   }
   return known;
@@ -154,16 +135,11 @@ std::vector<bool> look_up_materials(const Named_files& files, Model_content& con
 void load_textures(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
 {
   for (Texture& texture : content.textures) {
-    std::string fault;
-    if (texture.bytes.empty()) {
-      Named_file file = files.read(texture.name);
-      texture.bytes = std::move(file.bytes);
-      fault = file.fault;
-    }
-    if (fault.empty() && texture.bytes.size() > largest_file) fault = "is larger than 64 MB";
-    if (fault.empty()) fault = fault_of_image(texture.bytes);
+    auto [bytes, fault] = texture.bytes.empty() ? files.read(texture.name) : Named_file{std::move(texture.bytes), ""};
+    if (fault.empty() && bytes.size() > largest_file) fault = "is larger than 64 MB";
+    if (fault.empty()) fault = fault_of_image(bytes);
+    texture.bytes = fault.empty() ? std::move(bytes) : "";
     if (fault.empty()) continue;
-    texture.bytes.clear();
     warnings.push_back("The texture " + cited_file(texture.name) + " was left out: it " + fault + ".");
   }
   for (Surface_material& material : content.materials)
@@ -172,14 +148,15 @@ void load_textures(const Named_files& files, Model_content& content, std::vector
       material.texture = -1;
 }
 
-void bound(Model_part& part, std::size_t materials)
+/// Leaves out what does not fit the triangles. \param known whether each material of the model is known
+void bound(Model_part& part, const std::vector<bool>& known)
 {
   Part_appearance& looks = part.appearance;
   if (looks.materials.size() != part.corners.size() / 3) looks.materials.clear();
   if (looks.coordinates.size() != part.corners.size()) looks.coordinates.clear();
   if (looks.colours.size() != part.corners.size()) looks.colours.clear();
   for (int& material : looks.materials)
-    if (material < 0 || std::size_t(material) >= materials) material = -1;
+    if (material < 0 || std::size_t(material) >= known.size() || !known[std::size_t(material)]) material = -1;
   for (Eigen::Vector2f& at : looks.coordinates)
     if (!(at.array().abs() <= largest_coordinate_of_texture).all()) at.setZero(); // nor is NaN
   for (Eigen::Vector3f& colour : looks.colours)
@@ -192,15 +169,11 @@ void complete_appearance(const Named_files& files, Model_content& content, std::
   const std::vector<bool> known = look_up_materials(files, content, warnings);
   load_textures(files, content, warnings);
   for (Surface_material& material : content.materials) {
-    for (double& value : material.colour)
-      value = value > 0 ? std::min(value, 1.) : 0;
+    material.colour = material.colour.unaryExpr(&internal::clamped_to_unit);
     if (material.colour[3] == 0) material.colour[3] = 1; // of exporters that mix the two ways to say it
   }
-  for (Model_part& part : content.parts) {
-    bound(part, content.materials.size());
-    for (int& material : part.appearance.materials)
-      if (material >= 0 && !known[std::size_t(material)]) material = -1;
-  }
+  for (Model_part& part : content.parts)
+    bound(part, known);
 }
 
 } // namespace

@@ -3,9 +3,9 @@
 
 #include "base/quantized.h"
 #include "map/Point_map.h"
-#include "shape/triangle_distance.h"
+#include "shape/sample_triangles.h"
 #include "texture/Looks_sampler.h"
-#include "texture/bake.h"
+#include "texture/Texture_layout.h"
 #include "texture/neighbours.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -23,8 +23,6 @@ using namespace internal;
 
 namespace {
 
-constexpr int smoothing_rounds_of_labels = 3;
-
 void check_option(const std::string& name, int value, int least, int most)
 {
   if (value < least || value > most)
@@ -36,11 +34,8 @@ void check_option(const std::string& name, int value, int least, int most)
 std::vector<Steps> sizes_of_parts(const Segmented_shape& shape)
 {
   std::vector<double> areas;
-  for (const Shape_part& part : shape.parts()) {
-    areas.push_back(0);
-    for (Eigen::Index t = 0; t < part.mesh.triangles.cols(); ++t)
-      areas.back() += contacts::area_vector(triangle_of(part.mesh, t)).norm();
-  }
+  for (const Shape_part& part : shape.parts())
+    areas.push_back(contacts::total_area(contacts::sampled_triangles_of(part.mesh)));
   const double whole = std::accumulate(areas.begin(), areas.end(), 0.);
   std::vector<Steps> result;
   for (double area : areas)
@@ -98,15 +93,12 @@ public:
   }
 
   /// Parts without looks from the source take those of parts that they touch, and then of parts that touch these.
-  /// \return by part, the part whose looks from the source it has
-  std::vector<std::size_t> take_from_neighbours(const std::vector<Contact>& contacts, const Segmented_shape& target)
+  void take_from_neighbours(const std::vector<Contact>& contacts, const Segmented_shape& target)
   {
     const std::vector<Steps> sizes = sizes_of_parts(target);
     const auto is_larger = [&](std::size_t a, std::size_t b) {
       return sizes[a] > sizes[b] || (sizes[a] == sizes[b] && a < b);
     };
-    std::vector<std::size_t> like(result_.parts.size());
-    std::iota(like.begin(), like.end(), std::size_t(0));
     std::map<std::size_t, std::size_t> found; // of a round
     do {
       found.clear();
@@ -122,10 +114,8 @@ public:
       for (const auto& [part, other] : found) {
         result_.parts[part].origin = Looks_origin::NEIGHBOUR;
         result_.parts[part].neighbour = other;
-        like[part] = like[other];
       }
     } while (!found.empty());
-    return like;
   }
 
   /// Paints the target by the colours of places on the source, by target part.
@@ -136,14 +126,9 @@ public:
       if (Looks_origin& origin = result_.parts[i].origin; origin == Looks_origin::NEUTRAL && target_looks_.is_known(i))
         origin = Looks_origin::TARGET;
     const auto colour_of_point = [&](std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights) {
-      switch (result_.parts[part].origin) {
-      case Looks_origin::TARGET:
-        return target_looks_(part, triangle, weights);
-      case Looks_origin::NEUTRAL:
-        return options_.neutral;
-      default:
-        return colour(part, Eigen::Index(triangle), weights);
-      }
+      const Looks_origin origin = result_.parts[part].origin;
+      if (origin == Looks_origin::TARGET) return target_looks_(part, triangle, weights);
+      return origin == Looks_origin::NEUTRAL ? options_.neutral : colour(part, Eigen::Index(triangle), weights);
     };
     Texture texture{"transferred", "", {}, Texture_wrap::CLAMP, Texture_wrap::CLAMP};
     texture.image = bake(layout_, options_.size, options_.margin, options_.samples, options_.neutral, colour_of_point);
@@ -195,21 +180,6 @@ int label_of_triangle(const Point_map& map, const std::vector<int>& labels, std:
       ->first;
 }
 
-/// Gives triangles the label of most of their neighbours.
-void smooth(const Part_mesh& mesh, std::vector<int>& labels)
-{
-  const std::vector<std::vector<int>> neighbours = neighbours_of(mesh);
-  for (int round = 0; round < smoothing_rounds_of_labels; ++round) {
-    const std::vector<int> before = labels;
-    for (std::size_t t = 0; t < labels.size(); ++t)
-      for (int neighbour : neighbours[t]) {
-        const int label = before[std::size_t(neighbour)];
-        const auto has_it = [&](int other) { return before[std::size_t(other)] == label; };
-        if (std::count_if(neighbours[t].begin(), neighbours[t].end(), has_it) >= 2) labels[t] = label;
-      }
-  }
-}
-
 } // namespace
 
 Transferred_appearance transfer_appearance(const Structural_graph& source, const Segmented_shape& source_shape,
@@ -223,22 +193,24 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
   Transfer transfer(source, source_shape, target, target_shape, target_appearance, correspondence, options);
   const Looks_sampler looks(source_appearance, options.neutral);
   transfer.take_from_sources(source_shape, structure(source).frame, looks);
-  const std::vector<std::size_t> like = transfer.take_from_neighbours(structure(target).contacts, target_shape);
+  transfer.take_from_neighbours(structure(target).contacts, target_shape);
   // Of their own, so that a part of the source is not divided among a part and what touches it
   std::array<Correspondence, 2> pairs;
-  std::vector<std::size_t> map_of_part;
-  for (std::size_t part = 0; part < like.size(); ++part) {
-    map_of_part.push_back(transfer.parts()[part].origin == Looks_origin::NEIGHBOUR);
-    if (const Transferred_part& from = transfer.parts()[like[part]]; from.origin == Looks_origin::SOURCE)
-      pairs[map_of_part[part]].pairs.push_back({from.sources[0], part});
+  const std::vector<Transferred_part>& parts = transfer.parts();
+  const auto map_of = [&](std::size_t part) { return parts[part].origin == Looks_origin::NEIGHBOUR ? 1 : 0; };
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::size_t like = part;
+    while (parts[like].origin == Looks_origin::NEIGHBOUR)
+      like = parts[like].neighbour;
+    if (parts[like].origin == Looks_origin::SOURCE) pairs[map_of(part)].pairs.push_back({parts[like].sources[0], part});
   }
-  std::deque<Point_map> maps;
+  std::deque<Point_map> maps; // by map_of()
   for (Correspondence& chosen : pairs) {
     chosen.target_quarter_turns = correspondence.target_quarter_turns;
     maps.emplace_back(source, source_shape, target, target_shape, chosen);
   }
   transfer.paint([&](std::size_t part, Eigen::Index triangle, const Eigen::Vector3d& weights) {
-    const Part_place place = maps[map_of_part[part]](part, triangle, weights);
+    const Part_place place = maps[map_of(part)](part, triangle, weights);
     return looks(place.part, std::size_t(place.triangle), place.weights);
   });
   return transfer.result();
@@ -266,7 +238,7 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
     transferred.origin = Looks_origin::SOURCE;
     for (std::size_t t = 0; t < of_triangles.size(); ++t)
       of_triangles[t] = label_of_triangle(transfer.map(), labels, part, Eigen::Index(t));
-    smooth(mesh, of_triangles);
+    smooth(neighbours_of(mesh), of_triangles, [](std::size_t, int) { return true; });
   }
   transfer.paint([&](std::size_t part, Eigen::Index triangle, const Eigen::Vector3d& weights) {
     return colours[std::size_t(labels[transfer.map()(part, triangle, weights).part])];

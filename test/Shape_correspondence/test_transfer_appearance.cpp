@@ -156,8 +156,8 @@ TEST_CASE("New texture coordinates are inside, apart, and of one scale")
           REQUIRE(corner.minCoeff() >= 0);
           REQUIRE(corner.maxCoeff() <= size);
         }
-        for_each_pixel(flat, size, [&](int x, int y) {
-          int& pixel = owner[std::size_t(y) * size + std::size_t(x)];
+        for_each_pixel(flat, size, [&](std::size_t at) {
+          int& pixel = owner[at];
           ++covered;
           twice += pixel >= 0;
           pixel = int(t);
