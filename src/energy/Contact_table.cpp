@@ -27,10 +27,8 @@ void Matching_problem::Contact_table::list(std::size_t contact)
     touching_[side].clear();
     for (std::size_t label = 0; label < problem_.number_of_labels(groups[side]); ++label)
       touching_[side].push_back(problem_.touching(contact, side, label));
-    list_ends(side);
   }
   known_.assign(count_[0] * count_[1], none);
-  rods_of_ends_.assign(ends_[0].size() * ends_[1].size(), nullptr);
   for (std::size_t a = 0; a < touching_[0].size(); ++a)
     for (std::size_t b = 0; b < touching_[1].size(); ++b) {
       const std::size_t before = compared_.size();
@@ -56,8 +54,7 @@ void Matching_problem::Contact_table::compute(std::vector<Rod_energy>& result)
   counts_.clear();
   compared_.clear();
   piece_rods_.clear();
-  piece_memory_.clear();
-  used_blocks_ = 0;
+  used_bytes_ = 0;
 }
 
 void Matching_problem::Contact_table::list(const Range& first, const Range& second)
@@ -144,34 +141,16 @@ void Matching_problem::Contact_table::compare()
   pairs_.clear();
 }
 
-void Matching_problem::Contact_table::list_ends(std::size_t side)
-{
-  ends_[side].clear();
-  end_of_[side].clear();
-  for (std::size_t i = begin_[side]; i < begin_[side] + count_[side]; ++i) {
-    const std::size_t end = fitted_[i].source_lanes;
-    const auto known = std::find(ends_[side].begin(), ends_[side].end(), end);
-    end_of_[side].push_back(std::size_t(known - ends_[side].begin()));
-    if (known == ends_[side].end()) ends_[side].push_back(end);
-  }
-}
-
 const Structural_rods& Matching_problem::Contact_table::rods(std::uint32_t a, std::uint32_t b)
 {
-  const std::size_t i = end_of_[0][a - begin_[0]], j = end_of_[1][b - begin_[1]];
-  const Structural_rods*& known = rods_of_ends_[i * ends_[1].size() + j];
-  if (known) return *known;
   const Fitted &first = fitted_[a], &second = fitted_[b];
-  if (first.source.is_whole() && second.source.is_whole()) {
-    known = &problem_.source().rods(contact_, first.repeats, second.repeats);
-    return *known;
-  }
-  const std::size_t blocks = Structural_rods::size(first.samples, second.samples);
-  used_blocks_ += blocks;
-  piece_rods_.emplace_back(fitted_.source_samples(first), first.samples, fitted_.source_samples(second), second.samples,
-                           piece_memory_.take(blocks));
-  known = &piece_rods_.back();
-  return *known;
+  if (first.source.is_whole() && second.source.is_whole())
+    return problem_.source().rods(contact_, first.repeats, second.repeats);
+  const auto [known, is_new] =
+      piece_rods_.try_emplace({first.source_lanes, second.source_lanes}, fitted_.source_samples(first), first.samples,
+                              fitted_.source_samples(second), second.samples);
+  if (is_new) used_bytes_ += known->second.bytes();
+  return known->second;
 }
 
 } // namespace CGAL::Shape_correspondence

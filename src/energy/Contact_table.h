@@ -4,12 +4,12 @@
 #pragma once
 
 #include "energy/Matching_problem.h"
-#include "energy/Rod_memory.h"
+#include "energy/Structural_rods.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <map>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -26,10 +26,7 @@ public:
   void list(std::size_t contact);
 
   // Whether more is listed than fits in the processor's cache.
-  bool is_full() const
-  {
-    return comparisons_.size() > maximum_comparisons || used_blocks_ * sizeof(internal::Rod_block) > maximum_bytes;
-  }
+  bool is_full() const { return comparisons_.size() > maximum_comparisons || used_bytes_ > maximum_bytes; }
 
   // Appends the energies of the listed contacts, in their order, first label by second label, and clears the list.
   void compute(std::vector<Rod_energy>& result);
@@ -39,7 +36,7 @@ private:
   using Fitted = internal::Fitted_piece;
 
   static constexpr std::uint32_t none = std::uint32_t(-1);
-  static constexpr std::size_t maximum_comparisons = 8192, maximum_bytes = 3 * internal::rod_chunk_bytes;
+  static constexpr std::size_t maximum_comparisons = 8192, maximum_bytes = 3u << 17;
 
   // Rods between two source pieces, and those after the deformation of the target pair whose list it is in.
   struct Comparison
@@ -63,29 +60,25 @@ private:
   std::uint32_t comparison(std::uint32_t a, std::uint32_t b);
   std::size_t pair_index(const Fitted& first, const Fitted& second) const;
   void compare();
-  void list_ends(std::size_t side);
   const Structural_rods& rods(std::uint32_t a, std::uint32_t b);
 
   const Matching_problem& problem_;
   const internal::Fitted_pieces& fitted_;
-  std::vector<std::uint32_t> pair_of_;     // by `pair_index()`, in `pairs_`; empty if fitted pieces share no samples
-  std::vector<Target_pair> pairs_;         // with comparisons
-  std::vector<Comparison> comparisons_;    // contact by contact
-  std::vector<std::uint32_t> counts_;      // number of comparisons by contact and labels
-  std::vector<std::uint32_t> compared_;    // the comparisons themselves, those of all labels in a row
-  std::deque<Structural_rods> piece_rods_; // between pieces of which one is no whole part
-  internal::Rod_arena piece_memory_;       // of `piece_rods_`
-  std::size_t used_blocks_ = 0;            // of `piece_memory_`
+  std::vector<std::uint32_t> pair_of_;  // by `pair_index()`, in `pairs_`; empty if fitted pieces share no samples
+  std::vector<Target_pair> pairs_;      // with comparisons
+  std::vector<Comparison> comparisons_; // contact by contact
+  std::vector<std::uint32_t> counts_;   // number of comparisons by contact and labels
+  std::vector<std::uint32_t> compared_; // the comparisons themselves, those of all labels in a row
+  // By source lanes, between pieces of which one is no whole part
+  std::map<std::array<std::size_t, 2>, Structural_rods> piece_rods_;
+  std::size_t used_bytes_ = 0;                 // of `piece_rods_`
   std::vector<std::vector<double>> distances_; // by target pieces; negative where not yet known
 
   // Of the contact that is being listed, by side
   std::size_t contact_ = 0;
-  std::array<std::size_t, 2> begin_, count_;         // the fitted pieces
-  std::array<std::vector<Range>, 2> touching_;       // fitted pieces that touch there, by label
-  std::vector<std::uint32_t> known_;                 // comparisons by two fitted pieces
-  std::array<std::vector<std::size_t>, 2> ends_;     // source lanes, each once
-  std::array<std::vector<std::size_t>, 2> end_of_;   // index in `ends_` by fitted piece
-  std::vector<const Structural_rods*> rods_of_ends_; // by two ends; null where not yet known
+  std::array<std::size_t, 2> begin_, count_;   // the fitted pieces
+  std::array<std::vector<Range>, 2> touching_; // fitted pieces that touch there, by label
+  std::vector<std::uint32_t> known_;           // comparisons by two fitted pieces
 
   // Kept for their memory
   std::vector<const Structural_rods*> rods_;
