@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Fitted_pieces.h"
-#include "energy/cut_curves.h"
+#include "energy/cut_parts.h"
 #include "energy/deform_to_fit.h"
-#include "energy/divide_sheets.h"
 
 #include <algorithm>
 

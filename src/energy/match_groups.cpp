@@ -3,8 +3,7 @@
 
 #include "energy/match_groups.h"
 #include "base/optimal_assignment.h"
-#include "energy/Unit_box.h"
-#include "energy/divide_sheets.h"
+#include "energy/cut_parts.h"
 
 #include <algorithm>
 
@@ -100,17 +99,14 @@ Group_label match_members(const Aligned_shape& source, std::size_t source_group,
       cost(i, j) = quantized_distance(from_box(source.parts[a].centroid), to_box(target.parts[b].centroid)) +
                    (constraints.allows(a, b) ? 0 : forbidden_distance);
     }
-  if (from.size() <= to.size()) {
-    const auto images = assign_members(cost);
-    for (std::size_t i = 0; i < from.size(); ++i)
-      for (std::size_t j : images[i])
-        label.images[i].push_back({{from[i]}, {to[j]}});
-  } else {
-    const auto preimages = assign_members(cost.transpose());
-    for (std::size_t j = 0; j < to.size(); ++j)
-      for (std::size_t i : preimages[j])
-        label.images[i].push_back({{from[i]}, {to[j]}});
-  }
+  const bool has_more = from.size() > to.size();
+  if (has_more) cost.transposeInPlace();
+  const auto assigned = assign_members(cost);
+  for (std::size_t row = 0; row < assigned.size(); ++row)
+    for (std::size_t column : assigned[row]) {
+      const std::size_t i = has_more ? column : row, j = has_more ? row : column;
+      label.images[i].push_back({{from[i]}, {to[j]}});
+    }
   return label;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -74,13 +75,11 @@ double Search_run::score(bool by_energy) const
 
 std::vector<std::size_t> image_parts(const Group_label& label)
 {
-  std::vector<std::size_t> parts;
+  std::set<std::size_t> parts;
   for (const auto& images : label.images)
     for (const Piece_image& image : images)
-      parts.push_back(image.target.part);
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  return parts;
+      parts.insert(image.target.part);
+  return {parts.begin(), parts.end()};
 }
 
 void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence)
@@ -115,13 +114,14 @@ std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assi
 {
   const Aligned_shape& shape = problem.source();
   std::vector<Rod_energy> group_energy;
-  for (std::size_t g = 0; g < shape.number_of_groups(); ++g)
-    group_energy.push_back(problem.cut_energy(g, std::size_t(assignment[g])));
+  for (std::size_t g = 0; g < shape.number_of_groups(); ++g) {
+    const Energy_terms& cuts = problem.group_terms(g, std::size_t(assignment[g]));
+    group_energy.push_back({cuts.distortion, cuts.connectedness});
+  }
   for (std::size_t contact = 0; contact < shape.contacts.size(); ++contact) {
     const auto& parts = shape.contacts[contact].parts;
-    const std::size_t g = shape.group_of[parts[0]], h = shape.group_of[parts[1]];
-    const Rod_energy energy = problem.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
-    for (std::size_t group : {g, h}) {
+    const Rod_energy energy = problem.contact_energy(contact, assignment);
+    for (std::size_t group : problem.groups_of_contact(contact)) {
       group_energy[group].distortion += energy.distortion / 2;
       group_energy[group].connectedness += energy.connectedness / 2;
     }

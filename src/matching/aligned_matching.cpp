@@ -141,8 +141,7 @@ Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weight
     for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
       if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
   for (std::size_t k = 0; !constraints.empty() && k < std::size_t(probable.size()); ++k) {
-    const std::vector<std::size_t>& pinned = constraints.pinned(k / m);
-    if (std::binary_search(pinned.begin(), pinned.end(), k % m)) probable[Eigen::Index(k)] = 1;
+    if (constraints.pinned(k / m).count(k % m) > 0) probable[Eigen::Index(k)] = 1;
     if (!constraints.allows(k / m, k % m)) probable[Eigen::Index(k)] = 0;
   }
   const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);

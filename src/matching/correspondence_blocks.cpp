@@ -3,6 +3,7 @@
 
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
+#include "energy/match_groups.h"
 
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
@@ -100,13 +101,6 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, double> between_;
 };
 
-Operation operation_of(std::size_t sources, std::size_t targets)
-{
-  if (sources == targets) return Operation::MATCH;
-  if (sources > targets) return Operation::MERGE;
-  return sources == 1 ? Operation::SPLIT : Operation::DUPLICATE;
-}
-
 /// The most frequent role of the parts; of several, the first in the alphabet.
 std::string role_of(const Correspondence_block& block, const Correspondence& c)
 {
@@ -155,7 +149,8 @@ std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
       parts->erase(std::unique(parts->begin(), parts->end()), parts->end());
     }
     block.confidence = sums[set] / double(counts[set]);
-    if (block.operation == Operation::MATCH) block.operation = operation_of(block.source.size(), block.target.size());
+    if (block.operation == Operation::MATCH)
+      block.operation = topological_operation(block.source.size(), block.target.size());
     if (!c.source_roles.empty()) block.role = role_of(block, c);
     result.push_back(std::move(block));
   }
