@@ -3,7 +3,6 @@
 
 #include "energy/Matching_problem.h"
 #include "base/quantized.h"
-#include "energy/Contact_table.h"
 #include "energy/cut_parts.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -123,23 +122,6 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
   fill_group_terms();
   add_role_costs();
   add_up_energy();
-}
-
-void Matching_problem::fill_contact_energies()
-{
-  std::size_t count = 0;
-  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
-    const auto [first, second] = groups_of_contact(contact);
-    contact_begin_.push_back(count);
-    count += number_of_labels(first) * number_of_labels(second);
-  }
-  contact_energies_.reserve(count);
-  Contact_table table(*this);
-  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
-    table.list(contact);
-    if (table.is_full()) table.compute(contact_energies_);
-  }
-  table.compute(contact_energies_);
 }
 
 void Matching_problem::fill_group_terms()

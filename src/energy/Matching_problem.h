@@ -95,8 +95,6 @@ public:
   }
 
 private:
-  class Contact_table;
-
   void fill_contact_energies();
   void fill_group_terms();
   void add_cut_energy(std::size_t group, std::size_t label);

@@ -25,15 +25,6 @@ double log_proportion(const Aligned_shape& shape)
   return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
 }
 
-// The indices in one alignment of a shape of the parts of another one.
-std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
-{
-  std::vector<std::size_t> result;
-  for (std::size_t part : from.original)
-    result.push_back(std::size_t(std::find(to.original.begin(), to.original.end(), part) - to.original.begin()));
-  return result;
-}
-
 } // namespace
 
 std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
@@ -95,17 +86,14 @@ Part_correspondence likeliest_source(const Part_matching& matching, std::size_t 
   return result;
 }
 
-Part_matching renumbered(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& new_source,
-                         const Aligned_shape& target, const Aligned_shape& new_target)
+Part_matching renumbered(const Part_matching& matching, const std::vector<std::size_t>& rows,
+                         const std::vector<std::size_t>& columns)
 {
-  const std::vector<std::size_t> rows = places_of_parts(source, new_source),
-                                 columns = places_of_parts(target, new_target);
   Part_matching result = matching;
   for (Part_correspondence& pair : result.pairs) {
     pair.source = rows[pair.source];
     pair.target = columns[pair.target];
   }
-  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < columns.size(); ++j)
       result.costs(Eigen::Index(rows[i]), Eigen::Index(columns[j])) = matching.costs(Eigen::Index(i), Eigen::Index(j));
