@@ -33,44 +33,6 @@ std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost
   return cols_of;
 }
 
-} // namespace
-
-bool overlap(const Piece& a, const Piece& b)
-{
-  if (a.part != b.part) return false;
-  const auto meet = [](double low, double high, double other_low, double other_high) {
-    return low < other_high && other_low < high;
-  };
-  // Segments of a curve, then rectangles of a sheet; a whole part counts as both
-  return meet(a.index * b.count, (a.index + 1) * b.count, b.index * a.count, (b.index + 1) * a.count) &&
-         meet(a.low[0], a.high[0], b.low[0], b.high[0]) && meet(a.low[1], a.high[1], b.low[1], b.high[1]);
-}
-
-Operation topological_operation(std::size_t source_size, std::size_t target_size)
-{
-  if (source_size == target_size) return Operation::MATCH;
-  if (source_size > target_size) return Operation::MERGE;
-  return source_size == 1 ? Operation::SPLIT : Operation::DUPLICATE;
-}
-
-double solidity_ratio(const Part_group& source, const Part_group& target)
-{
-  const bool one_to_one = source.parts.size() == target.parts.size();
-  const bool rotational =
-      source.symmetry.type == Symmetry_type::ROTATION || target.symmetry.type == Symmetry_type::ROTATION;
-  if (one_to_one || rotational) return 1;
-  const double before = solidity(source.volume, source.hull_volume);
-  const double after = solidity(target.volume, target.hull_volume);
-  return std::min(before, after) / std::max(before, after);
-}
-
-bool may_match(const Part_group& source, const Part_group& target)
-{
-  return source.parts.size() == 1 || target.parts.size() > 1 || target.symmetry.type == Symmetry_type::SELF;
-}
-
-namespace {
-
 // Added to the distance of parts that must not correspond: above any distance in unit boxes.
 constexpr double forbidden_distance = 1e3;
 
@@ -111,6 +73,40 @@ Group_label match_members(const Aligned_shape& source, std::size_t source_group,
 }
 
 } // namespace
+
+bool overlap(const Piece& a, const Piece& b)
+{
+  if (a.part != b.part) return false;
+  const auto meet = [](double low, double high, double other_low, double other_high) {
+    return low < other_high && other_low < high;
+  };
+  // Segments of a curve, then rectangles of a sheet; a whole part counts as both
+  return meet(a.index * b.count, (a.index + 1) * b.count, b.index * a.count, (b.index + 1) * a.count) &&
+         meet(a.low[0], a.high[0], b.low[0], b.high[0]) && meet(a.low[1], a.high[1], b.low[1], b.high[1]);
+}
+
+Operation topological_operation(std::size_t source_size, std::size_t target_size)
+{
+  if (source_size == target_size) return Operation::MATCH;
+  if (source_size > target_size) return Operation::MERGE;
+  return source_size == 1 ? Operation::SPLIT : Operation::DUPLICATE;
+}
+
+double solidity_ratio(const Part_group& source, const Part_group& target)
+{
+  const bool one_to_one = source.parts.size() == target.parts.size();
+  const bool rotational =
+      source.symmetry.type == Symmetry_type::ROTATION || target.symmetry.type == Symmetry_type::ROTATION;
+  if (one_to_one || rotational) return 1;
+  const double before = solidity(source.volume, source.hull_volume);
+  const double after = solidity(target.volume, target.hull_volume);
+  return std::min(before, after) / std::max(before, after);
+}
+
+bool may_match(const Part_group& source, const Part_group& target)
+{
+  return source.parts.size() == 1 || target.parts.size() > 1 || target.symmetry.type == Symmetry_type::SELF;
+}
 
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group, const Match_constraints& constraints)

@@ -90,17 +90,6 @@ void add_unions(Shape_features& result)
   result.union_boxes = Measured_boxes(boxes, options.tolerance);
 }
 
-} // namespace
-
-Measured_boxes::Measured_boxes(const Boxes& boxes, double tolerance) : Boxes(boxes)
-{
-  const Eigen::ArrayX3d extents = (high - low).max(0.) + tolerance;
-  volumes = extents.rowwise().prod();
-  logs = extents.log();
-}
-
-namespace {
-
 constexpr Eigen::Index most_kept_parts = 128; // 96 bytes for each pair of parts
 
 // \param others an even number of ends: the exponential of a scalar has other bits than that of a vector
@@ -111,6 +100,13 @@ auto closeness_to(const Ends& others, double end, double width)
 }
 
 } // namespace
+
+Measured_boxes::Measured_boxes(const Boxes& boxes, double tolerance) : Boxes(boxes)
+{
+  const Eigen::ArrayX3d extents = (high - low).max(0.) + tolerance;
+  volumes = extents.rowwise().prod();
+  logs = extents.log();
+}
 
 Closeness::Closeness(const Boxes& boxes, double width) : width_(width)
 {

@@ -25,6 +25,22 @@ double log_proportion(const Aligned_shape& shape)
   return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
 }
 
+// Pairs of the geometric match that either part has alone, at a cost of no more than `largest_cost`.
+Part_pairs same_parts(const Part_matching& geometric, double largest_cost)
+{
+  std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
+  for (const Part_correspondence& pair : geometric.pairs) {
+    ++of_source[pair.source];
+    ++of_target[pair.target];
+  }
+  Part_pairs result;
+  for (const Part_correspondence& pair : geometric.pairs)
+    if (of_source[pair.source] == 1 && of_target[pair.target] == 1 &&
+        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(largest_cost))
+      result.emplace_back(pair.source, pair.target);
+  return result;
+}
+
 } // namespace
 
 std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
@@ -99,26 +115,6 @@ Part_matching renumbered(const Part_matching& matching, const std::vector<std::s
       result.costs(Eigen::Index(rows[i]), Eigen::Index(columns[j])) = matching.costs(Eigen::Index(i), Eigen::Index(j));
   return result;
 }
-
-namespace {
-
-// Pairs of the geometric match that either part has alone, at a cost of no more than `largest_cost`.
-Part_pairs same_parts(const Part_matching& geometric, double largest_cost)
-{
-  std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
-  for (const Part_correspondence& pair : geometric.pairs) {
-    ++of_source[pair.source];
-    ++of_target[pair.target];
-  }
-  Part_pairs result;
-  for (const Part_correspondence& pair : geometric.pairs)
-    if (of_source[pair.source] == 1 && of_target[pair.target] == 1 &&
-        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(largest_cost))
-      result.emplace_back(pair.source, pair.target);
-  return result;
-}
-
-} // namespace
 
 Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
                              const Match_constraints& constraints, const Part_matching_options& options)
