@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Fitted_pieces.h"
-#include "energy/cut_curves.h"
+#include "energy/cut_parts.h"
 #include "energy/deform_to_fit.h"
-#include "energy/divide_sheets.h"
 
 #include <algorithm>
 
@@ -66,14 +65,9 @@ std::uint32_t Fitted_pieces::fit(const Piece_image& image)
 
 std::size_t Fitted_pieces::source_lanes_of(std::size_t source_piece, int repeats)
 {
-  constexpr std::size_t none = std::size_t(-1);
-  if (source_lanes_of_.size() <= source_piece) source_lanes_of_.resize(source_pieces_.size(), {none, none});
-  std::size_t& known = source_lanes_of_[source_piece][repeats > 1];
-  if (known == none) {
-    known = source_lanes_.size();
-    source_lanes_.emplace_back(repeated(source_pieces_[source_piece].samples, repeats), repeats);
-  }
-  return known;
+  const auto [known, is_new] = source_lanes_of_.try_emplace({source_piece, repeats}, source_lanes_.size());
+  if (is_new) source_lanes_.emplace_back(repeated(source_pieces_[source_piece].samples, repeats), repeats);
+  return known->second;
 }
 
 std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target_piece)
@@ -85,10 +79,8 @@ std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target
     return lanes_.size() - 1;
   }
   const std::vector<int>& order = match_extremities(source, target);
-  if (lanes_of_.size() <= target_piece) lanes_of_.resize(target_pieces_.size());
-  for (const Lanes_of_order& known : lanes_of_[target_piece])
-    if (known.order == &order) return known.lanes;
-  lanes_of_[target_piece].push_back({&order, lanes_.size()});
+  const auto [known, is_new] = lanes_of_.try_emplace({target_piece, &order}, lanes_.size());
+  if (!is_new) return known->second;
   const int repeats = int(order.size()) / int(target.samples.cols());
   const bool is_transposed = repeats > 1 && order[0] / repeats != order[1] / repeats; // equal rows, not columns
   points_.push_back(ordered_samples(target, order));

@@ -6,9 +6,12 @@
 #include "energy/Deformable_shape.h"
 #include "energy/match_groups.h"
 
-#include <array>
+#include <boost/range/iterator_range.hpp>
+
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -49,14 +52,7 @@ struct Fitted_piece
 };
 
 // A range of indices of fitted pieces.
-struct Fitted_range
-{
-  const std::uint32_t *first, *last;
-  const std::uint32_t* begin() const { return first; }
-  const std::uint32_t* end() const { return last; }
-  std::size_t size() const { return std::size_t(last - first); }
-  bool empty() const { return first == last; }
-};
+using Fitted_range = boost::iterator_range<const std::uint32_t*>;
 
 // All pairs of pieces that the labels of groups ask to be fitted, each once, ordered by source part.
 class Fitted_pieces
@@ -97,12 +93,6 @@ public:
   }
 
 private:
-  struct Lanes_of_order
-  {
-    const std::vector<int>* order; // of `match_extremities()`
-    std::size_t lanes;
-  };
-
   std::uint32_t fit(const Piece_image& image);
   std::size_t source_lanes_of(std::size_t source_piece, int repeats);
   std::size_t lanes_of(std::size_t source_piece, std::size_t target_piece);
@@ -113,12 +103,13 @@ private:
   std::vector<Fitted_piece> fitted_;
   std::vector<std::size_t> fitted_begin_; // by part
   std::vector<Sample_lanes> source_lanes_, lanes_;
-  std::vector<Points> points_;                              // by index in `lanes_`
-  std::vector<std::array<std::size_t, 2>> source_lanes_of_; // by source piece, with each sample once and e times
-  std::vector<std::vector<Lanes_of_order>> lanes_of_;       // by target piece
-  std::vector<std::size_t> label_begin_;                    // by part, in `image_begin_`
-  std::vector<std::size_t> image_begin_;                    // by part and label, in `images_`
-  std::vector<std::uint32_t> images_;                       // fitted pieces
+  std::vector<Points> points_;                                         // by index in `lanes_`
+  std::map<std::pair<std::size_t, int>, std::size_t> source_lanes_of_; // by source piece and repeats
+  // By target piece and order of `match_extremities()`
+  std::map<std::pair<std::size_t, const std::vector<int>*>, std::size_t> lanes_of_;
+  std::vector<std::size_t> label_begin_; // by part, in `image_begin_`
+  std::vector<std::size_t> image_begin_; // by part and label, in `images_`
+  std::vector<std::uint32_t> images_;    // fitted pieces
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -7,18 +7,19 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 
-namespace {
-
-// Index of a part in the aligned shape; the number of its parts if it does not take part.
 std::size_t place_of(const Aligned_shape& shape, std::size_t part)
 {
   return std::size_t(std::find(shape.original.begin(), shape.original.end(), part) - shape.original.begin());
 }
+
+namespace {
 
 std::string name_of(const Part_pair& pair)
 {
@@ -41,12 +42,10 @@ Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_
     if (i == n || j == m)
       throw Invalid_input("find_correspondence: " + name_of(pair) +
                           " are pinned, but not both of them take part in the match");
-    pinned_[i].push_back(j);
+    pinned_[i].insert(j);
     is_pinned_target[j] = 1;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    std::sort(pinned_[i].begin(), pinned_[i].end());
-    pinned_[i].erase(std::unique(pinned_[i].begin(), pinned_[i].end()), pinned_[i].end());
     for (std::size_t j = 0; j < m; ++j)
       if (!pinned_[i].empty() || is_pinned_target[j]) allowed_[i][j] = 0;
     for (std::size_t j : pinned_[i])
@@ -55,7 +54,7 @@ Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_
   for (const Part_pair& pair : options.forbidden) {
     const std::size_t i = place_of(source, pair.source), j = place_of(target, pair.target);
     if (i == n || j == m) continue; // does not take part
-    if (std::binary_search(pinned_[i].begin(), pinned_[i].end(), j))
+    if (pinned_[i].count(j) > 0)
       throw Invalid_input("find_correspondence: " + name_of(pair) + " are pinned and forbidden");
     allowed_[i][j] = 0;
   }
@@ -71,18 +70,16 @@ Pinned_sets pinned_sets(const std::vector<Part_pair>& pins)
   Disjoint_sets joined(sources + targets);
   for (const Part_pair& pin : pins)
     joined.unite(pin.source, sources + pin.target);
-  std::vector<std::size_t> names;
-  for (const Part_pair& pin : pins)
-    names.push_back(joined[pin.source]);
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::map<std::size_t, std::array<std::set<std::size_t>, 2>> sets;
+  for (const Part_pair& pin : pins) {
+    auto& [source, target] = sets[joined[pin.source]];
+    source.insert(pin.source);
+    target.insert(pin.target);
+  }
   Pinned_sets result;
-  for (std::size_t name : names) {
-    result.source.emplace_back();
-    result.target.emplace_back();
-    for (std::size_t i = 0; i < sources + targets; ++i)
-      if (joined[i] == name)
-        (i < sources ? result.source : result.target).back().push_back(i < sources ? i : i - sources);
+  for (const auto& [name, parts] : sets) {
+    result.source.emplace_back(parts[0].begin(), parts[0].end());
+    result.target.emplace_back(parts[1].begin(), parts[1].end());
   }
   return result;
 }

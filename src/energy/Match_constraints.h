@@ -8,9 +8,13 @@
 #include <CGAL/Shape_correspondence/Matching_options.h>
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// Index in an aligned shape of a part of the structural graph; the number of its parts if it does not take part.
+std::size_t place_of(const Aligned_shape& shape, std::size_t part);
 
 /// The parts of two aligned shapes that may and that must correspond, by `Matching_options::pinned` and `forbidden`.
 class Match_constraints
@@ -28,11 +32,11 @@ public:
   bool allows(std::size_t source, std::size_t target) const { return empty() || allowed_[source][target]; }
 
   /// The target parts that a source part is pinned to, ascending.
-  const std::vector<std::size_t>& pinned(std::size_t source) const { return pinned_[source]; }
+  const std::set<std::size_t>& pinned(std::size_t source) const { return pinned_[source]; }
 
 private:
-  std::vector<std::vector<std::size_t>> pinned_; // by source part
-  std::vector<std::vector<char>> allowed_;       // by source part and target part
+  std::vector<std::set<std::size_t>> pinned_; // by source part
+  std::vector<std::vector<char>> allowed_;    // by source part and target part
 };
 
 /// The connected components of the pinned pairs: the parts of the source and those of the target of each. Indices are

@@ -3,8 +3,7 @@
 
 #include "energy/Matching_problem.h"
 #include "base/quantized.h"
-#include "energy/Contact_table.h"
-#include "energy/cut_curves.h"
+#include "energy/cut_parts.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -120,63 +119,49 @@ Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
       fitted_(*source_, *target_, labels_, options.fit)
 {
   fill_contact_energies();
-  fill_cut_energies();
-  fill_role_costs();
+  fill_group_terms();
+  add_role_costs();
   add_up_energy();
 }
 
-void Matching_problem::fill_contact_energies()
+void Matching_problem::fill_group_terms()
 {
-  std::size_t count = 0;
-  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
-    const auto [first, second] = groups_of_contact(contact);
-    contact_begin_.push_back(count);
-    count += number_of_labels(first) * number_of_labels(second);
-  }
-  contact_energies_.reserve(count);
-  Contact_table table(*this);
-  for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
-    table.list(contact);
-    if (table.is_full()) table.compute(contact_energies_);
-  }
-  table.compute(contact_energies_);
-}
-
-// Neighbouring segments of a part count as connected.
-void Matching_problem::fill_cut_energies()
-{
-  cut_energies_.resize(labels_.size());
   for (std::size_t g = 0; g < labels_.size(); ++g) {
-    cut_energies_[g].resize(labels_[g].size());
+    group_terms_.emplace_back(labels_[g].size());
     for (std::size_t l = 0; l < labels_[g].size(); ++l) {
-      if (labels_[g][l].operation != Operation::CUT) continue;
-      for (std::size_t part : source().group(g).parts)
-        for (std::size_t a : fitted_.images(part, l))
-          for (std::size_t b : fitted_.images(part, l)) {
-            const Fitted_piece &first = fitted_[a], &second = fitted_[b];
-            if (!first.source.is_segment() || second.source.index != first.source.index + 1) continue;
-            const Rod_energy energy = rod_energy(fitted_.source_piece(first.source_index).samples,
-                                                 fitted_.source_piece(second.source_index).samples,
-                                                 fitted_.points(first), fitted_.points(second));
-            cut_energies_[g][l].distortion += energy.distortion;
-            cut_energies_[g][l].connectedness +=
-                overlap(first.target, second.target) ? collapsed_connectedness : energy.connectedness;
-          }
+      if (labels_[g][l].operation == Operation::CUT) add_cut_energy(g, l);
+      if (is_unmatched(g, l) && is_isolated(source(), g)) group_terms_[g][l].unmatched = options_.unmatched_cost;
     }
   }
 }
 
-void Matching_problem::fill_role_costs()
+// Neighbouring segments of a part count as connected.
+void Matching_problem::add_cut_energy(std::size_t group, std::size_t label)
 {
-  const bool has_costs = options_.weights.roles > 0 && options_.role_costs.size() > 0;
+  Energy_terms& terms = group_terms_[group][label];
+  for (std::size_t part : source().group(group).parts)
+    for (std::size_t a : fitted_.images(part, label))
+      for (std::size_t b : fitted_.images(part, label)) {
+        const Fitted_piece &first = fitted_[a], &second = fitted_[b];
+        if (!first.source.is_segment() || second.source.index != first.source.index + 1) continue;
+        const Rod_energy energy = rod_energy(fitted_.source_piece(first.source_index).samples,
+                                             fitted_.source_piece(second.source_index).samples, fitted_.points(first),
+                                             fitted_.points(second));
+        terms.distortion += energy.distortion;
+        terms.connectedness += overlap(first.target, second.target) ? collapsed_connectedness : energy.connectedness;
+      }
+}
+
+void Matching_problem::add_role_costs()
+{
+  if (!(options_.weights.roles > 0) || options_.role_costs.size() == 0) return;
   std::vector<double> weight(source().parts.size(), 0); // a contact counts one half to each of its parts
   for (const Aligned_shape::Contact& contact : source().contacts)
     for (std::size_t part : contact.parts)
       weight[part] += 0.5;
   const double unit = pools_rods() ? 1 / double(std::max<std::size_t>(1, source().contacts.size())) : 1;
-  for (std::size_t g = 0; g < labels_.size(); ++g) {
-    role_costs_.emplace_back(labels_[g].size(), 0.);
-    for (std::size_t l = 0; has_costs && l < labels_[g].size(); ++l)
+  for (std::size_t g = 0; g < labels_.size(); ++g)
+    for (std::size_t l = 0; l < labels_[g].size(); ++l)
       for (const std::vector<Piece_image>& images : labels_[g][l].images) {
         double sum = 0;
         for (const Piece_image& image : images)
@@ -184,9 +169,8 @@ void Matching_problem::fill_role_costs()
                                      Eigen::Index(target().original[image.target.part]));
         if (images.empty()) continue;
         const double of_part = weight[images[0].source.part];
-        role_costs_[g][l] += unit * (of_part > 0 ? of_part : 1) * sum / double(images.size());
+        group_terms_[g][l].roles += unit * (of_part > 0 ? of_part : 1) * sum / double(images.size());
       }
-  }
 }
 
 // Between the samples of the whole parts, each counted once.
@@ -200,17 +184,6 @@ double Matching_problem::number_of_rods(std::size_t contact) const
 double Matching_problem::kept_rods(std::size_t contact, const Rod_energy& energy) const
 {
   return number_of_rods(contact) * (1 - energy.distortion) * (1 - energy.distortion);
-}
-
-// What a group's label adds to the terms of the energy, but for E_s and contacts with other groups.
-Energy_terms Matching_problem::group_terms(std::size_t group, std::size_t label) const
-{
-  Energy_terms terms;
-  terms.distortion = cut_energies_[group][label].distortion;
-  terms.connectedness = cut_energies_[group][label].connectedness;
-  terms.roles = role_costs_[group][label];
-  if (is_unmatched(group, label) && is_isolated(source(), group)) terms.unmatched = options_.unmatched_cost;
-  return terms;
 }
 
 // E as a sum over labels of groups and pairs of groups. The root terms are w_s E_s (Eq. 5) and a pooled E_d (Eq. 3).
@@ -304,7 +277,7 @@ Energy_terms Matching_problem::terms(const Assignment& assignment, const std::ve
   for (std::size_t g = 0; g < labels_.size(); ++g) {
     if (assignment[g] == unassigned) continue;
     const std::size_t l = std::size_t(assignment[g]);
-    const Energy_terms of_group = group_terms(g, l);
+    const Energy_terms& of_group = group_terms(g, l);
     solidity_ratios[g] = labels_[g][l].solidity_ratio;
     terms.distortion += of_group.distortion;
     terms.connectedness += of_group.connectedness;

@@ -81,10 +81,9 @@ public:
     const auto [first, second] = groups_of_contact(contact);
     return contact_energy(contact, std::size_t(assignment[first]), std::size_t(assignment[second]));
   }
-  /// E_d and E_c, summed, between neighbouring segments of a group's cut parts.
-  Rod_energy cut_energy(std::size_t group, std::size_t label) const { return cut_energies_[group][label]; }
-  /// The cost of the roles of a group and its image, before weighting (`Matching_options::role_costs`).
-  double role_cost(std::size_t group, std::size_t label) const { return role_costs_[group][label]; }
+  /// What a group's label adds to the terms of the energy, but for E_s and contacts with other groups: E_d and E_c
+  /// between neighbouring segments of its cut parts, and the cost of roles (`Matching_options::role_costs`).
+  const Energy_terms& group_terms(std::size_t group, std::size_t label) const { return group_terms_[group][label]; }
 
   /// The source parts after the deformation, by label.
   const internal::Fitted_pieces& fitted() const { return fitted_; }
@@ -96,26 +95,23 @@ public:
   }
 
 private:
-  class Contact_table;
-
   void fill_contact_energies();
-  void fill_cut_energies();
-  void fill_role_costs();
+  void fill_group_terms();
+  void add_cut_energy(std::size_t group, std::size_t label);
+  void add_role_costs();
   void add_up_energy();
   bool pools_rods() const { return options_.norm == Energy_norm::POOLED; }
   double number_of_rods(std::size_t contact) const;
   double kept_rods(std::size_t contact, const Rod_energy& energy) const;
-  Energy_terms group_terms(std::size_t group, std::size_t label) const;
 
   Shared_shape source_, target_;
   Matching_options options_;
   bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_; // by source group
   internal::Fitted_pieces fitted_;
-  std::vector<std::size_t> contact_begin_;            // by contact, in `contact_energies_`
-  std::vector<Rod_energy> contact_energies_;          // by labels of either side
-  std::vector<std::vector<Rod_energy>> cut_energies_; // by group and label
-  std::vector<std::vector<double>> role_costs_;       // by group and label
+  std::vector<std::size_t> contact_begin_;             // by contact, in `contact_energies_`
+  std::vector<Rod_energy> contact_energies_;           // by labels of either side
+  std::vector<std::vector<Energy_terms>> group_terms_; // by group and label
   Pairwise_energy energy_;
 };
 

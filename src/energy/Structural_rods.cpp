@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <new>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -23,7 +26,51 @@ double rounded_distortion(double mean_squared_cosine)
   return mean_squared_cosine > 1 - comparison_grid ? 0 : distortion_energy(mean_squared_cosine);
 }
 
+// Memory for rods. What is given back is kept for the next ones, since clearing memory that comes from the system takes
+// long. Threads may share it.
+class Rod_pool
+{
+public:
+  Rod_block* take(std::size_t blocks)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      Free*& first = free_[blocks]; // from now on there, so that giving back allocates nothing
+      if (Free* const taken = first) {
+        first = taken->next;
+        return reinterpret_cast<Rod_block*>(taken);
+      }
+    }
+    return static_cast<Rod_block*>(::operator new(blocks * sizeof(Rod_block), std::align_val_t(alignof(Rod_block))));
+  }
+
+  // \param blocks as many as were taken
+  void give_back(Rod_block* memory, std::size_t blocks)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Free*& first = free_[blocks];
+    first = new (static_cast<void*>(memory)) Free{first};
+  }
+
+private:
+  struct Free
+  {
+    Free* next;
+  };
+
+  std::mutex mutex_;
+  std::map<std::size_t, Free*> free_; // by number of blocks; each has the next one in it
+};
+
+Rod_pool& rod_pool()
+{
+  static auto* const pool = new Rod_pool; // never destroyed, so that it outlives static shapes
+  return *pool;
+}
+
 } // namespace
+
+void internal::Rod_deleter::operator()(Rod_block* rods) const { rod_pool().give_back(rods, blocks); }
 
 Rod_energy rod_energy(const Points& first, const Points& second, const Points& moved_first, const Points& moved_second)
 {
@@ -43,19 +90,18 @@ Rod_energy rod_energy(const Points& first, const Points& second, const Points& m
 }
 
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats)
-{
-  const int n = int(first.cols()) * first_repeats, m = int(second.cols()) * second_repeats;
-  decltype(memory_) owner(rod_pool().take(size(n, m)), {size(n, m)});
-  *this = Structural_rods(Sample_lanes(repeated(first, first_repeats), first_repeats), n,
-                          Sample_lanes(repeated(second, second_repeats), second_repeats), m, owner.get());
-  memory_ = std::move(owner);
-}
+    : Structural_rods(Sample_lanes(repeated(first, first_repeats), first_repeats), int(first.cols()) * first_repeats,
+                      Sample_lanes(repeated(second, second_repeats), second_repeats),
+                      int(second.cols()) * second_repeats)
+{}
 
-Structural_rods::Structural_rods(const Sample_lanes& first, int n, const Sample_lanes& second, int m, Rod_block* memory)
-    : rods_(memory), first_count_(n), second_count_(m)
+Structural_rods::Structural_rods(const Sample_lanes& first, int n, const Sample_lanes& second, int m)
+    : first_count_(n), second_count_(m)
 {
   CGAL_precondition(n <= maximum_samples && m <= maximum_samples);
-  const Rod_lengths lengths = rod_kernel().write(first, n, second, m, memory);
+  const auto blocks = std::size_t(blocks_of_rods(n, m));
+  rods_ = {rod_pool().take(blocks), {blocks}};
+  const Rod_lengths lengths = rod_kernel().write(first, n, second, m, rods_.get());
   zero_ = lengths.zero;
   shortest_ = std::sqrt(double(lengths.shortest_squared));
   longest_ = std::sqrt(double(lengths.longest_squared));
@@ -77,7 +123,7 @@ void distortions(const std::vector<const Structural_rods*>& pairs, const Sample_
     const Rod_kernel::Compare compare = count == 4 ? kernel.four : count == 2 ? kernel.two : kernel.one;
     const Rod_block* rods[4] = {};
     for (std::size_t i = 0; i < count; ++i)
-      rods[i] = pairs[done + i]->rods_;
+      rods[i] = pairs[done + i]->rods_.get();
     const Rod_comparison moved = compare(rods, first, pairs[0]->first_count_, second, pairs[0]->second_count_);
     for (std::size_t i = 0; i < count; ++i, ++done)
       result[done] = pairs[done]->distortion(moved.squared_cosines[i]);
@@ -91,7 +137,8 @@ double Structural_rods::connectedness(double distance) const
 
 Rod_energy Structural_rods::energy(const Sample_lanes& first, const Sample_lanes& second) const
 {
-  const Rod_comparison moved = rod_kernel().one_and_length(&rods_, first, first_count_, second, second_count_);
+  const Rod_block* const before = rods_.get();
+  const Rod_comparison moved = rod_kernel().one_and_length(&before, first, first_count_, second, second_count_);
   return {distortion(moved.squared_cosines[0]), connectedness(std::sqrt(double(moved.least_squared_length)))};
 }
 

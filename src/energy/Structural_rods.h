@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "energy/Rod_memory.h"
 #include "energy/rod_kernel.h"
 
 #include <CGAL/Shape_correspondence/Points.h>
@@ -16,10 +15,11 @@ namespace CGAL::Shape_correspondence {
 
 namespace internal {
 
+/// Gives the memory of rods back to a pool of all shapes.
 struct Rod_deleter
 {
   std::size_t blocks = 0;
-  void operator()(Rod_block* rods) const { rod_pool().give_back(rods, blocks); }
+  void operator()(Rod_block* rods) const;
 };
 
 } // namespace internal
@@ -49,10 +49,10 @@ public:
   /// Rods between samples that occur `first_repeats` or `second_repeats` times each: a curve counts as a sheet of equal
   /// columns. \pre either then has at most `samples_per_side`² samples
   Structural_rods(const Points& first, const Points& second, int first_repeats = 1, int second_repeats = 1);
-  /// Rods between n and m samples in memory for `size()` blocks that outlives them.
-  Structural_rods(const internal::Sample_lanes& first, int n, const internal::Sample_lanes& second, int m,
-                  internal::Rod_block* memory);
-  static std::size_t size(int n, int m) { return std::size_t(internal::blocks_of_rods(n, m)); }
+  /// Rods between n and m samples.
+  Structural_rods(const internal::Sample_lanes& first, int n, const internal::Sample_lanes& second, int m);
+
+  std::size_t bytes() const { return rods_.get_deleter().blocks * sizeof(internal::Rod_block); }
 
   /// E_c (Eq. 4) when the least distance of two samples is now `distance`.
   double connectedness(double distance) const;
@@ -66,8 +66,7 @@ private:
                           const internal::Sample_lanes& second, std::vector<double>& result);
   double distortion(float squared_cosines) const;
 
-  std::unique_ptr<internal::Rod_block[], internal::Rod_deleter> memory_; // null where others own the rods
-  const internal::Rod_block* rods_ = nullptr;
+  std::unique_ptr<internal::Rod_block[], internal::Rod_deleter> rods_;
   int first_count_ = 0, second_count_ = 0;
   double zero_ = 0;     // number of rods of length zero
   double shortest_ = 0; // d of Eq. 4

@@ -6,8 +6,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <boost/graph/breadth_first_search.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -52,12 +50,9 @@ Structure_preservation::Structure_preservation(const Aligned_shape& shape, bool 
       stiffness_(has_hard_contacts ? least_stiffness : stiffness),
       touches_(shape.number_of_groups()),
       displacement_(Points::Zero(3, Eigen::Index(shape.parts.size()))),
-      placed_(shape.number_of_groups()),
-      colours_(shape.number_of_groups()),
-      layer_(shape.number_of_groups())
+      placed_(shape.number_of_groups())
 {
   order_.reserve(shape.number_of_groups());
-  sources_.reserve(shape.number_of_groups());
   for (std::size_t group = 0; group < shape.number_of_groups(); ++group) {
     for (const auto& edge : boost::make_iterator_range(out_edges(group, shape.graph)))
       for (std::size_t c : shape.graph[edge].contacts) {
@@ -212,45 +207,25 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   }
 }
 
-// Breadth-first search from the matched groups: orders the others by layer, then by index.
-void Structure_preservation::visit(const std::vector<char>& matched)
+bool Structure_preservation::touches_placed(std::size_t group) const
 {
-  struct Visitor : boost::default_bfs_visitor
-  {
-    Structure_preservation& found;
-
-    explicit Visitor(Structure_preservation& found) : found(found) {}
-    void tree_edge(const boost::graph_traits<Aligned_shape::Graph>::edge_descriptor& edge,
-                   const Aligned_shape::Graph& graph)
-    {
-      const std::size_t group = target(edge, graph);
-      found.layer_[group] = found.layer_[source(edge, graph)] + 1;
-      found.order_.push_back(group);
-    }
-  };
-  sources_.clear();
-  order_.clear();
-  for (std::size_t group = 0; group < matched.size(); ++group)
-    if (matched[group]) sources_.push_back(group);
-  std::fill(layer_.begin(), layer_.end(), 0);
-  std::fill(colours_.begin(), colours_.end(), boost::white_color);
-  boost::breadth_first_visit(shape_.graph, sources_.begin(), sources_.end(), queue_, Visitor(*this), colours_.data());
-  std::sort(order_.begin(), order_.end(),
-            [&](std::size_t a, std::size_t b) { return std::make_pair(layer_[a], a) < std::make_pair(layer_[b], b); });
+  const std::vector<Touch>& touches = touches_[group];
+  return std::any_of(touches.begin(), touches.end(), [&](const Touch& t) { return placed_[t.other_group] != 0; });
 }
 
 void Structure_preservation::operator()(const std::vector<char>& matched,
                                         const std::vector<std::array<Point, 2>>& contact_displacement,
                                         std::vector<Part_motion>& motions)
 {
-  visit(matched);
   std::copy(matched.begin(), matched.end(), placed_.begin());
-  for (auto begin = order_.begin(); begin != order_.end();) {
-    const auto end =
-        std::find_if(begin, order_.end(), [&](std::size_t group) { return layer_[group] != layer_[*begin]; });
-    std::for_each(begin, end, [&](std::size_t group) { place(group, matched, contact_displacement); });
-    std::for_each(begin, end, [&](std::size_t group) { placed_[group] = 1; });
-    begin = end;
+  order_.clear();
+  for (std::size_t begin = 0;; begin = order_.size()) { // layer by layer
+    for (std::size_t group = 0; group < matched.size(); ++group)
+      if (!placed_[group] && touches_placed(group)) order_.push_back(group);
+    if (order_.size() == begin) break;
+    std::for_each(order_.begin() + std::ptrdiff_t(begin), order_.end(),
+                  [&](std::size_t group) { place(group, matched, contact_displacement); });
+    std::for_each(order_.begin() + std::ptrdiff_t(begin), order_.end(), [&](std::size_t group) { placed_[group] = 1; });
   }
   for (std::size_t group = 0; group < matched.size(); ++group)
     if (!placed_[group])

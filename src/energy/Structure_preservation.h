@@ -7,9 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <boost/graph/properties.hpp>
-#include <boost/pending/queue.hpp>
-
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -74,7 +71,7 @@ private:
   };
 
   Handles handles(std::size_t group) const;
-  void visit(const std::vector<char>& matched);
+  bool touches_placed(std::size_t group) const;
   void place(std::size_t group, const std::vector<char>& matched,
              const std::vector<std::array<Point, 2>>& contact_displacement);
   void gather(const std::vector<char>& matched, const std::vector<std::array<Point, 2>>& contact_displacement);
@@ -88,15 +85,9 @@ private:
   std::vector<std::vector<Touch>> touches_; // by group, ordered by part
   std::vector<Handles> handles_;            // by group
   Points displacement_;                     // by part
-  std::vector<char> placed_;
-  std::vector<const double*> followed_; // displacements, by group in `order_` and contact of its representative
-
-  // Of the breadth-first search, by group
-  boost::queue<std::size_t> queue_;
-  std::vector<boost::default_color_type> colours_;
-  std::vector<int> layer_;
-  std::vector<std::size_t> sources_;
-  std::vector<std::size_t> order_; // the unmatched groups connected to a matched one
+  std::vector<char> placed_;                // by group
+  std::vector<std::size_t> order_;          // the unmatched groups connected to a matched one, breadth-first
+  std::vector<const double*> followed_;     // displacements, by group in `order_` and contact of its representative
 };
 
 } // namespace CGAL::Shape_correspondence

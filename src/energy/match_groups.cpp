@@ -3,8 +3,7 @@
 
 #include "energy/match_groups.h"
 #include "base/optimal_assignment.h"
-#include "energy/Unit_box.h"
-#include "energy/divide_sheets.h"
+#include "energy/cut_parts.h"
 
 #include <algorithm>
 
@@ -32,6 +31,45 @@ std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost
   for (auto& cols : cols_of)
     std::sort(cols.begin(), cols.end());
   return cols_of;
+}
+
+// Added to the distance of parts that must not correspond: above any distance in unit boxes.
+constexpr double forbidden_distance = 1e3;
+
+Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                          std::size_t target_group, const Match_constraints& constraints)
+{
+  const auto& from = source.group(source_group).parts;
+  const auto& to = target.group(target_group).parts;
+  Group_label label;
+  label.target_group = target_group;
+  label.operation = topological_operation(from.size(), to.size());
+  label.solidity_ratio = solidity_ratio(source.group(source_group), target.group(target_group));
+  label.images.resize(from.size());
+  if (from.size() == 1 || to.size() == 1) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      for (std::size_t part : to)
+        label.images[i].push_back({{from[i]}, {part}});
+    return label;
+  }
+
+  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[target_group]);
+  Eigen::MatrixXd cost(from.size(), to.size());
+  for (Eigen::Index i = 0; i < cost.rows(); ++i)
+    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
+      const std::size_t a = from[std::size_t(i)], b = to[std::size_t(j)];
+      cost(i, j) = quantized_distance(from_box(source.parts[a].centroid), to_box(target.parts[b].centroid)) +
+                   (constraints.allows(a, b) ? 0 : forbidden_distance);
+    }
+  const bool has_more = from.size() > to.size();
+  if (has_more) cost.transposeInPlace();
+  const auto assigned = assign_members(cost);
+  for (std::size_t row = 0; row < assigned.size(); ++row)
+    for (std::size_t column : assigned[row]) {
+      const std::size_t i = has_more ? column : row, j = has_more ? row : column;
+      label.images[i].push_back({{from[i]}, {to[j]}});
+    }
+  return label;
 }
 
 } // namespace
@@ -69,52 +107,6 @@ bool may_match(const Part_group& source, const Part_group& target)
 {
   return source.parts.size() == 1 || target.parts.size() > 1 || target.symmetry.type == Symmetry_type::SELF;
 }
-
-namespace {
-
-// Added to the distance of parts that must not correspond: above any distance in unit boxes.
-constexpr double forbidden_distance = 1e3;
-
-Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
-                          std::size_t target_group, const Match_constraints& constraints)
-{
-  const auto& from = source.group(source_group).parts;
-  const auto& to = target.group(target_group).parts;
-  Group_label label;
-  label.target_group = target_group;
-  label.operation = topological_operation(from.size(), to.size());
-  label.solidity_ratio = solidity_ratio(source.group(source_group), target.group(target_group));
-  label.images.resize(from.size());
-  if (from.size() == 1 || to.size() == 1) {
-    for (std::size_t i = 0; i < from.size(); ++i)
-      for (std::size_t part : to)
-        label.images[i].push_back({{from[i]}, {part}});
-    return label;
-  }
-
-  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[target_group]);
-  Eigen::MatrixXd cost(from.size(), to.size());
-  for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
-      const std::size_t a = from[std::size_t(i)], b = to[std::size_t(j)];
-      cost(i, j) = quantized_distance(from_box(source.parts[a].centroid), to_box(target.parts[b].centroid)) +
-                   (constraints.allows(a, b) ? 0 : forbidden_distance);
-    }
-  if (from.size() <= to.size()) {
-    const auto images = assign_members(cost);
-    for (std::size_t i = 0; i < from.size(); ++i)
-      for (std::size_t j : images[i])
-        label.images[i].push_back({{from[i]}, {to[j]}});
-  } else {
-    const auto preimages = assign_members(cost.transpose());
-    for (std::size_t j = 0; j < to.size(); ++j)
-      for (std::size_t i : preimages[j])
-        label.images[i].push_back({{from[i]}, {to[j]}});
-  }
-  return label;
-}
-
-} // namespace
 
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group, const Match_constraints& constraints)

@@ -5,14 +5,14 @@
 
 #include "base/Once.h"
 #include "energy/Matching_problem.h"
-#include "matching/Normalized_shape.h"
+#include "matching/Shape_features.h"
 #include "roles/Shape_roles.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <array>
 #include <cstddef>
-#include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -52,36 +52,14 @@ struct Prepared_shape::Alignments
   std::shared_ptr<const internal::Shape_features> features(int quarter_turns, const Part_matching_options& options);
 
   /// The roles by a model, in the shape turned from its given orientation.
-  std::shared_ptr<const internal::Shape_roles> roles(const std::shared_ptr<const Role_model>& model,
-                                                     int quarter_turns = 0);
-  internal::Turned_roles roles_by_turn(const std::shared_ptr<const Role_model>& model);
-
-  /// The front of a shape of a category, `internal::likely_front()`.
-  int front(const std::shared_ptr<const Role_model>& model, std::size_t category, const Part_matching_options& options);
+  internal::Turned_roles roles(const std::shared_ptr<const Role_model>& model);
 
 private:
-  struct Front
-  {
-    std::size_t category;
-    double clearly_better; // the option that it depends on
-    int turn;
-  };
-
-  struct Roles_by_model
-  {
-    std::shared_ptr<const Role_model> model;
-    internal::Turned_roles roles;
-    std::vector<Front> fronts; // those that are known
-  };
-
-  // \pre `roles_mutex_` is held
-  Roles_by_model& roles_by_model(const std::shared_ptr<const Role_model>& model);
-
   std::shared_ptr<internal::Turned_shapes> shapes_;
   std::mutex features_mutex_;
   std::array<std::shared_ptr<const internal::Shape_features>, internal::Turned_shapes::turns> features_;
   std::mutex roles_mutex_;
-  std::deque<Roles_by_model> roles_; // of every model that was asked for
+  std::map<std::shared_ptr<const Role_model>, internal::Turned_roles> roles_; // by every model that was asked for
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -38,25 +38,14 @@ struct Part_match_result
   std::size_t tried = 0, candidates = 0; ///< number of alignments
 };
 
-/// The forest votes for the parts of two shapes, by one category.
-struct Role_votes_of_pair
-{
-  std::shared_ptr<const Role_votes> source, target;
-};
+/// The forest votes for the parts of the source and of the target, by one category.
+using Role_votes_of_pair = std::array<std::shared_ptr<const Role_votes>, 2>;
 
-// The shape restricted to chosen parts. \param chosen indices in the structural graph; empty: all
-// \throw Invalid_input if the shape lacks one of them
+// The shape restricted to chosen parts, and with sets of pinned parts as groups of their own.
+// \param chosen indices in the structural graph; empty: all \throw Invalid_input if the shape lacks one of them
 Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
-                                             const std::vector<std::size_t>& chosen);
-
-// The parts to match: the most prominent of the chosen ones; of equals the same in every alignment.
-// \param shape in its own frame \param maximum_parts 0: all
-std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
-                                      const std::vector<std::size_t>& chosen, int maximum_parts);
-
-// The shape with sets of pinned parts as groups of their own.
-Matching_problem::Shared_shape regrouped(const Matching_problem::Shared_shape& shape,
-                                         const std::vector<std::vector<std::size_t>>& sets);
+                                             const std::vector<std::size_t>& chosen,
+                                             const std::vector<std::vector<std::size_t>>& pinned = {});
 
 } // namespace internal
 
@@ -106,7 +95,6 @@ private:
   std::vector<Alignment_candidate> candidates_by_roles(const Prepared_shape& target, std::size_t category) const;
   Part_matching matched_in(const Prepared_shape& target, const Shared_shape& shape,
                            const Alignment_candidate& alignment) const;
-  Part_matching matched_in_common_frame(const Prepared_shape& target, const Shared_shape& shape, int turn) const;
   // With either shape turned from its own frame.
   Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
                                   int target_turn) const;

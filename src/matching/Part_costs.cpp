@@ -3,7 +3,6 @@
 
 #include "matching/Part_costs.h"
 #include "base/quantized.h"
-#include "matching/Normalized_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -111,7 +110,7 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
 
 // The mean of the costs of boxes as they are, and after either shape was warped towards the other where the pairs that
 // are most probable by all costs ask for it; with the costs of kind.
-Eigen::MatrixXd costs_after_warping(const Normalized_shape& a, const Normalized_shape& b,
+Eigen::MatrixXd costs_after_warping(const Shape_features& a, const Shape_features& b,
                                     const Eigen::MatrixXd& costs_of_kind, const Part_matching_options& options)
 {
   const Eigen::MatrixXd given = costs_of_boxes(a.boxes, b.boxes, options);
@@ -127,7 +126,7 @@ Eigen::MatrixXd costs_after_warping(const Normalized_shape& a, const Normalized_
 class Point_distances
 {
 public:
-  Point_distances(const Normalized_shape& from, const Normalized_shape& to);
+  Point_distances(const Shape_features& from, const Shape_features& to);
 
   // Of the points of a part from a part of the other shape that is in a union.
   Eigen::Map<const Eigen::ArrayXd> of(std::size_t part, std::size_t other) const
@@ -144,7 +143,7 @@ public:
 private:
   Eigen::Index place(std::size_t part, std::size_t other) const { return begin_[part] + number_[other] * count(part); }
 
-  const Normalized_shape& from_;
+  const Shape_features& from_;
   std::vector<Eigen::Index> begin_;  // of the values of a part
   std::vector<Eigen::Index> number_; // of the other shape's parts in unions; -1 for those in none
   Eigen::ArrayXd values_, scratch_;
@@ -156,7 +155,7 @@ struct Surface_distances
 {
   Point_distances a_from_b, b_from_a;
 
-  Surface_distances(const Normalized_shape& a, const Normalized_shape& b);
+  Surface_distances(const Shape_features& a, const Shape_features& b);
 };
 
 void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
@@ -165,7 +164,7 @@ void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
 }
 
 // The values from parts in no union, which would take gigabytes for shapes of thousands of parts, are summed up only.
-Point_distances::Point_distances(const Normalized_shape& from, const Normalized_shape& to)
+Point_distances::Point_distances(const Shape_features& from, const Shape_features& to)
     : from_(from),
       number_(to.surfaces.size(), -1),
       sums_(Eigen::Index(from.surfaces.size()), Eigen::Index(to.surfaces.size()))
@@ -193,8 +192,7 @@ void Point_distances::set_squared(std::size_t part, std::size_t other, const Eig
   if (number_[other] >= 0) Eigen::Map<Eigen::ArrayXd>(values_.data() + place(part, other), n) = distances;
 }
 
-Surface_distances::Surface_distances(const Normalized_shape& a, const Normalized_shape& b)
-    : a_from_b(a, b), b_from_a(b, a)
+Surface_distances::Surface_distances(const Shape_features& a, const Shape_features& b) : a_from_b(a, b), b_from_a(b, a)
 {
   Eigen::ArrayXd p_from_q, q_from_p;
   const Nearest_squared_kernel& kernel = nearest_squared_kernel();
@@ -231,7 +229,7 @@ double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a,
 
 // Lowers the costs to those of parts of `a` and unions that the parts of `b` are in.
 template <typename Costs>
-void lower_to_unions(const Normalized_shape& a, const Normalized_shape& b, const Point_distances& a_from_b,
+void lower_to_unions(const Shape_features& a, const Shape_features& b, const Point_distances& a_from_b,
                      const Point_distances& b_from_a, const Part_matching_options& options, Costs&& costs)
 {
   if (b.unions.empty()) return;
@@ -250,7 +248,7 @@ void lower_to_unions(const Normalized_shape& a, const Normalized_shape& b, const
 }
 
 // The costs that warps do not change.
-Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape& b, const Surface_distances& surfaces,
+Eigen::MatrixXd costs_of_kind(const Shape_features& a, const Shape_features& b, const Surface_distances& surfaces,
                               const Part_matching_options& options)
 {
   Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
@@ -262,7 +260,7 @@ Eigen::MatrixXd costs_of_kind(const Normalized_shape& a, const Normalized_shape&
   return result;
 }
 
-Eigen::MatrixXd ranked_part_costs(const Normalized_shape& a, const Normalized_shape& b,
+Eigen::MatrixXd ranked_part_costs(const Shape_features& a, const Shape_features& b,
                                   const Part_matching_options& options)
 {
   const Surface_distances surfaces(a, b);
@@ -280,18 +278,11 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
 }
 
 // In canonical order, since sums of the warp run over pairs source by source.
-Eigen::MatrixXd part_costs(const Normalized_shape& source, const Normalized_shape& target,
+Eigen::MatrixXd part_costs(const Shape_features& source, const Shape_features& target,
                            const Part_matching_options& options)
 {
   if (target.rank < source.rank) return ranked_part_costs(target, source, options).transpose();
   return ranked_part_costs(source, target, options);
-}
-
-Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
-                           const Part_matching_options& options)
-{
-  return part_costs(normalized_shape(source, part_assemblies(source, options), options),
-                    normalized_shape(target, part_assemblies(target, options), options), options);
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -3,32 +3,21 @@
 
 #pragma once
 
-#include "matching/part_assemblies.h"
-#include "structure/align_shapes.h"
-
-#include <CGAL/Shape_correspondence/Search_options.h>
+#include "matching/Shape_features.h"
 
 #include <Eigen/Core>
 
 namespace CGAL::Shape_correspondence {
 
 /// The cost of every part of the source (row) corresponding to every part of the target (column), by index of the
-/// aligned shapes. Symmetric: with the shapes swapped, the transposed matrix.
+/// aligned shapes. Symmetric: with the shapes swapped, the transposed matrix, to the bit unless they have the same
+/// rank.
 ///
 /// The boxes are compared as they are and after either shape was warped towards the other, axis by axis, where the most
 /// alike parts ask for it; the three are averaged. A group of `repetition` parts or more, or a panel
 /// (`Part_assemblies`), may cost less as a whole (legs for a pedestal, slats for a board). O(n m k²) for n and m parts
 /// with k = `surface_samples` points each.
-Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
-                           const Part_matching_options& options = {});
-
-namespace internal {
-struct Normalized_shape;
-}
-
-/// The same of shapes whose boxes and surfaces are known. To the bit the transposed matrix if they are swapped, unless
-/// they have the same rank.
-Eigen::MatrixXd part_costs(const internal::Normalized_shape& source, const internal::Normalized_shape& target,
+Eigen::MatrixXd part_costs(const internal::Shape_features& source, const internal::Shape_features& target,
                            const Part_matching_options& options);
 
 /// How badly two shapes go together: the mean of the least cost of every source part, and that of every target part,

@@ -34,43 +34,16 @@ std::shared_ptr<const Shape_features> Prepared_shape::Alignments::features(int q
 }
 
 // The roles keep the aligned shapes that they are told from, and may outlive the prepared shape.
-Prepared_shape::Alignments::Roles_by_model&
-Prepared_shape::Alignments::roles_by_model(const std::shared_ptr<const Role_model>& model)
+Turned_roles Prepared_shape::Alignments::roles(const std::shared_ptr<const Role_model>& model)
 {
-  for (Roles_by_model& known : roles_)
-    if (known.model == model) return known;
-  Roles_by_model& result = roles_.emplace_back();
-  result.model = model;
+  const std::lock_guard<std::mutex> lock(roles_mutex_);
+  const auto [known, is_new] = roles_.try_emplace(model);
   const int given = given_quarter_turns(structure(shapes_->graph()).frame);
-  for (int turn = 0; turn < int(result.roles.size()); ++turn)
-    result.roles[std::size_t(turn)] = std::make_shared<Shape_roles>(
+  for (int turn = 0; is_new && turn < int(known->second.size()); ++turn)
+    known->second[std::size_t(turn)] = std::make_shared<Shape_roles>(
         [shapes = shapes_, turns = given + turn] { return role_evidence(shapes->graph(), *shapes->aligned(turns)); },
         *model);
-  return result;
-}
-
-std::shared_ptr<const Shape_roles> Prepared_shape::Alignments::roles(const std::shared_ptr<const Role_model>& model,
-                                                                     int quarter_turns)
-{
-  return roles_by_turn(model)[std::size_t(quarter_turns)];
-}
-
-Turned_roles Prepared_shape::Alignments::roles_by_turn(const std::shared_ptr<const Role_model>& model)
-{
-  const std::lock_guard<std::mutex> lock(roles_mutex_);
-  return roles_by_model(model).roles;
-}
-
-int Prepared_shape::Alignments::front(const std::shared_ptr<const Role_model>& model, std::size_t category,
-                                      const Part_matching_options& options)
-{
-  const std::lock_guard<std::mutex> lock(roles_mutex_);
-  Roles_by_model& known = roles_by_model(model);
-  for (const Front& front : known.fronts)
-    if (front.category == category && front.clearly_better == options.clearly_better) return front.turn;
-  const int turn = likely_front(known.roles, category, Role_model_access::data(*model).trees, options);
-  known.fronts.push_back({category, options.clearly_better, turn});
-  return turn;
+  return known->second;
 }
 
 Prepared_shape::Prepared_shape(const Structural_graph& graph)
@@ -80,7 +53,7 @@ Prepared_shape::Prepared_shape(const Structural_graph& graph)
 void Prepared_shape::read_roles(const std::shared_ptr<const Role_model>& model) const
 {
   if (!model) return;
-  const auto roles = alignments_->roles(model);
+  const auto roles = alignments_->roles(model)[0];
   for (std::size_t category = 0; category < Role_model_access::data(*model).categories.size(); ++category)
     roles->distance(category);
 }

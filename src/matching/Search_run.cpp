@@ -8,6 +8,7 @@
 #include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -33,73 +34,6 @@ Matching_problem problem_of(const Matching_problem::Shared_shape& source, const 
   return {source, target, options.matching, coarse_candidates(source, target, options)};
 }
 
-} // namespace
-
-Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
-                       const Search_options& options)
-    : problem(direction == Direction::SOURCE_TO_TARGET ? problem_of(source, target, options)
-                                                       : problem_of(target, source, backward(options))),
-      direction(direction),
-      turns(turns),
-      coarse_parts(is_coarse_to_fine(*source, *target, options) ? std::size_t(options.coarse_to_fine) : 0)
-{
-  if (options.method == Search_method::EXACT) {
-    Exact_options exact = options.exact;
-    exact.solutions = std::size_t(options.solutions);
-    result = exact_search(problem.energy(), exact);
-  } else {
-    result = beam_search(problem, options.beam);
-  }
-  if (result.solutions.size() > std::size_t(options.solutions)) result.solutions.resize(std::size_t(options.solutions));
-  result.optimal = result.optimal && !problem.has_shortlists();
-}
-
-Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
-                       std::vector<std::vector<Group_label>> labels, const Search_options& options)
-    : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching)),
-      direction(Direction::SOURCE_TO_TARGET),
-      turns(turns)
-{
-  const Assignment assignment(source->number_of_groups(), 0);
-  result.solutions = {{problem.energy()(assignment), assignment}};
-  result.summary.method = "parts";
-  result.summary.states = result.summary.evaluations = 1;
-}
-
-double Search_run::score(bool by_energy) const
-{
-  if (by_energy) return result.best().energy;
-  return result.best().energy / double(std::max<std::size_t>(1, problem.source().contacts.size()));
-}
-
-std::vector<std::size_t> image_parts(const Group_label& label)
-{
-  std::vector<std::size_t> parts;
-  for (const auto& images : label.images)
-    for (const Piece_image& image : images)
-      parts.push_back(image.target.part);
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  return parts;
-}
-
-void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence)
-{
-  std::vector<char> source(source_parts, 0), target(target_parts, 0);
-  for (const Part_correspondence& pair : correspondence.pairs)
-    source[pair.source] = 1, target[pair.target] = 1;
-  const auto zeros = [](const std::vector<char>& is_matched) {
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < is_matched.size(); ++i)
-      if (!is_matched[i]) result.push_back(i);
-    return result;
-  };
-  correspondence.unmatched_source = zeros(source);
-  correspondence.unmatched_target = zeros(target);
-}
-
-namespace {
-
 std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
 {
   std::vector<std::size_t> result;
@@ -115,13 +49,14 @@ std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assi
 {
   const Aligned_shape& shape = problem.source();
   std::vector<Rod_energy> group_energy;
-  for (std::size_t g = 0; g < shape.number_of_groups(); ++g)
-    group_energy.push_back(problem.cut_energy(g, std::size_t(assignment[g])));
+  for (std::size_t g = 0; g < shape.number_of_groups(); ++g) {
+    const Energy_terms& cuts = problem.group_terms(g, std::size_t(assignment[g]));
+    group_energy.push_back({cuts.distortion, cuts.connectedness});
+  }
   for (std::size_t contact = 0; contact < shape.contacts.size(); ++contact) {
     const auto& parts = shape.contacts[contact].parts;
-    const std::size_t g = shape.group_of[parts[0]], h = shape.group_of[parts[1]];
-    const Rod_energy energy = problem.contact_energy(contact, std::size_t(assignment[g]), std::size_t(assignment[h]));
-    for (std::size_t group : {g, h}) {
+    const Rod_energy energy = problem.contact_energy(contact, assignment);
+    for (std::size_t group : problem.groups_of_contact(contact)) {
       group_energy[group].distortion += energy.distortion / 2;
       group_energy[group].connectedness += energy.connectedness / 2;
     }
@@ -197,6 +132,67 @@ bool merges_into_asymmetric_part(const Search_run& run, const Assignment& assign
 }
 
 } // namespace
+
+Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
+                       const Search_options& options)
+    : problem(direction == Direction::SOURCE_TO_TARGET ? problem_of(source, target, options)
+                                                       : problem_of(target, source, backward(options))),
+      direction(direction),
+      turns(turns),
+      coarse_parts(is_coarse_to_fine(*source, *target, options) ? std::size_t(options.coarse_to_fine) : 0)
+{
+  if (options.method == Search_method::EXACT) {
+    Exact_options exact = options.exact;
+    exact.solutions = std::size_t(options.solutions);
+    result = exact_search(problem.energy(), exact);
+  } else {
+    result = beam_search(problem, options.beam);
+  }
+  if (result.solutions.size() > std::size_t(options.solutions)) result.solutions.resize(std::size_t(options.solutions));
+  result.optimal = result.optimal && !problem.has_shortlists();
+}
+
+Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
+                       std::vector<std::vector<Group_label>> labels, const Search_options& options)
+    : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching)),
+      direction(Direction::SOURCE_TO_TARGET),
+      turns(turns)
+{
+  const Assignment assignment(source->number_of_groups(), 0);
+  result.solutions = {{problem.energy()(assignment), assignment}};
+  result.summary.method = "parts";
+  result.summary.states = result.summary.evaluations = 1;
+}
+
+double Search_run::score(bool by_energy) const
+{
+  if (by_energy) return result.best().energy;
+  return result.best().energy / double(std::max<std::size_t>(1, problem.source().contacts.size()));
+}
+
+std::vector<std::size_t> image_parts(const Group_label& label)
+{
+  std::set<std::size_t> parts;
+  for (const auto& images : label.images)
+    for (const Piece_image& image : images)
+      parts.insert(image.target.part);
+  return {parts.begin(), parts.end()};
+}
+
+void collect_unmatched(std::size_t source_parts, std::size_t target_parts, Correspondence& correspondence)
+{
+  std::vector<char> source(source_parts, 0), target(target_parts, 0);
+  for (const Part_correspondence& pair : correspondence.pairs)
+    source[pair.source] = 1, target[pair.target] = 1;
+  const auto zeros = [](const std::vector<char>& is_matched) {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < is_matched.size(); ++i)
+      if (!is_matched[i]) result.push_back(i);
+    return result;
+  };
+  correspondence.unmatched_source = zeros(source);
+  correspondence.unmatched_target = zeros(target);
+}
 
 Correspondence correspondence_of(const Search_run& run, const Solution& solution,
                                  const std::vector<double>& min_marginals)

@@ -25,12 +25,19 @@ double log_proportion(const Aligned_shape& shape)
   return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
 }
 
-// The indices in one alignment of a shape of the parts of another one.
-std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
+// Pairs of the geometric match that either part has alone, at a cost of no more than `largest_cost`.
+Part_pairs same_parts(const Part_matching& geometric, double largest_cost)
 {
-  std::vector<std::size_t> result;
-  for (std::size_t part : from.original)
-    result.push_back(std::size_t(std::find(to.original.begin(), to.original.end(), part) - to.original.begin()));
+  std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
+  for (const Part_correspondence& pair : geometric.pairs) {
+    ++of_source[pair.source];
+    ++of_target[pair.target];
+  }
+  Part_pairs result;
+  for (const Part_correspondence& pair : geometric.pairs)
+    if (of_source[pair.source] == 1 && of_target[pair.target] == 1 &&
+        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(largest_cost))
+      result.emplace_back(pair.source, pair.target);
   return result;
 }
 
@@ -95,42 +102,19 @@ Part_correspondence likeliest_source(const Part_matching& matching, std::size_t 
   return result;
 }
 
-Part_matching renumbered(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& new_source,
-                         const Aligned_shape& target, const Aligned_shape& new_target)
+Part_matching renumbered(const Part_matching& matching, const std::vector<std::size_t>& rows,
+                         const std::vector<std::size_t>& columns)
 {
-  const std::vector<std::size_t> rows = places_of_parts(source, new_source),
-                                 columns = places_of_parts(target, new_target);
   Part_matching result = matching;
   for (Part_correspondence& pair : result.pairs) {
     pair.source = rows[pair.source];
     pair.target = columns[pair.target];
   }
-  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < columns.size(); ++j)
       result.costs(Eigen::Index(rows[i]), Eigen::Index(columns[j])) = matching.costs(Eigen::Index(i), Eigen::Index(j));
   return result;
 }
-
-namespace {
-
-// Pairs of the geometric match that either part has alone, at a cost of no more than `largest_cost`.
-Part_pairs same_parts(const Part_matching& geometric, double largest_cost)
-{
-  std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
-  for (const Part_correspondence& pair : geometric.pairs) {
-    ++of_source[pair.source];
-    ++of_target[pair.target];
-  }
-  Part_pairs result;
-  for (const Part_correspondence& pair : geometric.pairs)
-    if (of_source[pair.source] == 1 && of_target[pair.target] == 1 &&
-        quantized(geometric.costs(Eigen::Index(pair.source), Eigen::Index(pair.target))) <= quantized(largest_cost))
-      result.emplace_back(pair.source, pair.target);
-  return result;
-}
-
-} // namespace
 
 Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weights, Part_matching geometric,
                              const Match_constraints& constraints, const Part_matching_options& options)
@@ -141,8 +125,7 @@ Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weight
     for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
       if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;
   for (std::size_t k = 0; !constraints.empty() && k < std::size_t(probable.size()); ++k) {
-    const std::vector<std::size_t>& pinned = constraints.pinned(k / m);
-    if (std::binary_search(pinned.begin(), pinned.end(), k % m)) probable[Eigen::Index(k)] = 1;
+    if (constraints.pinned(k / m).count(k % m) > 0) probable[Eigen::Index(k)] = 1;
     if (!constraints.allows(k / m, k % m)) probable[Eigen::Index(k)] = 0;
   }
   const std::vector<char> taken = pairs_of_greatest_expected_f1(probable);

@@ -32,9 +32,9 @@ std::vector<Part_correspondence> original_pairs(const Part_matching& matching, c
 // confidence 0, the one of least cost.
 Part_correspondence likeliest_source(const Part_matching& matching, std::size_t target);
 
-// A matching of one alignment of two shapes in the indices of another one. \pre both have the same parts
-Part_matching renumbered(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& new_source,
-                         const Aligned_shape& target, const Aligned_shape& new_target);
+// A matching by other indices of the parts. \param rows, columns the new indices of the source and the target parts
+Part_matching renumbered(const Part_matching& matching, const std::vector<std::size_t>& rows,
+                         const std::vector<std::size_t>& columns);
 
 // The geometric match with the pairs of greatest expected F1 in place of its own, by source, then target, and with the
 // probabilities of all pairs, which are the confidences. Parts that the geometric match takes for the same part, at

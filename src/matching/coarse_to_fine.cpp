@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -18,19 +17,14 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-using Groups = std::vector<std::size_t>; // ascending
+using Groups = std::set<std::size_t>;
 using Shared_shape = Matching_problem::Shared_shape;
 
-void add_all(Groups& groups, const Groups& more)
-{
-  Groups both;
-  std::set_union(groups.begin(), groups.end(), more.begin(), more.end(), std::back_inserter(both));
-  groups.swap(both);
-}
+void add_all(Groups& groups, const Groups& more) { groups.insert(more.begin(), more.end()); }
 
 bool have_common(const Groups& a, const Groups& b)
 {
-  return std::any_of(a.begin(), a.end(), [&](std::size_t g) { return std::binary_search(b.begin(), b.end(), g); });
+  return std::any_of(a.begin(), a.end(), [&](std::size_t g) { return b.count(g) > 0; });
 }
 
 /// By group, the coarse ones that are nearest to it by contacts; itself if it is one.
@@ -63,9 +57,8 @@ std::vector<Groups> nearest_coarse(const Aligned_shape& shape, const std::vector
 /// A contact of two parts where their samples are nearest.
 std::pair<double, Aligned_shape::Contact> nearest_samples(const Aligned_shape& shape, std::size_t a, std::size_t b)
 {
-  std::pair<double, Aligned_shape::Contact> result(std::numeric_limits<double>::infinity(), {{a, b}, {0, 0}});
   if (a > b) std::swap(a, b);
-  result.second.parts = {a, b};
+  std::pair<double, Aligned_shape::Contact> result(std::numeric_limits<double>::infinity(), {{a, b}, {0, 0}});
   const Points &first = shape.parts[a].samples, &second = shape.parts[b].samples;
   for (Eigen::Index i = 0; i < first.cols(); ++i) {
     Eigen::Index j;
@@ -130,10 +123,7 @@ struct Coarse_shape
     }
   }
 
-  bool has(std::size_t original) const
-  {
-    return std::find(coarse->original.begin(), coarse->original.end(), original) != coarse->original.end();
-  }
+  bool has(std::size_t original) const { return place_of(*coarse, original) < coarse->parts.size(); }
 
   std::size_t fine_group(std::size_t coarse_part) const { return group_of_original[coarse->original[coarse_part]]; }
 
@@ -163,14 +153,9 @@ std::vector<Groups> images_of(const Search_run& run, const Coarse_shape& source,
 {
   std::vector<Groups> result(source.fine.number_of_groups());
   const Assignment& assignment = run.result.best().assignment;
-  for (std::size_t g = 0; g < assignment.size(); ++g) {
-    Groups images;
+  for (std::size_t g = 0; g < assignment.size(); ++g)
     for (std::size_t part : image_parts(run.problem.label(g, std::size_t(assignment[g]))))
-      images.push_back(target.fine_group(part));
-    std::sort(images.begin(), images.end());
-    images.erase(std::unique(images.begin(), images.end()), images.end());
-    add_all(result[source.fine_group(run.problem.source().group(g).parts[0])], images);
-  }
+      result[source.fine_group(run.problem.source().group(g).parts[0])].insert(target.fine_group(part));
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
+#include "energy/match_groups.h"
 
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
@@ -100,13 +101,6 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, double> between_;
 };
 
-Operation operation_of(std::size_t sources, std::size_t targets)
-{
-  if (sources == targets) return Operation::MATCH;
-  if (sources > targets) return Operation::MERGE;
-  return sources == 1 ? Operation::SPLIT : Operation::DUPLICATE;
-}
-
 /// The most frequent role of the parts; of several, the first in the alphabet.
 std::string role_of(const Correspondence_block& block, const Correspondence& c)
 {
@@ -133,14 +127,16 @@ std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
   while (sets.unite_closest()) {
   }
 
-  std::vector<Correspondence_block> by_first(sources), result;
+  std::vector<Correspondence_block> by_first(sources + targets), result;
+  for (std::size_t part = 0; part < sources + targets; ++part) {
+    Correspondence_block& block = by_first[sets[part]];
+    part < sources ? block.source.push_back(part) : block.target.push_back(part - sources);
+  }
   std::vector<double> sums(sources, 0);
   std::vector<std::size_t> counts(sources, 0);
   for (const Part_correspondence& pair : c.pairs) {
     const std::size_t set = sets[pair.source];
     Correspondence_block& block = by_first[set];
-    block.source.push_back(pair.source);
-    by_first[sets[sources + pair.target]].target.push_back(pair.target);
     if (set != sets[sources + pair.target]) continue;
     sums[set] += pair.confidence;
     ++counts[set];
@@ -150,12 +146,9 @@ std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
   for (std::size_t set = 0; set < sources; ++set) {
     Correspondence_block& block = by_first[set];
     if (counts[set] == 0) continue;
-    for (std::vector<std::size_t>* parts : {&block.source, &block.target}) {
-      std::sort(parts->begin(), parts->end());
-      parts->erase(std::unique(parts->begin(), parts->end()), parts->end());
-    }
     block.confidence = sums[set] / double(counts[set]);
-    if (block.operation == Operation::MATCH) block.operation = operation_of(block.source.size(), block.target.size());
+    if (block.operation == Operation::MATCH)
+      block.operation = topological_operation(block.source.size(), block.target.size());
     if (!c.source_roles.empty()) block.role = role_of(block, c);
     result.push_back(std::move(block));
   }

@@ -121,30 +121,6 @@ void check(const std::vector<Scored_correspondence>& scores, const Evaluation_op
     throw Invalid_input("the confidence of intervals must be between 0 and 1");
 }
 
-} // namespace
-
-double Correspondence_score::precision() const { return share(right, matched); }
-
-double Correspondence_score::recall() const { return expected == 0 && matched == 0 ? 1 : share(right, expected); }
-
-double Correspondence_score::f1() const
-{
-  const double p = precision(), r = recall();
-  return p + r > 0 ? 2 * p * r / (p + r) : 0;
-}
-
-double Correspondence_score::coarse_precision() const { return share(right_coarse, matched); }
-
-Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_truth& truth)
-{
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return {pairs.size(), truth.pairs.size(), number_of_common(pairs, truth.pairs),
-          number_of_common(pairs, truth.coarse_pairs)};
-}
-
-namespace {
-
 /// \param others scores to subtract; empty: none
 Evaluation means_of(const std::vector<Scored_correspondence>& scores, const std::vector<Scored_correspondence>& others,
                     const Evaluation_options& options)
@@ -183,6 +159,26 @@ Evaluation means_of(const std::vector<Scored_correspondence>& scores, const std:
 }
 
 } // namespace
+
+double Correspondence_score::precision() const { return share(right, matched); }
+
+double Correspondence_score::recall() const { return expected == 0 && matched == 0 ? 1 : share(right, expected); }
+
+double Correspondence_score::f1() const
+{
+  const double p = precision(), r = recall();
+  return p + r > 0 ? 2 * p * r / (p + r) : 0;
+}
+
+double Correspondence_score::coarse_precision() const { return share(right_coarse, matched); }
+
+Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_truth& truth)
+{
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return {pairs.size(), truth.pairs.size(), number_of_common(pairs, truth.pairs),
+          number_of_common(pairs, truth.coarse_pairs)};
+}
 
 Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options)
 {

@@ -52,7 +52,7 @@ Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape
   Pair_category category;
   const Alignment_candidate alignment = candidates(target, category).front();
   if (const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result))
-    options.matching.role_costs = 1 - agreement_of_votes(*votes->source, *votes->target).array();
+    options.matching.role_costs = 1 - agreement_of_votes(*votes->front(), *votes->back()).array();
   return options;
 }
 

@@ -19,26 +19,30 @@
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
-// Costs treat the side and the front differently, so with an odd quarter turn it matters in whose frame shapes are
-// compared: in that of the first in canonical order, whichever is the source.
-Part_matching Correspondence_finder::Impl::matched_in_common_frame(const Prepared_shape& target,
-                                                                   const Shared_shape& shape, int turn) const
+namespace {
+
+// The indices in one alignment of a shape of the parts of another one.
+std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
 {
-  if (turn % 2 == 0 || !canonical_less(*shape, *source_))
-    return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, turn), options_.parts,
-                       constraints(*source_, *shape));
-  return matched_in_frames(target, *shape, -turn, 0);
+  std::vector<std::size_t> result;
+  for (std::size_t part : from.original)
+    result.push_back(place_of(to, part));
+  return result;
 }
+
+} // namespace
 
 Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape,
                                                              int source_turn, int target_turn) const
 {
   const Shared_shape b = aligned(target, target_turn),
-                     a = regrouped(participating(prepared_source_.alignments_->aligned(source_turn), source_->original),
-                                   pinned_.source);
-  return renumbered(match_parts(*features(prepared_source_, a, source_turn), *features(target, b, target_turn),
-                                options_.parts, constraints(*a, *b)),
-                    *a, *source_, *b, shape);
+                     a = participating(prepared_source_.alignments_->aligned(source_turn), source_->original,
+                                       pinned_.source);
+  Part_matching result = renumbered(match_parts(*features(prepared_source_, a, source_turn),
+                                                *features(target, b, target_turn), options_.parts, constraints(*a, *b)),
+                                    places_of_parts(*a, *source_), places_of_parts(*b, shape));
+  std::sort(result.pairs.begin(), result.pairs.end(), is_before);
+  return result;
 }
 
 std::shared_ptr<const Shape_features> Correspondence_finder::Impl::features(const Prepared_shape& of,
@@ -61,7 +65,7 @@ std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates(const P
       result = candidates_by_roles(target, category.index);
   }
   // Of alignments of equal cost the first is taken: the same one, whichever shape is the source
-  if (!result.empty() && canonical_less(*aligned(target, 0), *source_))
+  if (!result.empty() && rank_of(*aligned(target, 0)) < rank_of(*source_))
     std::stable_sort(result.begin(), result.end(), [](const Alignment_candidate& a, const Alignment_candidate& b) {
       return a.target_front < b.target_front;
     });
@@ -76,16 +80,18 @@ Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& targ
   const Role_model_data& model = Role_model_access::data(*options_.roles);
   Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
   const auto by_any_front = [&](const Role_options& options) {
-    return category_of_pair(a.roles_by_turn(options_.roles), b.roles_by_turn(options_.roles), model, options);
+    return category_of_pair(a.roles(options_.roles), b.roles(options_.roles), model, options);
   };
   if (options_.alignments != 1) return by_any_front(options_.parts);
   const Pair_category given =
-      category_of_pair(*a.roles(options_.roles), *b.roles(options_.roles), model, options_.parts);
+      category_of_pair(*a.roles(options_.roles)[0], *b.roles(options_.roles)[0], model, options_.parts);
   if (given.index < model.categories.size() || options_.front_is_sure) return given;
   Role_options clearly_nearest = options_.parts; // the trees are asked for the front already
   clearly_nearest.category_distance = 0;
   const Pair_category turned = by_any_front(clearly_nearest);
-  const auto turns = [&](Alignments& shape) { return shape.front(options_.roles, turned.index, options_.parts) != 0; };
+  const auto turns = [&](Alignments& shape) {
+    return likely_front(shape.roles(options_.roles), turned.index, model.trees, options_.parts) != 0;
+  };
   return turned.index < model.categories.size() && (turns(a) || turns(b)) ? turned : given;
 }
 
@@ -101,10 +107,10 @@ std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates_by_role
                                                                                   std::size_t category) const
 {
   const auto fronts = [&](const Prepared_shape& shape) {
-    Alignments& shapes = *shape.alignments_;
-    if (options_.alignments == 1) return std::vector<int>{shapes.front(options_.roles, category, options_.parts)};
-    return front_turns(shapes.roles_by_turn(options_.roles), category, Role_model_access::data(*options_.roles).trees,
-                       options_.parts);
+    const Turned_roles roles = shape.alignments_->roles(options_.roles);
+    const int trees = Role_model_access::data(*options_.roles).trees;
+    if (options_.alignments == 1) return std::vector<int>{likely_front(roles, category, trees, options_.parts)};
+    return front_turns(roles, category, trees, options_.parts);
   };
   const int given = given_quarter_turns(structure(target.graph()).frame) - given_quarter_turns(source_frame_);
   const std::vector<int> of_source = fronts(prepared_source_), of_target = fronts(target);
@@ -119,9 +125,15 @@ std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates_by_role
 Part_matching Correspondence_finder::Impl::matched_in(const Prepared_shape& target, const Shared_shape& shape,
                                                       const Alignment_candidate& alignment) const
 {
-  if (!alignment.by_roles) return matched_in_common_frame(target, shape, alignment.turn);
-  return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + alignment.source_front,
-                           given_quarter_turns(structure(target.graph()).frame) + alignment.target_front);
+  if (alignment.by_roles)
+    return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + alignment.source_front,
+                             given_quarter_turns(structure(target.graph()).frame) + alignment.target_front);
+  // Costs treat the side and the front differently, so with an odd quarter turn it matters in whose frame shapes are
+  // compared: in that of the first in canonical order, whichever is the source
+  if (alignment.turn % 2 != 0 && rank_of(*shape) < rank_of(*source_))
+    return matched_in_frames(target, *shape, -alignment.turn, 0);
+  return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, alignment.turn), options_.parts,
+                     constraints(*source_, *shape));
 }
 
 Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
@@ -249,7 +261,7 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
     return;
   }
   const Pair_terms terms =
-      with_geometric_terms(role_terms(*votes->source, source_->original, *votes->target, aligned_target.original),
+      with_geometric_terms(role_terms(*votes->front(), source_->original, *votes->back(), aligned_target.original),
                            matching.costs, matching.pairs);
   const Match_constraints constrained = constraints(*source_, aligned_target);
   const Category_roles& known = model.categories[category.index];
@@ -269,17 +281,15 @@ std::optional<Role_votes_of_pair> Correspondence_finder::Impl::votes_of(const Pr
     return std::nullopt;
   }
   const auto votes_of_shape = [&](const Prepared_shape& shape, int front, std::vector<std::string>& names) {
-    const std::shared_ptr<const Shape_roles> roles = shape.alignments_->roles(options_.roles, front);
+    const std::shared_ptr<const Shape_roles> roles = shape.alignments_->roles(options_.roles)[std::size_t(front)];
     const std::shared_ptr<const Role_votes> votes(roles, &roles->votes(category.index)); // keeps the roles
     for (const Part_label& label : votes->labels)
       names.push_back(label.coarse);
     return votes;
   };
   result.category = model.categories[category.index].name;
-  Role_votes_of_pair votes;
-  votes.source = votes_of_shape(prepared_source_, alignment.source_front, result.source_roles);
-  votes.target = votes_of_shape(target, alignment.target_front, result.target_roles);
-  return votes;
+  return Role_votes_of_pair{votes_of_shape(prepared_source_, alignment.source_front, result.source_roles),
+                            votes_of_shape(target, alignment.target_front, result.target_roles)};
 }
 
 } // namespace CGAL::Shape_correspondence

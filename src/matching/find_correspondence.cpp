@@ -17,20 +17,27 @@ namespace CGAL::Shape_correspondence {
 namespace internal {
 
 Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shape,
-                                             const std::vector<std::size_t>& chosen)
+                                             const std::vector<std::size_t>& chosen,
+                                             const std::vector<std::vector<std::size_t>>& pinned)
 {
-  if (chosen.empty()) return shape;
   std::vector<char> is_kept(shape->parts.size(), 0);
   for (std::size_t part : chosen) {
-    const auto found = std::find(shape->original.begin(), shape->original.end(), part);
-    if (found == shape->original.end())
+    const std::size_t place = place_of(*shape, part);
+    if (place == is_kept.size())
       throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
                           " to choose, the shape has " + std::to_string(shape->parts.size()) + " parts");
-    is_kept[std::size_t(found - shape->original.begin())] = 1;
+    is_kept[place] = 1;
   }
-  return std::make_shared<Deformable_shape>(restricted(*shape, is_kept));
+  if (!chosen.empty()) shape = std::make_shared<Deformable_shape>(restricted(*shape, is_kept));
+  return pinned.empty() ? shape : std::make_shared<Deformable_shape>(shape->regrouped(pinned));
 }
 
+} // namespace internal
+
+namespace {
+
+// The parts to match: the most prominent of the chosen ones; of equals the same in every alignment.
+// \param shape in its own frame \param maximum_parts 0: all
 std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
                                       const std::vector<std::size_t>& chosen, int maximum_parts)
 {
@@ -38,16 +45,6 @@ std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shap
   const Matching_problem::Shared_shape all = participating(shape, chosen);
   return restricted(*all, most_prominent_parts(*all, std::size_t(maximum_parts))).original;
 }
-
-Matching_problem::Shared_shape regrouped(const Matching_problem::Shared_shape& shape,
-                                         const std::vector<std::vector<std::size_t>>& sets)
-{
-  return sets.empty() ? shape : std::make_shared<Deformable_shape>(shape->regrouped(sets));
-}
-
-} // namespace internal
-
-namespace {
 
 void check(const Search_options& options)
 {
@@ -111,8 +108,7 @@ Correspondence_finder::Impl::Impl(const Prepared_shape& source, const Search_opt
   check(options);
   check_indices(options.matching, &Part_pair::source, number_of_parts_, "source");
   source_ = source.alignments_->aligned(0);
-  source_ = participating(source_, participants(source_, options.source_parts, options.maximum_parts));
-  source_ = regrouped(source_, pinned_.source);
+  source_ = participating(source_, participants(source_, options.source_parts, options.maximum_parts), pinned_.source);
   if (options.maximum_parts > 0 && !options.coarse_target) options_.both_directions = false;
 }
 
@@ -135,9 +131,8 @@ Correspondence_finder::Impl::Shared_shape Correspondence_finder::Impl::aligned(c
 {
   Alignments& shapes = *target.alignments_;
   const int maximum_parts = options_.coarse_target ? options_.maximum_parts : 0;
-  return regrouped(participating(shapes.aligned(quarter_turns),
-                                 participants(shapes.aligned(0), options_.target_parts, maximum_parts)),
-                   pinned_.target);
+  return participating(shapes.aligned(quarter_turns),
+                       participants(shapes.aligned(0), options_.target_parts, maximum_parts), pinned_.target);
 }
 
 std::vector<int> Correspondence_finder::Impl::tried_turns(const Prepared_shape& target) const

@@ -4,7 +4,7 @@
 #include "matching/match_parts.h"
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
-#include "matching/Normalized_shape.h"
+#include "matching/Part_costs.h"
 #include "roles/pair_model.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -228,7 +228,7 @@ constexpr double forbidden_cost = 1e4;
 Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
                          const Match_constraints& constraints)
 {
-  Eigen::MatrixXd costs = part_costs(a.normalized, b.normalized, options);
+  Eigen::MatrixXd costs = part_costs(a, b, options);
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
       if (!constraints.allows(i, j)) costs(Eigen::Index(i), Eigen::Index(j)) = forbidden_cost;
@@ -266,8 +266,6 @@ void constrain(const Match_constraints& constraints, Part_matching& matching)
   std::sort(pairs.begin(), pairs.end(), is_before);
 }
 
-bool canonical_less(const Aligned_shape& a, const Aligned_shape& b) { return rank_of(a) < rank_of(b); }
-
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options, const Match_constraints& constraints)
 {
@@ -289,8 +287,7 @@ Part_matching match_parts(const Shape_features& a, const Shape_features& b, cons
                   source_turned = costs_of(a_over, b, options, constraints);
   const Steps over_target = quantized(mean_least_cost(target_turned)),
               over_source = quantized(mean_least_cost(source_turned));
-  const bool turn_source =
-      over_source < over_target || (over_source == over_target && a.normalized.rank < b.normalized.rank);
+  const bool turn_source = over_source < over_target || (over_source == over_target && a.rank < b.rank);
   Part_matching result = turn_source ? matching_of(std::move(source_turned), a_over, b, options, constraints)
                                      : matching_of(std::move(target_turned), a, b_over, options, constraints);
   result.upside_down = true;

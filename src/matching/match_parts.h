@@ -4,7 +4,7 @@
 #pragma once
 
 #include "energy/Match_constraints.h"
-#include "matching/Part_costs.h"
+#include "matching/Shape_features.h"
 
 #include <CGAL/Shape_correspondence/Part_correspondence.h>
 
@@ -22,9 +22,6 @@ struct Part_matching
   bool upside_down = false;               ///< one shape was turned over, as a lamp that hangs from a chain
   Eigen::MatrixXd probabilities;          ///< source part × target part; empty without roles
 };
-
-/// An order of shapes that breaks ties independently of which one is the source.
-bool canonical_less(const Aligned_shape& a, const Aligned_shape& b);
 
 /// Matches parts by their costs alone, without deforming a shape.
 ///
@@ -45,10 +42,6 @@ bool canonical_less(const Aligned_shape& a, const Aligned_shape& b);
 Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& target,
                           const Part_matching_options& options = {},
                           const internal::Match_constraints& constraints = {});
-
-namespace internal {
-struct Shape_features;
-}
 
 /// The same of shapes with known features, made by the same options.
 Part_matching match_parts(const internal::Shape_features& source, const internal::Shape_features& target,

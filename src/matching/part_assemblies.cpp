@@ -26,8 +26,7 @@ public:
   Part_assemblies run() const
   {
     Part_assemblies result;
-    result.has_main_surface = main_surface_ != no_surface;
-    if (result.has_main_surface) result.support = support();
+    if (main_surface_ != no_surface) result.support = support();
     result.legs = legs(result.support);
     result.is_on_ground = layout_.is_on_ground;
     result.is_in_chain.assign(shape_.parts.size(), 0);
@@ -39,7 +38,7 @@ public:
       if (is_row(group) && !result.is_in_chain[group.parts[0]]) add_panel(group.parts, result.panels);
     for (const std::vector<std::size_t>& chain : all_chains)
       add_panel(chain, result.panels);
-    if (result.has_main_surface) add_side_panels(result.support, result.panels);
+    if (main_surface_ != no_surface) add_side_panels(result.support, result.panels);
     return result;
   }
 

@@ -24,14 +24,13 @@ struct Part_assemblies
   ///  - A chain.
   std::vector<std::vector<std::size_t>> panels;
   /// The parts that support the main surface: those on the ground, and those without which one of these would lose its
-  /// connection to the main surface (the column of a pedestal). Empty where there is no main surface.
+  /// connection to the main surface (the column of a pedestal). Empty where there is no main surface: no horizontal
+  /// part that covers enough of the shape as seen from above (a seat, a tabletop, a mattress), the lowest of which it
+  /// is.
   std::vector<std::size_t> support;
   /// The support without the wide parts on the ground, where there are narrow ones (legs rather than side panels).
   std::vector<std::size_t> legs;
   std::vector<char> is_on_ground; ///< by part
-  /// The main surface is the lowest horizontal part that covers enough of the shape as seen from above (a seat, a
-  /// tabletop, a mattress).
-  bool has_main_surface = false;
   /// By part, whether it is in a chain: one of at least `Part_matching_options::repetition` rings (closed curves) of
   /// like size, of which each touches the next. What has one hangs from it, and its rings correspond only to rings of a
   /// chain.

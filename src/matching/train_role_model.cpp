@@ -88,16 +88,7 @@ Part_matching geometric_match(const Structural_graph& source, const Structural_g
 {
   const Aligned_shape a = align_shape(source, given_quarter_turns(structure(source).frame)),
                       b = align_shape(target, given_quarter_turns(structure(target).frame));
-  const Part_matching aligned = match_parts(a, b, options);
-  Part_matching result;
-  for (const Part_correspondence& pair : aligned.pairs)
-    result.pairs.push_back({a.original[pair.source], b.original[pair.target], pair.confidence});
-  result.costs.resize(aligned.costs.rows(), aligned.costs.cols());
-  for (Eigen::Index i = 0; i < result.costs.rows(); ++i)
-    for (Eigen::Index j = 0; j < result.costs.cols(); ++j)
-      result.costs(Eigen::Index(a.original[std::size_t(i)]), Eigen::Index(b.original[std::size_t(j)])) =
-          aligned.costs(i, j);
-  return result;
+  return renumbered(match_parts(a, b, options), a.original, b.original);
 }
 
 template <typename Examples>

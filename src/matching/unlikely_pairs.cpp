@@ -4,18 +4,9 @@
 #include "matching/unlikely_pairs.h"
 
 #include <algorithm>
+#include <set>
 
 namespace CGAL::Shape_correspondence::internal {
-
-namespace {
-
-void insert_sorted(std::size_t part, std::vector<std::size_t>& parts)
-{
-  const auto place = std::lower_bound(parts.begin(), parts.end(), part);
-  if (place == parts.end() || *place != part) parts.insert(place, part);
-}
-
-} // namespace
 
 std::vector<Part_correspondence> remove_unlikely_pairs(Correspondence& correspondence, double least)
 {
@@ -24,14 +15,16 @@ std::vector<Part_correspondence> remove_unlikely_pairs(Correspondence& correspon
       pairs.begin(), pairs.end(), [&](const Part_correspondence& pair) { return !(pair.confidence < least); });
   const std::vector<Part_correspondence> removed(first_removed, pairs.end());
   pairs.erase(first_removed, pairs.end());
-  for (const Part_correspondence& unlikely : removed) {
-    const auto has = [&](std::size_t Part_correspondence::*part) {
-      return std::any_of(pairs.begin(), pairs.end(),
-                         [&](const Part_correspondence& pair) { return pair.*part == unlikely.*part; });
-    };
-    if (!has(&Part_correspondence::source)) insert_sorted(unlikely.source, correspondence.unmatched_source);
-    if (!has(&Part_correspondence::target)) insert_sorted(unlikely.target, correspondence.unmatched_target);
-  }
+  const auto add_parts_without_pair = [&](std::size_t Part_correspondence::*part, std::vector<std::size_t>& unmatched) {
+    std::set<std::size_t> parts(unmatched.begin(), unmatched.end());
+    for (const Part_correspondence& pair : removed)
+      parts.insert(pair.*part);
+    for (const Part_correspondence& pair : pairs)
+      parts.erase(pair.*part);
+    unmatched.assign(parts.begin(), parts.end());
+  };
+  add_parts_without_pair(&Part_correspondence::source, correspondence.unmatched_source);
+  add_parts_without_pair(&Part_correspondence::target, correspondence.unmatched_target);
   return removed;
 }
 

@@ -8,8 +8,7 @@
 #include "deformed_parts.h"
 #include "energy/Matching_problem.h"
 #include "energy/Structural_rods.h"
-#include "energy/cut_curves.h"
-#include "energy/divide_sheets.h"
+#include "energy/cut_parts.h"
 #include "search/beam_search.h"
 
 #include <CGAL/Shape_correspondence/exact_search.h>
@@ -297,8 +296,8 @@ TEST_CASE("A cut part: its contacts count by the segment that touches, and betwe
     const Structural_rods rods(sampled(low).samples, sampled(high).samples);
     const double distortion = rods.energy(sampled(low).samples, sampled(flat).samples).distortion;
     CHECK(distortion > 0.2);
-    CHECK(problem.cut_energy(1, cut).distortion == Approx(distortion).margin(1e-5));
-    CHECK(problem.cut_energy(1, cut).connectedness == Approx(0.04)); // d = 0, d' = 0.04, f = 1
+    CHECK(problem.group_terms(1, cut).distortion == Approx(distortion).margin(1e-5));
+    CHECK(problem.group_terms(1, cut).connectedness == Approx(0.04)); // d = 0, d' = 0.04, f = 1
   }
 }
 
@@ -337,8 +336,8 @@ TEST_CASE("A curve that is cut into three has rods between neighbouring segments
   const Rod_energy left = rod_energy(piece(0), piece(1), sampled(first).samples, moved),
                    right = rod_energy(piece(1), piece(2), moved, sampled(third).samples);
   CHECK(left.distortion > 0.05);
-  CHECK(problem.cut_energy(0, cut).distortion == Approx(left.distortion + right.distortion));
-  CHECK(problem.cut_energy(0, cut).connectedness == Approx(left.connectedness + right.connectedness));
+  CHECK(problem.group_terms(0, cut).distortion == Approx(left.distortion + right.distortion));
+  CHECK(problem.group_terms(0, cut).connectedness == Approx(left.connectedness + right.connectedness));
 }
 
 TEST_CASE("Contacts inside a group are in the tables")

@@ -14,6 +14,12 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
+Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& target,
+                           const Part_matching_options& options = {})
+{
+  return part_costs(internal::Shape_features(source, options), internal::Shape_features(target, options), options);
+}
+
 constexpr Part_cost_weights no_weights{0, 0, 0, 0, 0, 0};
 
 // The index in the aligned shape of a part of the graph.

@@ -166,13 +166,11 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
       Points a = Points::Random(3, n), b = Points::Random(3, m);
       b.col(m - 1) = a.col(n - 1); // rods of length zero
       const Points c = Points::Random(3, 36), d = Points::Random(3, 36);
-      std::vector<internal::Rod_block> memory(Structural_rods::size(36, 36));
       const Rod_energy expected = Structural_rods(repeated(a, first), repeated(b, second)).energy(c, d);
-      for (const Rod_energy& energy :
-           {Structural_rods(a, b, first, second).energy(c, d),
-            Structural_rods(internal::Sample_lanes(repeated(a, first), first), 36,
-                            internal::Sample_lanes(repeated(b, second), second), 36, memory.data())
-                .energy(c, d)}) {
+      for (const Rod_energy& energy : {Structural_rods(a, b, first, second).energy(c, d),
+                                       Structural_rods(internal::Sample_lanes(repeated(a, first), first), 36,
+                                                       internal::Sample_lanes(repeated(b, second), second), 36)
+                                           .energy(c, d)}) {
         CHECK(energy.distortion == expected.distortion);
         CHECK(energy.connectedness == expected.connectedness);
       }
@@ -220,7 +218,7 @@ TEST_CASE("All vector instructions write the same directions of rods")
         const int in_blocks = internal::samples_in_blocks(m);
         const int row = internal::blocks_of(in_blocks), back_row = internal::blocks_of(n);
         float longest_squared = 0;
-        std::vector<internal::Rod_block> expected(Structural_rods::size(n, m));
+        std::vector<internal::Rod_block> expected(std::size_t(internal::blocks_of_rods(n, m)));
         for (internal::Rod_block& block : expected)
           for (auto& axis : block.direction)
             std::fill(std::begin(axis), std::end(axis), 0.f);

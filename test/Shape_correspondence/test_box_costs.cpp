@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/Normalized_shape.h"
+#include "matching/Shape_features.h"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "aligned_graphs.h"
 #include "deformed_parts.h"
-#include "energy/cut_curves.h"
+#include "energy/cut_parts.h"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "aligned_graphs.h"
 #include "base/divide_box.h"
-#include "energy/divide_sheets.h"
+#include "energy/cut_parts.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 

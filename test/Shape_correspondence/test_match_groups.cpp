@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "aligned_graphs.h"
-#include "energy/Unit_box.h"
 #include "energy/match_groups.h"
 
 #include <catch2/catch.hpp>

@@ -8,7 +8,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_FIT_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_FIT_H
 
-#include "matching/Normalized_shape.h"
+#include "matching/Shape_features.h"
 #include "matching/match_parts.h"
 #include "matching_constants.h"
 #include "methods.h"

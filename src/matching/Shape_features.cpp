@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "matching/Normalized_shape.h"
+#include "matching/Shape_features.h"
 #include "base/eigen_system.h"
 #include "base/quantized.h"
 
@@ -44,7 +44,7 @@ Part_extent part_extent(const Surface& surface, const Part_matching_options& opt
   return result;
 }
 
-Surface surface_of(const Normalized_shape& shape, const std::vector<std::size_t>& parts)
+Surface surface_of(const Shape_features& shape, const std::vector<std::size_t>& parts)
 {
   Eigen::Index n = 0;
   for (std::size_t part : parts)
@@ -65,12 +65,13 @@ void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
 }
 
 // Groups and panels, as one part each.
-void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part_assemblies& assemblies,
-                const Part_matching_options& options)
+void add_unions(Shape_features& result)
 {
+  const Aligned_shape& shape = result.shape;
+  const Part_matching_options& options = result.options;
   for (const Part_group& group : groups(shape))
     if (group.parts.size() >= options.repetition) result.unions.push_back(group.parts);
-  for (const std::vector<std::size_t>& panel : assemblies.panels)
+  for (const std::vector<std::size_t>& panel : result.assemblies.panels)
     if (shape.group(shape.group_of[panel[0]]).parts != panel) result.unions.push_back(panel);
   const auto is_all = [&](const std::vector<std::size_t>& parts) { return parts.size() == shape.parts.size(); };
   result.unions.erase(std::remove_if(result.unions.begin(), result.unions.end(), is_all), result.unions.end());
@@ -89,17 +90,6 @@ void add_unions(Normalized_shape& result, const Aligned_shape& shape, const Part
   result.union_boxes = Measured_boxes(boxes, options.tolerance);
 }
 
-} // namespace
-
-Measured_boxes::Measured_boxes(const Boxes& boxes, double tolerance) : Boxes(boxes)
-{
-  const Eigen::ArrayX3d extents = (high - low).max(0.) + tolerance;
-  volumes = extents.rowwise().prod();
-  logs = extents.log();
-}
-
-namespace {
-
 constexpr Eigen::Index most_kept_parts = 128; // 96 bytes for each pair of parts
 
 // \param others an even number of ends: the exponential of a scalar has other bits than that of a vector
@@ -110,6 +100,13 @@ auto closeness_to(const Ends& others, double end, double width)
 }
 
 } // namespace
+
+Measured_boxes::Measured_boxes(const Boxes& boxes, double tolerance) : Boxes(boxes)
+{
+  const Eigen::ArrayX3d extents = (high - low).max(0.) + tolerance;
+  volumes = extents.rowwise().prod();
+  logs = extents.log();
+}
 
 Closeness::Closeness(const Boxes& boxes, double width) : width_(width)
 {
@@ -152,10 +149,11 @@ Shape_rank rank_of(const Aligned_shape& shape)
   return {shape.parts.size(), quantized(height), quantized(off_axis)};
 }
 
-Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies,
-                                  const Part_matching_options& options)
+Shape_features::Shape_features(const Aligned_shape& shape, const Part_matching_options& options)
+    : shape(shape), options(options), assemblies(part_assemblies(shape, options)), rank(rank_of(shape))
 {
-  Normalized_shape result;
+  if (!options.panels) assemblies.panels.clear();
+  if (!options.support) assemblies.support.clear();
   Axes low = Axes::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Sampled_part& part : shape.parts) {
     low = low.min(part.surface.rowwise().minCoeff().array());
@@ -163,32 +161,20 @@ Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assembl
   }
   const Axes side = (high - low > comparison_grid).select(high - low, 1.);
 
-  const auto n = Eigen::Index(shape.parts.size());
-  Boxes boxes{Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
-  for (const Sampled_part& part : shape.parts) {
-    result.surfaces.push_back((part.surface.transpose().array().rowwise() - low.transpose()).rowwise() /
-                              side.transpose());
-    add_box(boxes, Eigen::Index(result.parts.size()), result.surfaces.back());
-    result.parts.push_back(part_extent(result.surfaces.back(), options));
+  const auto n = Eigen::Index(size());
+  Boxes of_parts{Eigen::ArrayX3d(n, 3), Eigen::ArrayX3d(n, 3)};
+  for (std::size_t part = 0; part < size(); ++part) {
+    surfaces.push_back((shape.parts[part].surface.transpose().array().rowwise() - low.transpose()).rowwise() /
+                       side.transpose());
+    add_box(of_parts, Eigen::Index(part), surfaces.back());
+    parts.push_back(part_extent(surfaces.back(), options));
+    parts.back().on_ground = assemblies.is_on_ground[part];
+    parts.back().is_in_chain = assemblies.is_in_chain[part];
   }
-  result.boxes = Measured_boxes(boxes, options.tolerance);
-  result.closeness = Closeness(boxes, options.warp_width);
-  for (std::size_t part = 0; part < shape.parts.size(); ++part) {
-    result.parts[part].on_ground = assemblies.is_on_ground[part];
-    result.parts[part].is_in_chain = assemblies.is_in_chain[part];
-  }
-  add_unions(result, shape, assemblies, options);
-  result.lanes = {result.surfaces.begin(), result.surfaces.end()};
-  result.rank = rank_of(shape);
-  return result;
-}
-
-Shape_features::Shape_features(const Aligned_shape& shape, const Part_matching_options& options)
-    : shape(shape), options(options), assemblies(part_assemblies(shape, options))
-{
-  if (!options.panels) assemblies.panels.clear();
-  if (!options.support) assemblies.support.clear();
-  normalized = normalized_shape(shape, assemblies, options);
+  boxes = Measured_boxes(of_parts, options.tolerance);
+  closeness = Closeness(of_parts, options.warp_width);
+  add_unions(*this);
+  lanes = {surfaces.begin(), surfaces.end()};
 }
 
 bool have_same_features(const Part_matching_options& a, const Part_matching_options& b)

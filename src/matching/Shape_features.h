@@ -64,14 +64,19 @@ struct Part_extent
   bool is_in_chain = false; // a ring of a chain
 };
 
-// An order of shapes that does not depend on turns about the up axis.
+// An order of shapes that does not depend on turns about the up axis; it breaks ties independently of which shape is
+// the source.
 using Shape_rank = std::tuple<std::size_t, Steps, Steps>;
 
 Shape_rank rank_of(const Aligned_shape& shape);
 
-// The parts of a shape in its unit box.
-struct Normalized_shape
+// What `match_parts()` knows of a shape: its parts in its unit box. Threads may share it.
+struct Shape_features
 {
+  const Aligned_shape& shape;
+  Part_matching_options options;
+  Part_assemblies assemblies; // those that the options ask for
+
   std::vector<Surface> surfaces;
   std::vector<Point_lanes> lanes; // of the surfaces
   std::vector<Part_extent> parts;
@@ -83,18 +88,6 @@ struct Normalized_shape
   Measured_boxes union_boxes;
 
   Shape_rank rank;
-};
-
-Normalized_shape normalized_shape(const Aligned_shape& shape, const Part_assemblies& assemblies,
-                                  const Part_matching_options& options);
-
-// What `match_parts()` knows of a shape. Threads may share it.
-struct Shape_features
-{
-  const Aligned_shape& shape;
-  Part_matching_options options;
-  Part_assemblies assemblies; // those that the options ask for
-  Normalized_shape normalized;
 
   Shape_features(const Aligned_shape& shape, const Part_matching_options& options);
 
