@@ -325,8 +325,8 @@ private:
     return std::accumulate(sizes.begin(), sizes.end(), 0.) - *std::max_element(sizes.begin(), sizes.end());
   }
 
-  /// \param most what costs no less may be told to cost anything from there on
-  double cost(const Parts& is_there, double most = std::numeric_limits<double>::infinity()) const
+  /// \param limit a cost that is not less need not be exact: the terms that take long are left out then
+  double cost(const Parts& is_there, double limit = std::numeric_limits<double>::infinity()) const
   {
     constexpr double of_rivals = 2, of_holes = 3; // weights; the others have 1
     constexpr double worth = 0.3;                 // of the share that changes in the lesser step
@@ -339,9 +339,9 @@ private:
     // The worse the less it is, so that the search finds out of there
     if (lesser > 0 && quantized(lesser) < quantized(least)) return too_little - lesser;
     double result = of_rivals * rivalry(is_there) / size_ - worth * lesser;
-    if (result < most) result += come_off(is_there) / size_;
-    if (result < most) result += hanging(is_there) / size_;
-    if (result < most) result += of_holes * holes(is_there);
+    if (result < limit) result += come_off(is_there) / size_;
+    if (result < limit) result += hanging(is_there) / size_;
+    if (result < limit) result += of_holes * holes(is_there);
     return result;
   }
 
@@ -371,11 +371,11 @@ private:
     if (count < 2) return old_;
     Parts result = old_;
     double least = std::min(cost(old_), cost(new_)); // of no mixed shape
-    for (std::size_t end : {0u, 1u})
+    for (std::size_t from : {0u, 1u})                // old and new
       for (std::size_t i = 1; i < starts; ++i) {
-        if (!progress(double(end * starts + i) / double(2 * starts))) return result;
+        if (!progress(double(from * starts + i) / double(2 * starts))) return result;
         const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1); // from the ground up
-        Parts is_there = end == 0 ? old_ : new_;
+        Parts is_there = from == 0 ? old_ : new_;
         for (std::size_t k = 0; k < moved; ++k)
           is_there ^= exchanged_[k];
         const double value = improve(is_there);
