@@ -55,7 +55,10 @@ Part_abstraction Solid_abstractor::run()
 
 void Solid_abstractor::try_to_run()
 {
+  const double farthest = 1e6; // of the coordinates, over the diagonal: CGAL divides by differences of them
   watch_.lap();
+  if (mesh().points.cwiseAbs().maxCoeff() > farthest * diagonal_)
+    throw Flow_failure("it is far from the origin for its size");
   const Repaired_part repaired = repair_part(mesh(), deadline_);
   report().repair = repaired.repair;
   report().several_components = repaired.several_components;

@@ -24,6 +24,10 @@ namespace {
 /// and the flow amplify rounding noise, so that it must not reach them.
 constexpr double coordinate_grid = 1e-7;
 
+/// Parts whose diagonal is a smaller fraction of the height of the shape are abstracted in a frame of their own, since
+/// differences of their coordinates would be rounding noise.
+constexpr double tiny_part = 1e-4;
+
 constexpr std::size_t surface_points_of_a_part = 256;
 
 bool is_valid(const Curve& curve) { return curve.points.cols() >= 2; }
@@ -57,6 +61,7 @@ Part_abstraction abstract_mesh(const Shape_part& part, const Abstraction_options
   const Convex_hull hull = convex_hull(part.mesh.points);
   result.hull = hull.vertices;
   result.hull_volume = hull.volume;
+  result.report.hull_of_box = hull.is_box;
   result.report.phases.measure = watch.lap();
   result.report.milliseconds = 1e3 * watch.seconds();
   return result;
@@ -74,6 +79,24 @@ void scale_measures(Part_abstraction& part, double factor)
   part.area *= factor * factor;
   part.volume *= factor * factor * factor;
   part.hull_volume *= factor * factor * factor;
+}
+
+Part_abstraction to_world(Part_abstraction part, const Shape_frame& frame)
+{
+  move_points(part, [&](const Points& points) { return frame.to_world(points); });
+  scale_measures(part, frame.height);
+  return part;
+}
+
+/// The abstraction of a part that is moved to the origin and scaled to a diagonal of 1 for it.
+Part_abstraction abstract_in_own_frame(const Shape_part& part, const Abstraction_options& options)
+{
+  const Point low = part.mesh.points.rowwise().minCoeff(), high = part.mesh.points.rowwise().maxCoeff();
+  Shape_frame frame;
+  frame.origin = 0.5 * (low + high);
+  frame.height = (high - low).norm();
+  const Part_mesh mesh = canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid);
+  return to_world(abstract_mesh({part.name, mesh}, options), frame);
 }
 
 void make_canonical(Part_abstraction& part)
@@ -119,8 +142,11 @@ private:
 std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape_frame& frame)
 {
   std::vector<Part_mesh> result;
-  for (const Shape_part& part : shape.parts())
-    result.push_back(canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid));
+  for (const Shape_part& part : shape.parts()) {
+    const Points points = frame.to_frame(part.mesh.points);
+    const double size = diagonal(points);
+    result.push_back(canonical_mesh({points, part.mesh.triangles}, coordinate_grid * (size < tiny_part ? size : 1)));
+  }
   return result;
 }
 
@@ -148,14 +174,7 @@ Abstraction_kind Abstraction_options::kind_of(const std::string& part) const
 
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options)
 {
-  const Point low = part.mesh.points.rowwise().minCoeff(), high = part.mesh.points.rowwise().maxCoeff();
-  Shape_frame frame;
-  frame.origin = 0.5 * (low + high);
-  frame.height = (high - low).norm();
-  const Part_mesh mesh = canonical_mesh({frame.to_frame(part.mesh.points), part.mesh.triangles}, coordinate_grid);
-  Part_abstraction result = abstract_mesh({part.name, mesh}, options);
-  move_points(result, [&](const Points& points) { return frame.to_world(points); });
-  scale_measures(result, frame.height);
+  Part_abstraction result = abstract_in_own_frame(part, options);
   if (options.progress) options.progress(1, 1);
   return result;
 }
@@ -174,7 +193,9 @@ std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const
   Progress progress(options, meshes.size());
   for_each_index<ConcurrencyTag>(originals.size(), [&](std::size_t k) {
     const std::size_t i = originals[k];
-    result[i] = abstract_mesh({shape.parts()[i].name, meshes[i]}, options);
+    const Shape_part part{shape.parts()[i].name, meshes[i]};
+    const bool is_tiny = diagonal(part.mesh.points) < tiny_part;
+    result[i] = is_tiny ? abstract_in_own_frame(part, options) : abstract_mesh(part, options);
     progress.one_done();
   });
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -184,10 +205,8 @@ std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const
       progress.one_done();
     }
   }
-  for (Part_abstraction& part : result) {
-    move_points(part, [&](const Points& points) { return frame.to_world(points); });
-    scale_measures(part, frame.height);
-  }
+  for (Part_abstraction& part : result)
+    part = to_world(std::move(part), frame);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "abstraction/repair.h"
 #include "abstraction/Wrap_oracle.h"
 #include "abstraction/bounding_box.h"
+#include "base/library_call.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -249,6 +250,7 @@ bool dominates(const Halfedge_mesh& component, const Part_mesh& part, double are
 Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
 {
   using Repair = Abstraction_report::Repair;
+  check_library_call("repair");
   Repaired_part result;
   bool soup_changed = false;
   const Halfedge_mesh mesh = stitched_surface(part, soup_changed);

@@ -4,6 +4,7 @@
 #include "abstraction/skeletonize.h"
 #include "abstraction/reproducible_flow.h"
 #include "abstraction/surface_samples.h"
+#include "base/library_call.h"
 #include "shape/meshes.h"
 
 #include <algorithm>
@@ -23,7 +24,9 @@ public:
         mesh_(mesh_of_flow()),
         area_(original_area_),
         volume_(original_volume_)
-  {}
+  {
+    check_library_call("flow");
+  }
 
   void step()
   {

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/library_call.h"
 #include "shape/meshes.h"
 #include "shape/oriented_box.h"
 
@@ -27,9 +28,14 @@ Part_mesh Shape_blend::solid(double t, double detail) const
   const Part_mesh all = internal::joined(meshes);
   const internal::Triangle_soup soup = internal::to_soup(all);
   const double alpha = detail * internal::diagonal(all.points);
-  internal::Halfedge_mesh result;
-  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset * alpha, result);
-  if (!CGAL::is_closed(result) || !CGAL::Polygon_mesh_processing::is_outward_oriented(result))
+  const auto wrap = [&] {
+    internal::Halfedge_mesh result;
+    CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset * alpha, result);
+    return result;
+  };
+  const internal::Halfedge_mesh result =
+      internal::library_call("wrap of a blend", wrap, [] { return internal::Halfedge_mesh(); });
+  if (result.is_empty() || !CGAL::is_closed(result) || !CGAL::Polygon_mesh_processing::is_outward_oriented(result))
     throw Invalid_input("Shape_blend: the shape at this time has no closed surface around it");
   return internal::to_part_mesh(result);
 }

@@ -142,20 +142,26 @@ std::string message_about(const std::string& path, const std::string& message)
 
 bool is_graph_file(const std::string& path) { return has_extension(path, ".json") || has_extension(path, ".xml"); }
 
-namespace {
-
-/// Errors of `read` name `path`.
-template <typename Read>
-auto with_path(const std::string& path, const Read& read)
+void rethrow_about(const std::string& path)
 {
   try {
-    return read();
+    throw;
   } catch (const Invalid_input& error) {
     throw Invalid_input(message_about(path, error.what()));
   } catch (const std::bad_alloc&) {
-    throw Invalid_input(path + ": it needs more memory than there is");
+    throw Invalid_input(path + ": it needs more memory than there is; simplify the model");
+  } catch (const Usage_error&) {
+    throw;
+  } catch (const fs::filesystem_error&) {
+    throw;
+  } catch (const std::exception& error) {
+    const std::string what = error.what();
+    throw Invalid_input(path + ": a computation on its surface failed (" + what.substr(0, what.find('\n')) +
+                        "); repair or remesh the model in a program for modelling");
   }
 }
+
+namespace {
 
 /// Calls `load` with options and the shape to fill in; errors name `path`.
 template <typename Load>

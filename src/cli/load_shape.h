@@ -93,6 +93,21 @@ void keep_known(const std::string& path, const std::string& key, const Common_op
 /// The message, prefixed with the path unless it begins with it.
 std::string message_about(const std::string& path, const std::string& message);
 
+/// Throws the exception that is being handled: as an `Invalid_input` that names the path, unless it says itself what it
+/// is about. Those of libraries, which may fail on any surface, are among them.
+[[noreturn]] void rethrow_about(const std::string& path);
+
+/// What `read` returns; its errors name `path`.
+template <typename Read>
+auto with_path(const std::string& path, const Read& read)
+{
+  try {
+    return read();
+  } catch (...) {
+    rethrow_about(path);
+  }
+}
+
 /// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds the graph of a model.
 /// With `Common_options::graphs_suffice`, a folder of part meshes that the cache knows has no model.
 /// \throw Invalid_input; the message names `path`

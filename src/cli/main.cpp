@@ -8,6 +8,8 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
 
+#include <CGAL/assertions_behaviour.h>
+
 #include <filesystem>
 #include <iostream>
 
@@ -48,7 +50,9 @@ int run_command(const std::string& name, const std::vector<std::string>& argumen
   } catch (const std::bad_alloc&) {
     return complain("there is not enough memory for this input", unusable_input);
   } catch (const std::exception& error) {
-    return complain("unexpected error: " + std::string(error.what()), unusable_input);
+    return complain("unexpected error: " + std::string(error.what()) +
+                        "; this is a mistake of the program: please report it, with the command and its inputs",
+                    unusable_input);
   }
 }
 
@@ -73,5 +77,6 @@ int run(const std::vector<std::string>& arguments)
 int main(int argc, char* argv[])
 {
   namespace SC = CGAL::Shape_correspondence;
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // its exceptions say enough
   return SC::cli::run(SC::IO::start_program(argc, argv));
 }

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/library_call.h"
 #include "cli/load_shape.h"
 #include "cli/text.h"
 #include "io/read/model_parts.h"
@@ -156,11 +157,14 @@ void turn_by_roles(const Point& up, Read_model& model)
 
 Read_model read_model(const std::string& path, const Common_options& options)
 {
-  return model_of_objects(path, IO::read_objects(path, options.up_vector(), options.reading), options);
+  return with_path(path, [&] {
+    return model_of_objects(path, IO::read_objects(path, options.up_vector(), options.reading), options);
+  });
 }
 
 Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options)
 {
+  internal::check_library_call("reading");
   Read_model model;
   model.objects = std::move(objects.shape);
   model.warnings = std::move(objects.warnings);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/fill_section.h"
+#include "base/library_call.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -135,7 +136,11 @@ private:
 
 Section_filling fill_section(const Planar_points& vertices, const std::vector<Section_side>& sides)
 {
-  return Section_filler(vertices, sides)();
+  return library_call(
+      "section", [&] { return Section_filler(vertices, sides)(); },
+      [&] {
+        return Section_filling{vertices, {}};
+      });
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/convex_hull.h"
+#include "base/library_call.h"
 #include "base/planar_hull.h"
 #include "shape/meshes.h"
 #include "shape/oriented_box.h"
 
 #include <CGAL/Convex_hull_traits_3.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -57,9 +59,8 @@ Halfedge_mesh hull_of(const std::vector<Mesh_point>& points)
   return result;
 }
 
-/// The convex hull of points that do not lie in a plane, its faces triangles. Many points are first turned, so that
-/// rounding noise brings them out of common planes.
-Halfedge_mesh convex_hull_mesh(const Points& points)
+/// Many points are first turned, so that rounding noise brings them out of common planes.
+Halfedge_mesh hull_of(const Points& points)
 {
   std::vector<Mesh_point> input;
   for (Eigen::Index i = 0; i < points.cols(); ++i)
@@ -77,6 +78,38 @@ Halfedge_mesh convex_hull_mesh(const Points& points)
   for (const auto v : hull.vertices())
     vertices.push_back(hull.point(v) = original.at(hull.point(v)));
   return vertices.size() <= most_coplanar_points ? hull_of(vertices) : hull;
+}
+
+/// The corners of a box along right-handed axes; bit k of a corner's number is its side along axis k.
+Points corners(Oriented_box box)
+{
+  box.axes.col(2) = box.axes.col(0).cross(box.axes.col(1));
+  Points result(3, 8);
+  for (int i = 0; i < 8; ++i) {
+    const Point sides(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+    result.col(i) = box.centre + box.axes * box.extents.cwiseProduct(sides);
+  }
+  return result;
+}
+
+/// The convex hull of points that do not lie in a plane, its faces triangles, or the box around them if CGAL fails.
+struct Hull_mesh
+{
+  Halfedge_mesh mesh;
+  bool is_box = false;
+};
+
+Hull_mesh convex_hull_mesh(const Points& points)
+{
+  return library_call(
+      "convex hull", [&] { return Hull_mesh{hull_of(points)}; },
+      [&] {
+        const Points box = corners(oriented_box(points));
+        const auto p = [&](int i) { return to_mesh_point(box.col(i)); };
+        Hull_mesh result{{}, true};
+        CGAL::make_hexahedron(p(0), p(1), p(3), p(2), p(6), p(4), p(5), p(7), result.mesh);
+        return result;
+      });
 }
 
 /// Hull vertices of points that lie in a plane: those of the rectangle or polygon in it.
@@ -165,12 +198,15 @@ Convex_hull convex_hull(const Points& points)
   if (points.cols() == 0) return {};
   const Oriented_box box = thinnest_box(points);
   if (box.extents[2] <= thinnest * box.extents[0]) return flat_hull(points, box);
-  return measured_hull(convex_hull_mesh(points));
+  const Hull_mesh hull = convex_hull_mesh(points);
+  Convex_hull result = measured_hull(hull.mesh);
+  result.is_box = hull.is_box;
+  return result;
 }
 
 Hull_planes::Hull_planes(const Points& points, double thickness)
 {
-  const Halfedge_mesh hull = convex_hull_mesh(thickened(points, thickness));
+  const Halfedge_mesh hull = convex_hull_mesh(thickened(points, thickness)).mesh;
   const auto faces = Eigen::Index(hull.number_of_faces());
   normals_.resize(3, faces);
   offsets_.resize(faces);

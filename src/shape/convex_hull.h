@@ -10,7 +10,8 @@ namespace CGAL::Shape_correspondence::internal {
 struct Convex_hull
 {
   Points vertices;
-  double volume = 0; ///< 0 if the points lie in a plane
+  double volume = 0;   ///< 0 if the points lie in a plane
+  bool is_box = false; ///< that of the box around the points, since theirs could not be computed
 };
 
 Convex_hull convex_hull(const Points& points);

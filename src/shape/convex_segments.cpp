@@ -40,11 +40,14 @@ struct Face
 {
   Point centre = Point::Zero(), normal = Point::Zero(), along = Point::Zero(); // along: of an edge
   double area = 0;
+
+  bool is_flat() const { return area <= 0; } ///< without area, so that its normal is unknown
 };
 
 /// The angle by which a surface is concave between two faces; 0 where it is convex.
 double concave_angle(const Face& a, const Face& b)
 {
+  if (a.is_flat() || b.is_flat()) return 0;
   if ((b.centre - a.centre).dot(a.normal - b.normal) <= 0) return 0;
   return std::atan2(a.normal.cross(b.normal).norm(), a.normal.dot(b.normal));
 }
@@ -145,8 +148,22 @@ private:
           reach(next.idx(), way + (to.centre - from.centre).norm() * (1 + detour * concave_angle(from, to)));
         }
       }
-      seed = std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+      for (std::size_t face = 0; face < faces_.size(); ++face)
+        if (!faces_[face].is_flat() && distance[face] > distance[seed]) seed = face;
     }
+  }
+
+  /// The faces but those whose corners are exactly on a line, on which intersections with rays fail.
+  Tree tree_of_proper_faces() const
+  {
+    std::vector<Halfedge_mesh::Face_index> proper;
+    for (auto face : mesh_.faces()) {
+      const auto h = mesh_.halfedge(face);
+      if (!CGAL::collinear(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)),
+                           mesh_.point(mesh_.target(mesh_.next(h)))))
+        proper.push_back(face);
+    }
+    return Tree(proper.begin(), proper.end(), mesh_);
   }
 
   /// The median length of the ways inward from a face, in a cone of 39°; 0 if there is none.
@@ -175,7 +192,7 @@ private:
   /// Measures thicknesses, and which seeds see each other.
   void look_through_inside()
   {
-    const Tree tree(mesh_.faces().begin(), mesh_.faces().end(), mesh_);
+    const Tree tree = tree_of_proper_faces();
     thickness_.resize(size());
     std::vector<Mesh_point> eyes;
     for (Eigen::Index i = 0; i < size(); ++i) {

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/library_call.h"
 #include "shape/convex_segments.h"
 #include "shape/has_area.h"
 #include "shape/meshes.h"
@@ -24,33 +25,65 @@
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
+namespace {
+
+/// The connected components of the manifold that the triangles make; none if CGAL fails.
+std::vector<Halfedge_mesh> components_of(const Part_mesh& mesh)
+{
+  return library_call(
+      "components",
+      [&] {
+        Halfedge_mesh surface = manifold_surface(mesh);
+        std::vector<Halfedge_mesh> components;
+        CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
+        for (Halfedge_mesh& component : components)
+          component.collect_garbage();
+        return components;
+      },
+      [] { return std::vector<Halfedge_mesh>(); });
+}
+
+/// By face the number of its segment; none if the component has no inside, or CGAL fails.
+std::vector<std::size_t> segments_of(Halfedge_mesh& component, std::size_t patches, const Segmentation_options& options)
+{
+  return library_call(
+      "segments",
+      [&] {
+        CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
+        return convex_segments(component, patches, options);
+      },
+      [] { return std::vector<std::size_t>(); });
+}
+
+} // namespace
+
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
                                const Point& up)
 {
   if (options.patches < 1) throw Invalid_input("the number of patches of a segmentation is 0; give at least 1");
   if (!(options.probability > 0 && options.probability < 1) || !(options.least_area >= 0 && options.least_area <= 1))
     throw Invalid_input("the probability and the least area of a segmentation must be between 0 and 1");
-  Halfedge_mesh surface = manifold_surface(mesh);
-  std::vector<Halfedge_mesh> components;
-  CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
+  std::vector<Halfedge_mesh> components = components_of(mesh);
   double total_area = 0;
   std::vector<double> areas;
   for (const Halfedge_mesh& component : components)
     total_area += areas.emplace_back(CGAL::to_double(CGAL::Polygon_mesh_processing::area(component)));
   Mesh_segmentation result{Segmented_shape(std::move(name), up)};
+  if (components.empty() && has_area(mesh)) {
+    result.shape.add_part("segment_0", mesh);
+    ++result.pieces_kept_whole;
+  }
   for (std::size_t i = 0; i < components.size(); ++i) {
     Halfedge_mesh& component = components[i];
-    component.collect_garbage();
     if (!has_area(to_part_mesh(component))) {
       ++result.pieces_left_out;
       continue;
     }
     std::vector<std::size_t> segments;
     if (CGAL::is_closed(component)) {
-      CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
       // So many that the time, which is quadratic in them, does not grow with the number of components
       const double patches = std::ceil(double(options.patches) * std::sqrt(areas[i] / total_area));
-      segments = convex_segments(component, std::size_t(std::max(patches, 1.)), options);
+      segments = segments_of(component, std::size_t(std::max(patches, 1.)), options);
       if (segments.empty()) ++result.pieces_kept_whole;
     }
     segments.resize(component.number_of_faces(), 0);

@@ -55,6 +55,8 @@ void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<s
 {
   for (const Part_abstraction& part : parts) {
     const Abstraction_report& report = part.report;
+    if (report.hull_of_box)
+      warnings.push_back("Part '" + part.name + "': its convex hull could not be computed; that of its box is used.");
     if (!report.is_fallback()) continue;
     warnings.push_back("Part '" + part.name + "' is abstracted by its bounding box: " +
                        (report.copy_of.empty() ? "" : "it is a copy of part '" + report.copy_of + "', and ") +

@@ -47,6 +47,26 @@ Part_mesh moebius_strip()
   return result;
 }
 
+/// Three triangles on one edge of length 1.
+Part_mesh fan(const Point& at)
+{
+  Part_mesh result{Points(3, 5), Eigen::Matrix3Xi(3, 3)};
+  result.points << Point(0, 0, 0), Point(1, 0, 0), Point(0.5, -0.7568, -0.6537), Point(0.5, -0.959, 0.2837),
+      Point(0.5, -0.2794, 0.9602);
+  result.points.colwise() += at;
+  result.triangles << 0, 0, 0, 1, 1, 1, 2, 3, 4;
+  return result;
+}
+
+/// A square of which the corners are taken crosswise.
+Part_mesh bow_tie(double size)
+{
+  Part_mesh result{Points(3, 4), Eigen::Matrix3Xi(3, 2)};
+  result.points << Point(0, 0, 0), Point(0, 0, size), Point(size, 0, 0), Point(size, 0, size);
+  result.triangles << 0, 0, 3, 1, 1, 2;
+  return result;
+}
+
 Part_mesh points_only()
 {
   Part_mesh result{Points(3, 4), Eigen::Matrix3Xi(3, 0)};
@@ -84,6 +104,9 @@ std::vector<Case> cases()
           {"1e12 long", {box(o, 1e12 * one), box(1e12 * y, 1e12 * one)}, ""},
           {"1e12 away", {box(1e12 * one, one), box(1e12 * one + y, one)}, ""},
           {"small beside large", {box(o, 1e6 * one), box(5e5 * y, 1e-3 * one)}, ""},
+          {"1e7 away, and tiny", {fan(Point(0, -1e7, 1e7)), bow_tie(1.7e-6)}, ""},
+          {"1e9 away, and tiny", {fan(Point(0, -1e9, 1e9)), bow_tie(1.7e-6)}, ""},
+          {"1e12 away, and tiny", {fan(Point(0, -1e12, 1e12)), bow_tie(1.7e-6)}, ""},
           {"a Moebius strip", {moebius_strip(), above}, ""},
           {"points only", {cube, points_only()}, "no triangles"},
           {"one part", {cube}, "only one part"},

@@ -84,6 +84,7 @@ struct Abstraction_report
   bool blob = false;               ///< neither elongated nor flat: a curve along its axis, or through it
   bool branching = false;          ///< the curve or sheet is a rough approximation: `coverage` is less than 0.8
   bool several_components = false; ///< the part's surface is not connected
+  bool hull_of_box = false;        ///< the hull is that of the part's box, since it could not be computed
   bool time_limit = false;         ///< the time limit was reached
   std::string fallback;            ///< why the bounding box was used (for a copy: for its original); empty: it was not
   std::string copy_of;             ///< of a copy: the name of its original

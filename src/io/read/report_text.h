@@ -35,6 +35,7 @@ inline constexpr Words<bool Abstraction_report::*> flag_words = {
     {"blob", &Abstraction_report::blob},
     {"branching", &Abstraction_report::branching},
     {"several_components", &Abstraction_report::several_components},
+    {"hull_of_box", &Abstraction_report::hull_of_box},
     {"time_limit", &Abstraction_report::time_limit}};
 
 inline constexpr Words<Symmetry_type> symmetry_words = {{"none", Symmetry_type::NONE},

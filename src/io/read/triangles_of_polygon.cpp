@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/library_call.h"
 #include "io/read/model_parts.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -45,8 +46,8 @@ void mark_inside(Triangulation& triangulation)
     }
 }
 
-/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches or crosses
-/// itself there.
+/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches itself there.
+/// CGAL throws if it crosses itself.
 std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal)
 {
   const Point x = normal.unitOrthogonal(), y = normal.cross(x);
@@ -60,12 +61,8 @@ std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, c
   std::vector<Triangulation::Vertex_handle> vertices(polygon.size());
   for (const auto vertex : triangulation.finite_vertex_handles())
     vertices[vertex->info()] = vertex;
-  try {
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      triangulation.insert_constraint(vertices[i], vertices[(i + 1) % polygon.size()]);
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    return result;
-  }
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    triangulation.insert_constraint(vertices[i], vertices[(i + 1) % polygon.size()]);
   mark_inside(triangulation);
   for (const auto face : triangulation.finite_face_handles())
     if (*face->info())
@@ -139,7 +136,10 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
   const Point normal = area.normalized();
   const bool is_fan = polygon.size() < 4 || is_convex(polygon, normal, straight * area.norm());
   if (polygon.size() > most_corners) {
-    if (!is_fan) result = triangles_in_plane(polygon, normal);
+    const auto none = [] { return std::vector<std::size_t>(); };
+    if (!is_fan)
+      result = library_call(
+          "polygon", [&] { return triangles_in_plane(polygon, normal); }, none);
     if (result.empty()) add_halves(0, polygon.size() - 1, result); // also of one that crosses itself: any triangles do
     return result;
   }

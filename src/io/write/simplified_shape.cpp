@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/library_call.h"
 #include "io/write/pictures.h"
 #include "shape/meshes.h"
 
@@ -48,9 +49,8 @@ private:
   Surface_mesh_simplification::LindstromTurk_placement<internal::Halfedge_mesh> anywhere_;
 };
 
-Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
+Part_mesh collapsed(const Part_mesh& mesh, std::size_t most_triangles)
 {
-  if (std::size_t(mesh.triangles.cols()) <= most_triangles) return mesh;
   internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
   const std::size_t edges = most_triangles * 3 / 2; // of a closed surface
   Surface_mesh_simplification::edge_collapse(
@@ -58,6 +58,13 @@ Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
       CGAL::parameters::get_placement(Near_placement()));
   surface.collect_garbage();
   return surface.number_of_faces() > 0 ? internal::to_part_mesh(surface) : mesh;
+}
+
+Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
+{
+  if (std::size_t(mesh.triangles.cols()) <= most_triangles) return mesh;
+  return internal::library_call(
+      "simplification", [&] { return collapsed(mesh, most_triangles); }, [&] { return mesh; });
 }
 
 } // namespace
