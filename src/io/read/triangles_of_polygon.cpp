@@ -138,7 +138,7 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
   if (polygon.size() > most_corners) {
     const auto none = [] { return std::vector<std::size_t>(); };
     if (!is_fan)
-      result = library_call(
+      result = internal::library_call(
           "polygon", [&] { return triangles_in_plane(polygon, normal); }, none);
     if (result.empty()) add_halves(0, polygon.size() - 1, result); // also of one that crosses itself: any triangles do
     return result;
