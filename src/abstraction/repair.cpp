@@ -223,7 +223,8 @@ Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   wrapper(alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)));
 #else
   const Triangle_soup soup = to_soup(part);
-  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::default_values(),
+  // CGAL 5 takes the visitor from the parameters of the output, CGAL 6 from those of the input
+  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)),
                      CGAL::parameters::visitor(std::ref(watch)));
 #endif
   turn_outwards(result);
