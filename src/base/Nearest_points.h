@@ -80,7 +80,7 @@ private:
     std::size_t size() const { return index >= 0; }
     bool full() const { return true; }
     /// A little more than that, so that no branch and no point is left out that is as near.
-    double worstDist() const { return squared * (1 + rounding); }
+    double worstDist() const { return squared * (1 + rounding) + std::numeric_limits<double>::min(); }
     bool addPoint(double candidate, std::size_t place)
     {
       const auto i = Eigen::Index(place);
