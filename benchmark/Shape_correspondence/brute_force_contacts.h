@@ -8,10 +8,10 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_BRUTE_FORCE_CONTACTS_H
 #define CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_BRUTE_FORCE_CONTACTS_H
 
+#include "shape/surface_tree.h"
+
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -29,7 +29,7 @@ class Brute_force_contacts
   using Kernel = CGAL::Simple_cartesian<double>;
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  using Tree = internal::Surface_tree<Kernel, Primitive>;
 
   struct Surface
   {

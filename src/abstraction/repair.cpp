@@ -7,23 +7,21 @@
 #include "abstraction/repair.h"
 #include "abstraction/Wrap_oracle.h"
 #include "abstraction/bounding_box.h"
+#include "abstraction/holes.h"
 #include "base/library_call.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -131,8 +129,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   const double most_work = 2e9;
   const double smallest_fullness = 1e-3;
   Halfedge_mesh filled = mesh;
-  std::vector<Halfedge_mesh::Halfedge_index> borders;
-  PMP::extract_boundary_cycles(filled, std::back_inserter(borders));
+  const std::vector<Halfedge_mesh::Halfedge_index> borders = borders_of(filled);
   double work = 0;
   for (auto h : borders) {
     const std::size_t length = halfedges_around_face(h, filled).size();
@@ -144,14 +141,13 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   if (work > much_work && PMP::does_self_intersect(mesh)) return false;
   for (auto h : borders) {
     deadline.check();
-    std::vector<Halfedge_mesh::Face_index> patch;
     std::vector<Halfedge_mesh::Point> border;
     for (auto vertex : vertices_around_face(h, filled))
       border.push_back(filled.point(vertex));
     // The search in a 3D Delaunay triangulation does not always fill the same hole alike
     const auto parameters = CGAL::parameters::use_2d_constrained_delaunay_triangulation(projects_apart(border))
                                 .use_delaunay_triangulation(false);
-    PMP::triangulate_hole(filled, h, std::back_inserter(patch), parameters);
+    fill_hole(filled, h, parameters);
   }
   if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) return false;
   turn_outwards(filled);
@@ -224,7 +220,8 @@ Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   wrapper(alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)));
 #else
   const Triangle_soup soup = to_soup(part);
-  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::default_values(),
+  // CGAL 5 takes the visitor from the parameters of the output, CGAL 6 from those of the input
+  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)),
                      CGAL::parameters::visitor(std::ref(watch)));
 #endif
   turn_outwards(result);

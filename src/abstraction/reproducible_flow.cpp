@@ -11,6 +11,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,10 +51,35 @@ Point circumcentre(const Delaunay::Cell& cell)
   return circumcentre<Long_number>(cell, 0).value_or(to_point(cell.vertex(0)->point()));
 }
 
+/// Half of the cotangent of an angle in a triangle, as far as the cosine is not next to 1; not negative. In CGAL's
+/// vectors, since Eigen adds the products of three coordinates in another order.
+double half_cotangent(const Mesh_kernel::Vector_3& side, const Mesh_kernel::Vector_3& other)
+{
+  constexpr double greatest_cosine = 0.999;
+  const double along = side * other / std::sqrt(side.squared_length()) / std::sqrt(other.squared_length());
+  if (!(along > 0)) return 0; // or the angle is not known
+  const double cosine = std::min(along, greatest_cosine);
+  return cosine / std::sqrt(1 - cosine * cosine) / 2;
+}
+
 } // namespace
 } // namespace CGAL::Shape_correspondence::internal
 
 namespace CGAL {
+
+template <>
+void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
+                                         Shape_correspondence::internal::Flow_traits>::compute_edge_weight()
+{
+  const auto weight_in_face = [&](halfedge_descriptor h) {
+    const auto& apex = target(next(h, m_tmesh), m_tmesh)->point();
+    return Shape_correspondence::internal::half_cotangent(source(h, m_tmesh)->point() - apex,
+                                                          target(h, m_tmesh)->point() - apex);
+  };
+  m_edge_weight.clear();
+  for (halfedge_descriptor h : halfedges(m_tmesh))
+    m_edge_weight.push_back(weight_in_face(h) + weight_in_face(opposite(h, m_tmesh)));
+}
 
 template <>
 void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,

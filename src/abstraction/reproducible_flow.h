@@ -26,9 +26,10 @@ using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 
 } // namespace CGAL::Shape_correspondence::internal
 
-/// The flow collapses short edges in the order of a `std::set` of edges. By default that is the order of their
+/// The flow collapses short edges in the order of a `std::set` of edges. In CGAL 5 that is the order of their
 /// addresses, which differs from run to run, and so does the skeleton. The flow numbers all halfedges before each
-/// collapse, in the order of its mesh; comparing numbers makes its result a function of the input.
+/// collapse, in the order of its mesh; comparing numbers makes its result a function of the input. CGAL 6 has this
+/// order itself.
 template <>
 struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
 {
@@ -45,6 +46,11 @@ private:
 };
 
 namespace CGAL {
+
+/// The library's own weights of edges are rounded in another way in CGAL 5 than in CGAL 6.
+template <>
+void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
+                                         Shape_correspondence::internal::Flow_traits>::compute_edge_weight();
 
 /// The library's own poles are midpoints of intervals, known to five digits, which depend on how the machine rounds;
 /// the flow magnifies the difference. These are equal on all machines.

@@ -39,7 +39,7 @@ public:
     flow_.split_faces();
     deadline_->check();
     flow_.detect_degeneracies();
-    if (flow_mesh().size_of_vertices() < 4) throw Flow_failure("the flow collapses the part to a point");
+    if (num_vertices(flow_mesh()) < 4) throw Flow_failure("the flow collapses the part to a point");
     // As in the library's own convergence test
     const double smallest_change = 1e-4;
     const double last_area = area_;
@@ -80,8 +80,8 @@ private:
   Part_mesh mesh_of_flow() const
   {
     Part_mesh result;
-    result.points.resize(3, Eigen::Index(flow_mesh().size_of_vertices()));
-    result.triangles.resize(3, Eigen::Index(flow_mesh().size_of_facets()));
+    result.points.resize(3, Eigen::Index(num_vertices(flow_mesh())));
+    result.triangles.resize(3, Eigen::Index(num_faces(flow_mesh())));
     std::vector<int> index;
     int count = 0;
     for (auto v : vertices(flow_mesh())) {

@@ -35,6 +35,7 @@ public:
 
 private:
   static constexpr std::size_t points_in_leaf = 8;
+  static constexpr double rounding = 1e-12; // more than the relative error of a squared distance
 
   // What nanoflann takes: the data, a metric and a collector of results
 
@@ -67,17 +68,24 @@ private:
     const Data& data;
   };
 
+  /// The nearest point, of several the one of the least index, whatever the order of the tree.
   struct Nearest
   {
+    using DistanceType = double; // asked for by nanoflann 1.6
+    using IndexType = std::size_t;
+
     double squared; ///< of the distance; points that are not nearer do not count
     Eigen::Index ignored, index = -1;
 
     std::size_t size() const { return index >= 0; }
     bool full() const { return true; }
-    double worstDist() const { return squared; }
-    bool addPoint(double candidate, std::size_t i)
+    /// A little more than that, so that no branch and no point is left out that is as near.
+    double worstDist() const { return squared * (1 + rounding) + std::numeric_limits<double>::min(); }
+    bool addPoint(double candidate, std::size_t place)
     {
-      if (candidate < squared && Eigen::Index(i) != ignored) squared = candidate, index = Eigen::Index(i);
+      const auto i = Eigen::Index(place);
+      const bool is_nearer = candidate < squared || (candidate == squared && i < index);
+      if (is_nearer && i != ignored) squared = candidate, index = i;
       return true;
     }
     void sort() const {} // asked for by nanoflann 1.5

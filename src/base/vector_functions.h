@@ -7,26 +7,19 @@
 #include <vector>
 
 // Functions that are compiled for several instruction sets, the best of which is chosen when the program runs. They
-// give the same bits as long as no multiplication and addition are fused (FMA), which compilers do unless an option
-// forbids it.
+// give the same bits as long as no multiplication and addition are fused (FMA), which an option forbids for the
+// package.
 #ifdef __GNUC__
 #define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline __attribute__((always_inline))
 #else
 #define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline
 #endif
 
-#if defined(__GNUC__) && !defined(__clang__)
-#define CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION __attribute__((optimize("fp-contract=off")))
-#else
-#define CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION // Clang: #pragma STDC FP_CONTRACT OFF in the body
-#endif
-
 #if defined(__x86_64__) && defined(__GNUC__)
 #define CGAL_SHAPE_CORRESPONDENCE_X86
-#define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                 \
-  __attribute__((target(instructions))) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline
+#define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions) __attribute__((target(instructions))) inline
 #else
-#define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions) CGAL_SHAPE_CORRESPONDENCE_NO_CONTRACTION inline
+#define CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions) inline
 #endif
 
 // `define(name, instructions, bytes)` for every instruction set of the compiler, with the size of a vector; 0: scalars.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Compiled without fused multiplications and additions, which would give other bits, and without -frounding-math and
-// errno, with which compilers use no vector instructions for comparisons and square roots.
+// Compiled without -frounding-math and errno, with which compilers use no vector instructions for comparisons and
+// square roots.
 
 #include "energy/rod_kernel.h"
 

@@ -187,18 +187,21 @@ private:
 
 /// Opens regular files only, since a pipe that a model names may never end; unless told otherwise, those of the model's
 /// folder only.
-class Model_files : public Assimp::DefaultIOSystem
+class Model_files : public Assimp::IOSystem
 {
 public:
   Model_files(const std::string& file, bool allows_outside) : file_(file), allows_outside_(allows_outside) {}
 
-  bool Exists(const char* path) const override { return is_allowed(path) && DefaultIOSystem::Exists(path); }
+  bool Exists(const char* path) const override { return is_allowed(path) && system_.Exists(path); }
+  char getOsSeparator() const override { return system_.getOsSeparator(); }
+  void Close(Assimp::IOStream* stream) override { system_.Close(stream); }
+  bool ComparePaths(const char* one, const char* other) const override { return system_.ComparePaths(one, other); }
 
   Assimp::IOStream* Open(const char* path, const char* mode) override
   {
     std::error_code error;
     if (missing_.empty() && !std::filesystem::exists(path, error)) missing_ = path;
-    return is_allowed(path) && mode[0] == 'r' ? DefaultIOSystem::Open(path, mode) : nullptr;
+    return is_allowed(path) && mode[0] == 'r' ? system_.Open(path, mode) : nullptr;
   }
 
   /// The first file that was to be opened and is not there; empty: none.
@@ -212,6 +215,7 @@ private:
            (allows_outside_ || path == file_ || is_in_folder_of(file_, path));
   }
 
+  Assimp::DefaultIOSystem system_; // assimp 6 lets nothing derive from it
   std::string file_, missing_;
   bool allows_outside_;
 };

@@ -62,9 +62,6 @@ template <int Width>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void nearest_squared(const Point_lanes& p, const Point_lanes& q,
                                                              double* p_from_q, double* q_from_p)
 {
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
   using Vector = Double_vector<Width>;
   constexpr int at_once = 4; // points of p
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/convex_segments.h"
+#include "shape/surface_tree.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Mesh_kernel, CGAL::AABB_face_graph_triangle_primitive<Halfedge_mesh>>>;
+using Tree = Surface_tree<Mesh_kernel, CGAL::AABB_face_graph_triangle_primitive<Halfedge_mesh>>;
 
 // Lengths are fractions of the diagonal of the surface, angles are in radians.
 
@@ -177,7 +176,7 @@ private:
       const auto hit = tree.first_intersection(
           Mesh_kernel::Ray_3(to_mesh_point(from), Mesh_kernel::Vector_3(ray.x(), ray.y(), ray.z())));
       if (!hit) return;
-      if (const auto* point = boost::get<Mesh_point>(&hit->first)) lengths.push_back((to_point(*point) - from).norm());
+      if (const auto* point = get_if<Mesh_point>(hit->first)) lengths.push_back((to_point(*point) - from).norm());
     };
     measure(0, 0);
     for (double slope : {0.35, 0.8})

@@ -127,8 +127,8 @@ std::vector<Blend_painter::Painted_mesh> Glb_materials::dressed(const Eigen::Mat
     painted.mesh.triangles =
         Eigen::Map<Eigen::Matrix3Xi>(all.triangles.data(), 3, Eigen::Index(all.triangles.size()) / 3);
     if (has_coordinates && has_texture(material))
-      painted.mesh.coordinates = columns(looks.coordinates)(Eigen::all, all.corners);
-    if (has_colours) painted.mesh.colours = columns(looks.colours)(Eigen::all, all.corners);
+      painted.mesh.coordinates = columns(looks.coordinates)(Eigen::indexing::all, all.corners);
+    if (has_colours) painted.mesh.colours = columns(looks.colours)(Eigen::indexing::all, all.corners);
     painted.mesh.material = instead >= 0 ? instead : in_file(material, has_colours);
     painted.points = std::move(all.points);
     result.push_back(std::move(painted));
@@ -141,8 +141,8 @@ std::vector<Drawn_mesh> Glb_materials::dressed(const Drawn_mesh& mesh, std::size
   std::vector<Drawn_mesh> result;
   for (auto& [drawn, points] : dressed(mesh.triangles, of_part(part))) {
     drawn.layer = mesh.layer;
-    drawn.points = mesh.points(Eigen::all, points);
-    if (mesh.normals.cols() > 0) drawn.normals = mesh.normals(Eigen::all, points);
+    drawn.points = mesh.points(Eigen::indexing::all, points);
+    if (mesh.normals.cols() > 0) drawn.normals = mesh.normals(Eigen::indexing::all, points);
     result.push_back(std::move(drawn));
   }
   return result;

@@ -3,10 +3,13 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/Nearest_points.h"
 #include "matching/nearest_points_kernel.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -40,4 +43,26 @@ TEST_CASE("Every kernel, the plain one and the machine's widest too, finds the n
         CHECK((q_from_p.head(m) == squared.colwise().minCoeff().transpose()).all());
       }
     }
+}
+
+TEST_CASE("Of several nearest points, the tree of points finds the first")
+{
+  const int n = 6; // points of a grid along an axis; each is there twice
+  Points grid(3, 2 * n * n * n);
+  for (int i = 0; i < n * n * n; ++i) {
+    grid.col(i) = Point(i / (n * n), i / n % n, i % n);
+    grid.col(n * n * n + i) = grid.col(i);
+  }
+  grid.rowwise().reverseInPlace(); // not in the order of a tree
+  const internal::Nearest_points tree(grid);
+  for (int i = 0; i < grid.cols(); ++i) {
+    const Point query = grid.col(i) + 0.5 * Point(i % 2, i / 2 % 2, i / 4 % 2);
+    const Eigen::VectorXd squared = (grid.colwise() - query).colwise().squaredNorm();
+    const Eigen::Index first = std::min_element(squared.begin(), squared.end()) - squared.begin();
+    CHECK(std::sqrt(squared[first]) == tree.distance(query));
+    CHECK(tree.nearest_within(query, n) == first);
+    const Eigen::Index second = tree.nearest_within(query, n, first);
+    REQUIRE(second > first);
+    CHECK(squared[second] == squared[first]);
+  }
 }

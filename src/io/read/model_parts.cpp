@@ -28,7 +28,7 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
     }
   }
   Part_mesh mesh;
-  mesh.points = points(Eigen::all, used);
+  mesh.points = points(Eigen::indexing::all, used);
   mesh.triangles = Eigen::Map<const Eigen::Matrix3Xi>(triangles.data(), 3, Eigen::Index(triangles.size() / 3));
   return mesh;
 }

@@ -3,6 +3,7 @@
 
 #include "io/system/Descriptor.h"
 #include "io/system/operating_system.h"
+#include "io/system/posix_systems.h"
 
 #include <cerrno>
 #include <csignal>
@@ -54,7 +55,7 @@ int make_nameless_file(const fs::path& folder, std::size_t bytes, std::error_cod
   error = last_error_if(descriptor < 0);
   if (error) return -1;
   unlink(name.c_str());
-  error = error_of(posix_fallocate(descriptor, 0, off_t(bytes)));
+  error = error_of(reserve_room(descriptor, bytes));
   return descriptor;
 }
 
@@ -68,20 +69,15 @@ std::vector<std::string> start_program(int argc, char* argv[])
   return {argv + 1, argv + argc};
 }
 
-fs::path program_file()
-{
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error);
-}
+fs::path program_file() { return running_file(); }
 
 bool errors_are_on_terminal() { return isatty(STDERR_FILENO); }
 
 double peak_megabytes()
 {
-  constexpr double kilobytes = 1024; // Linux counts in them
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return double(usage.ru_maxrss) / kilobytes;
+  return double(usage.ru_maxrss) / units_per_megabyte;
 }
 
 std::string machine_name()

@@ -4,6 +4,7 @@
 #include "io/system/run_program.h"
 #include "io/system/Descriptor.h"
 #include "io/system/operating_system.h"
+#include "io/system/posix_systems.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -38,15 +39,17 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-#ifdef __GLIBC__
-  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-#endif
+  close_other_files(actions);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, spawn_flags);
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   pid_t child = 0;
-  const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+  const int error = posix_spawn(&child, program.c_str(), &actions, &attributes, argv.data(), environment());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) fail_to_start(program, error);
   return child;
@@ -83,7 +86,7 @@ Program_run run_program(const std::string& program, const std::vector<std::strin
 {
   const Clock::time_point end = Clock::now() + limit;
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) fail_to_start(program, errno);
+  if (make_pipe(ends) != 0) fail_to_start(program, errno);
   const Descriptor from(ends[0]);
   Program_run result;
   pid_t child = 0;

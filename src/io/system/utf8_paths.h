@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <clocale>
 #include <filesystem>
 
 #ifdef _GLIBCXX_FILESYSTEM_IS_WINDOWS
@@ -15,3 +16,15 @@ inline auto std::filesystem::path::_S_convert<char>(const char* begin, const cha
   return std::filesystem::__detail::__wstr_from_utf8(std::string_view(begin, std::size_t(end - begin)));
 }
 #endif
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// The library of Visual C++ takes texts for paths in the encoding of the C library's locale.
+inline void set_utf8_paths()
+{
+#ifdef _MSC_VER
+  std::setlocale(LC_CTYPE, ".UTF-8");
+#endif
+}
+
+} // namespace CGAL::Shape_correspondence::IO

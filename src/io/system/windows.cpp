@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/operating_system.h"
+#include "io/system/utf8_paths.h"
 
 #include <atomic>
 #include <cerrno>
@@ -84,6 +85,7 @@ std::vector<std::string> start_program(int, char*[])
   for (int stream : {0, 1, 2})
     _setmode(stream, _O_BINARY); // the same bytes as elsewhere
   write_utf8();
+  set_utf8_paths();
   int count = 0;
   const std::unique_ptr<LPWSTR, decltype(&LocalFree)> words(CommandLineToArgvW(GetCommandLineW(), &count), &LocalFree);
   std::vector<std::string> arguments;

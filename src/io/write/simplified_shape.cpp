@@ -5,7 +5,6 @@
 #include "io/write/pictures.h"
 #include "shape/meshes.h"
 
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
@@ -49,13 +48,24 @@ private:
   Surface_mesh_simplification::LindstromTurk_placement<internal::Halfedge_mesh> anywhere_;
 };
 
+/// When few enough edges are left; CGAL's own has other names in other versions.
+struct Edge_limit
+{
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t, std::size_t edges) const
+  {
+    return edges < limit;
+  }
+
+  std::size_t limit;
+};
+
 Part_mesh collapsed(const Part_mesh& mesh, std::size_t most_triangles)
 {
   internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
   const std::size_t edges = most_triangles * 3 / 2; // of a closed surface
-  Surface_mesh_simplification::edge_collapse(
-      surface, Surface_mesh_simplification::Count_stop_predicate<internal::Halfedge_mesh>(edges),
-      CGAL::parameters::get_placement(Near_placement()));
+  Surface_mesh_simplification::edge_collapse(surface, Edge_limit{edges},
+                                             CGAL::parameters::get_placement(Near_placement()));
   surface.collect_garbage();
   return surface.number_of_faces() > 0 ? internal::to_part_mesh(surface) : mesh;
 }

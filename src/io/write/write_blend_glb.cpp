@@ -136,9 +136,9 @@ int add_surface(Glb_file& glb, const Eigen::Matrix3d& turn, const Blend_surface&
 {
   std::vector<Drawn_mesh> meshes;
   for (Blend_painter::Painted_mesh& some : painted) {
-    some.mesh.points = turn * points(Eigen::all, some.points);
+    some.mesh.points = turn * points(Eigen::indexing::all, some.points);
     for (const Points& target : targets)
-      some.mesh.morphs.emplace_back(turn * target(Eigen::all, some.points));
+      some.mesh.morphs.emplace_back(turn * target(Eigen::indexing::all, some.points));
     meshes.push_back(std::move(some.mesh));
   }
   return glb.add_node(surface.name, meshes);

@@ -95,7 +95,7 @@ Drawn_mesh Drawn_shape::coarse_abstraction(std::size_t part) const
   } else {
     const Curve& curve = std::get<Curve>(geometry);
     const Points rings =
-        curve.points(Eigen::all, evenly(int(curve.points.cols()), curve.closed ? most_closed : most_open));
+        curve.points(Eigen::indexing::all, evenly(int(curve.points.cols()), curve.closed ? most_closed : most_open));
     mesh = open_tube(to_picture(rings), curve.closed, tube_radius * (upper_ - lower_).norm(), sides);
   }
   mesh.normals.resize(3, 0);

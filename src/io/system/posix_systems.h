@@ -1,0 +1,86 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <cerrno>
+#include <climits>
+#include <cstddef>
+#include <fcntl.h>
+#include <filesystem>
+#include <spawn.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#ifdef __APPLE__
+#include <crt_externs.h>
+#include <mach-o/dyld.h>
+#endif
+
+// What Linux, macOS and other systems do each in a way of its own
+
+namespace CGAL::Shape_correspondence::IO {
+
+#ifdef __APPLE__
+
+constexpr double units_per_megabyte = 1 << 20;             // of ru_maxrss: bytes
+constexpr short spawn_flags = POSIX_SPAWN_CLOEXEC_DEFAULT; // the started program gets no other files
+
+inline char** environment() { return *_NSGetEnviron(); }
+
+inline std::filesystem::path running_file()
+{
+  char name[PATH_MAX];
+  auto size = std::uint32_t(sizeof name);
+  std::error_code error;
+  return _NSGetExecutablePath(name, &size) == 0 ? std::filesystem::canonical(name, error) : std::filesystem::path();
+}
+
+/// Takes the room of a file. \return the number of the error, 0 for none
+inline int reserve_room(int file, std::size_t bytes)
+{
+  fstore_t room{F_ALLOCATEALL, F_PEOFPOSMODE, 0, off_t(bytes), 0};
+  return fcntl(file, F_PREALLOCATE, &room) != -1 && ftruncate(file, off_t(bytes)) == 0 ? 0 : errno;
+}
+
+/// A pipe whose ends started programs do not get. \return -1 if it is not made
+inline int make_pipe(int (&ends)[2])
+{
+  if (pipe(ends) != 0) return -1;
+  for (int end : ends)
+    fcntl(end, F_SETFD, FD_CLOEXEC);
+  return 0;
+}
+
+#else
+
+constexpr double units_per_megabyte = 1 << 10; // of ru_maxrss: kilobytes
+constexpr short spawn_flags = 0;
+
+inline char** environment() { return environ; }
+
+inline std::filesystem::path running_file()
+{
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error);
+}
+
+/// Takes the room of a file. \return the number of the error, 0 for none
+inline int reserve_room(int file, std::size_t bytes) { return posix_fallocate(file, 0, off_t(bytes)); }
+
+/// A pipe whose ends started programs do not get. \return -1 if it is not made
+inline int make_pipe(int (&ends)[2]) { return pipe2(ends, O_CLOEXEC); }
+
+#endif
+
+/// Lets a started program get no files but the standard streams, where the system can.
+inline void close_other_files([[maybe_unused]] posix_spawn_file_actions_t& actions)
+{
+#if defined(__GLIBC__) && defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 34)
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+#endif
+#endif
+}
+
+} // namespace CGAL::Shape_correspondence::IO

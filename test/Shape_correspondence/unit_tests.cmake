@@ -1,0 +1,74 @@
+# The tests that need Catch2, 2.13 or later
+
+# What all of them are compiled and linked with: Catch2's own main, and the headers that most tests begin with, precompiled
+add_library(test_settings INTERFACE)
+target_link_libraries(test_settings INTERFACE Shape_correspondence_Texture Shape_correspondence_private)
+if(Catch2_VERSION VERSION_LESS 3)
+  target_link_libraries(test_settings INTERFACE Catch2::Catch2)
+else() # by the names of version 2
+  target_link_libraries(test_settings INTERFACE Catch2::Catch2WithMain)
+  target_include_directories(test_settings INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/catch2_3)
+endif()
+target_compile_definitions(test_settings INTERFACE SHAPE_CORRESPONDENCE_DATA_DIR="${PROJECT_SOURCE_DIR}/data"
+                                                   SHAPE_CORRESPONDENCE_PROGRAM="$<TARGET_FILE:shape_correspondence>")
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(test_settings INTERFACE -O1) # tests are compiled more often than they run
+endif()
+add_library(test_main OBJECT test_main.cpp)
+target_link_libraries(test_main PUBLIC test_settings)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp CONTENT "// Has the precompiled header of the tests\n")
+add_library(test_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
+target_link_libraries(test_headers PRIVATE test_settings)
+target_precompile_headers(test_headers PRIVATE <catch2/catch.hpp> <CGAL/Shape_correspondence/Structural_graph.h>)
+
+# One test program a public header, each linked with the compiled library
+file(GLOB test_sources CONFIGURE_DEPENDS test_*.cpp)
+list(FILTER test_sources EXCLUDE REGEX "test_main.cpp$")
+foreach(source ${test_sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE test_main)
+  target_precompile_headers(${name} REUSE_FROM test_headers)
+  add_dependencies(${name} shape_correspondence)
+  add_test(NAME ${name} COMMAND ${name})
+endforeach()
+
+target_link_libraries(test_exported_formats PRIVATE assimp::assimp) # it writes files
+target_link_libraries(test_library_call PRIVATE Shape_correspondence_commands) # commands run in the test itself
+
+# Makes system calls of the program fail
+if(UNIX AND NOT APPLE)
+  add_library(failing_calls MODULE failing_calls.cpp)
+  target_link_libraries(failing_calls PRIVATE ${CMAKE_DL_LIBS})
+  add_dependencies(test_faults failing_calls)
+  target_compile_definitions(test_faults PRIVATE SHAPE_CORRESPONDENCE_FAILING_CALLS="$<TARGET_FILE:failing_calls>")
+endif()
+
+# Loops in parallel without TBB
+add_executable(test_plain_threads test_for_each_index.cpp ${PROJECT_SOURCE_DIR}/src/base/for_each_index.cpp)
+target_link_libraries(test_plain_threads PRIVATE test_main)
+target_compile_options(test_plain_threads PRIVATE -UCGAL_LINKED_WITH_TBB)
+add_test(NAME test_plain_threads COMMAND test_plain_threads)
+
+# Libraries with numbers in their standard library do not have it
+target_sources(test_number_text PRIVATE ${PROJECT_SOURCE_DIR}/src/base/number_text.cpp)
+
+# version.h has the version of the project
+target_compile_definitions(test_program PRIVATE SHAPE_CORRESPONDENCE_PROJECT_VERSION="${PROJECT_VERSION}")
+
+# They share headers with benchmarks, or take generated shapes
+foreach(name test_peers test_blend_warp test_blend_parts test_blend_shapes test_blend_unmatched test_exchange_steps test_blend_quality test_surfaces_without_map
+             test_match_parts test_train_role_model)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/benchmark/Shape_correspondence)
+endforeach()
+foreach(name test_generate_models test_Shape_appearance test_transfer_appearance test_exported_formats
+             test_blind_matching test_detect_symmetry_groups test_detect_contacts test_abstract_part_geometry
+             test_estimate_up)
+  target_link_libraries(${name} PRIVATE Shape_correspondence_generator)
+endforeach()
+
+if(SHAPE_CORRESPONDENCE_MPI)
+  target_compile_definitions(test_collection PRIVATE SHAPE_CORRESPONDENCE_MPIRUN="${MPIEXEC_EXECUTABLE}"
+                             SHAPE_CORRESPONDENCE_MPI_PROGRAM="$<TARGET_FILE:shape_correspondence_mpi>")
+  add_dependencies(test_collection shape_correspondence_mpi)
+endif()
