@@ -152,6 +152,19 @@ Common_options Common_options::of_input(std::size_t index) const
   return result;
 }
 
+bool Common_options::has_face_labels() const
+{
+  const auto endings = {".seg", ".txt", ".label", ".labels", ".lab", ".csv", ".eseg", ".sseg"};
+  return std::find(endings.begin(), endings.end(), IO::lower_extension(parts_from)) != endings.end();
+}
+
+IO::Reading_options Common_options::reading_options() const
+{
+  IO::Reading_options result = reading;
+  if (has_face_labels()) result.face_labels = parts_from;
+  return result;
+}
+
 Point Common_options::up_vector() const
 {
   return up == "x" ? Point::UnitX() : up == "z" ? Point::UnitZ() : Point::UnitY();
@@ -245,7 +258,8 @@ void add_pair_options(Option_table& table, Common_options& options)
   add("source-up", "AXIS", &source.up, "upright axis of the source, as --up").words(axes);
   add("target-up", "AXIS", &target.up, "the same for the target").words(axes);
   add("source-parts-from", "FILE", &source.parts_from,
-      "read the parts of the source from a list of its pieces and their parts, as `graph --parts-json` writes it");
+      "read the parts of the source from a list of its pieces and their parts, as `graph --parts-json` writes it, or "
+      "of labels of its faces");
   add("target-parts-from", "FILE", &target.parts_from, "the same for the target");
 }
 

@@ -30,7 +30,7 @@ struct Common_options
   std::string up;                ///< x, y, z or auto; empty: what the file says, or a guess that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;
-  std::string parts_from; ///< a file that says which piece is in which part; empty: none
+  std::string parts_from; ///< a file that says which piece is in which part, or has labels of faces; empty: none
   IO::Reading_options reading;
   Structure_options structure;
   struct Of_input
@@ -50,6 +50,10 @@ struct Common_options
 
   /// The options for one input of several.
   Common_options of_input(std::size_t index) const;
+  /// How model files are read, with the labels of faces that make parts.
+  IO::Reading_options reading_options() const;
+  /// Whether `parts_from` has labels of faces, not pieces.
+  bool has_face_labels() const;
   /// The upright direction; y where it is to be found.
   Point up_vector() const;
   bool finds_up() const { return up == "auto"; }

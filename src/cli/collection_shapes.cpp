@@ -30,13 +30,11 @@ namespace fs = std::filesystem;
 
 bool is_shape_file(const std::string& path) { return is_graph_file(path) || IO::is_model_file(path); }
 
-bool is_hidden(const fs::path& path) { return path.filename().string()[0] == '.'; }
-
 std::vector<std::string> model_files(const fs::path& folder)
 {
   std::vector<std::string> result;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && !is_hidden(entry.path()) && IO::is_model_file(entry.path().string()))
+    if (entry.is_regular_file() && !IO::is_hidden(entry.path()) && IO::is_model_file(entry.path().string()))
       result.push_back(entry.path().string());
   return result;
 }
@@ -208,7 +206,7 @@ bool is_folder_of_shapes(const std::string& path)
   if (!models.empty()) return are_shapes(models);
   const fs::directory_iterator entries(path);
   return std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
-    return entry.is_directory() && !is_hidden(entry.path()) && is_shape_folder(entry.path());
+    return entry.is_directory() && !IO::is_hidden(entry.path()) && is_shape_folder(entry.path());
   });
 }
 
@@ -216,7 +214,7 @@ std::vector<std::string> shapes_in(const std::string& folder, std::vector<std::s
 {
   std::vector<std::string> result;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (is_hidden(entry.path())) continue;
+    if (IO::is_hidden(entry.path())) continue;
     if (entry.is_directory() ? is_shape_folder(entry.path()) : is_shape_file(entry.path().string()))
       result.push_back(entry.path().string());
     else if (left_out)

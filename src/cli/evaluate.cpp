@@ -5,6 +5,7 @@
 #include "cli/Command.h"
 #include "cli/run.h"
 #include "cli/text.h"
+#include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
@@ -66,7 +67,7 @@ std::vector<std::string> result_files(const std::vector<std::string>& inputs)
     }
     const std::size_t before = files.size();
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(input))
-      if (entry.is_regular_file() && entry.path().extension() == ".json" &&
+      if (entry.is_regular_file() && !IO::is_hidden(entry.path()) && entry.path().extension() == ".json" &&
           IO::is_correspondence_json(entry.path().string()))
         files.push_back(entry.path().string());
     if (files.size() == before) throw Invalid_input(input + ": there is no result of `match --json` in this folder");

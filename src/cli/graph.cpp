@@ -98,7 +98,9 @@ public:
     add("parts-json", "FILE", &pieces_,
         "write which loose piece of the model is in which part, to be edited and read by --parts-from")
         .output();
-    add("parts-from", "FILE", &common.parts_from, "read the parts of the model from such a list").input();
+    add("parts-from", "FILE", &common.parts_from,
+        "read the parts of the model from such a list, or from a list with a label for each face (.seg, .txt, .labels)")
+        .input();
     add_model_options(table, common);
     add_common_options(table, common);
   }

@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 /// Raise it with every change that reads other parts, or other warnings, from the same files.
-constexpr int reader_version = 1;
+constexpr int reader_version = 2;
 
 /// Whether the files are the parts, and the options say which axis is up.
 bool takes_files_as_parts(const Common_options& common)

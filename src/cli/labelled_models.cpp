@@ -6,6 +6,7 @@
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/read/Json_field.h"
+#include "io/system/input_file.h"
 #include "roles/Role_trainer.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -93,7 +94,7 @@ std::vector<Labelled_graph> labelled_graphs(const std::vector<Labelled_model>& m
 void find_unlabelled(const fs::path& folder, int depth, std::vector<std::string>& shapes)
 {
   constexpr int deepest = 2; // as `read_part_labels()`
-  if (!fs::is_directory(folder) || fs::exists(folder / "labels.json")) return;
+  if (!fs::is_directory(folder) || (depth > 0 && IO::is_hidden(folder)) || fs::exists(folder / "labels.json")) return;
   if (fs::is_directory(folder / "parts"))
     shapes.push_back(folder.string());
   else if (depth < deepest)

@@ -173,7 +173,7 @@ Loaded_shape loaded(const std::string& path, const Common_options& common, const
   return with_path(path, [&] {
     Loaded_shape shape;
     shape.path = path;
-    shape.reading = common.reading;
+    shape.reading = common.reading_options();
     load(options, shape);
     return shape;
   });
@@ -185,7 +185,7 @@ std::optional<Loaded_shape> find_graph(const std::string& path, const Common_opt
   return with_path(path, [&]() -> std::optional<Loaded_shape> {
     Loaded_shape shape;
     shape.path = path;
-    shape.reading = common.reading;
+    shape.reading = common.reading_options();
     if (is_graph_file(path)) {
       load_graph(common, shape);
       return shape;
@@ -273,8 +273,8 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
   internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
     const double begin = now();
     const Common_options of_input = options.of_input(i);
-    objects[i] =
-        with_path(paths[i], [&] { return IO::read_objects(paths[i], of_input.up_vector(), of_input.reading); });
+    objects[i] = with_path(
+        paths[i], [&] { return IO::read_objects(paths[i], of_input.up_vector(), of_input.reading_options()); });
     shapes[i].read_seconds = now() - begin;
   });
   std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);

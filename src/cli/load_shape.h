@@ -26,6 +26,8 @@ struct Read_model
   double up_confidence = 1; ///< of the upright axis; 1 if it is given
   bool is_up_estimated = false;
   std::vector<std::string> warnings;
+  std::vector<std::vector<std::size_t>> faces; ///< by object and triangle, the number of its face in the file
+  std::size_t number_of_faces = 0;             ///< of the file; 0: they have no numbers
 };
 
 /// The name of an upright axis: x, y or z.

@@ -4,9 +4,12 @@
 #include "cli/Command.h"
 #include "cli/collection.h"
 #include "cli/load_shape.h"
+#include "cli/parts_output.h"
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/read/model_parts.h"
+#include "io/system/atomic_file.h"
+#include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "viewer/parts_sheet.h"
 
@@ -36,10 +39,16 @@ model files, each of several objects, or by its folders of part meshes. With --a
 FOLDER and its subfolders.
 
 If the parts are not the wanted ones: --parts file, components or segments makes others, in every command. For full
-control, --parts-json FILE writes which piece is in which part; edit the file and read it with --parts-from.
+control, --parts-json FILE writes which piece is in which part; edit the file and read it with --parts-from, which also
+reads a list with a label for each face of the model (.seg, .txt, .labels).
+
+-o writes the parts of one model as separate objects or files: FILE.glb (a node for each part, with materials), FILE.obj
+(an object for each), FILE.ply (one mesh with the number of its part for each face), FILE.seg (these numbers alone, a
+line for each face of the model file), or a new folder of OBJ files named like the parts.
 
 Examples: shape_correspondence parts chair.obj
           shape_correspondence parts furniture --all --html furniture.html --quiet
+          shape_correspondence parts chair.obj -o chair_parts/
 
 )";
 
@@ -47,8 +56,12 @@ std::vector<std::string> models_in(const std::string& folder)
 {
   if (!fs::is_directory(folder)) throw Invalid_input(folder + ": it is not a folder");
   std::vector<std::string> result;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && IO::is_model_file(entry.path().string())) result.push_back(entry.path().string());
+  fs::recursive_directory_iterator end, entry(folder);
+  for (; entry != end; ++entry)
+    if (IO::is_hidden(entry->path()))
+      entry.disable_recursion_pending();
+    else if (entry->is_regular_file() && IO::is_model_file(entry->path().string()))
+      result.push_back(entry->path().string());
   std::sort(result.begin(), result.end());
   if (result.empty()) throw Invalid_input(folder + ": there is no model file in it");
   return result;
@@ -102,20 +115,50 @@ public:
   Parts_command() : Command(parts_help, 1, any_number)
   {
     Option_table::Group add = table.group("Options of parts");
-    add("output,o", "FILE", output_by_ending({{".html", &common.html}}), "the same as --html");
+    add("output,o", "PATH", output_field(),
+        "write the parts of the one model: as a file .glb, .obj, .ply or .seg, or into a new folder; FILE.html is the "
+        "same as --html");
     add("html", "FILE", &common.html, "write a page with a picture of every model").output();
     add("parts-json", "FILE", &pieces_,
         "write which loose piece of the one model is in which part, to be edited and read by --parts-from")
         .output();
-    add("parts-from", "FILE", &common.parts_from, "read the parts of the models from such a list");
+    add("parts-from", "FILE", &common.parts_from,
+        "read the parts of the models from such a list, or from a list with a label for each face (.seg, .txt, "
+        ".labels)");
     add("all", &is_folder_of_models_, "the models are all model files in the folder and its subfolders");
     add_reading_options(table, common);
     add_common_options(table, common);
   }
 
 private:
+  /// A file by its ending, or a folder by a slash at the end of its name or no ending.
+  Text_field output_field()
+  {
+    Text_field result = output_by_ending({{".html", &common.html},
+                                          {".glb", &output_.glb},
+                                          {".obj", &output_.obj},
+                                          {".ply", &output_.ply},
+                                          {".seg", &output_.seg}});
+    const auto set_file = result.set;
+    result.set = [this, set_file](const std::string& label, const std::string& path) {
+      if (!path.empty() && path != "-" && !fs::path(path).has_extension())
+        output_.folder = path;
+      else
+        set_file(label, path);
+    };
+    return result;
+  }
+
+  std::vector<std::string> output_files() const override
+  {
+    std::vector<std::string> result = Command::output_files();
+    append(result, output_.files());
+    return result;
+  }
+
   void check() override
   {
+    if (!output_.folder.empty()) IO::check_new_folder(output_.folder);
     if (is_folder_of_models_ && inputs.size() != 1) throw Usage_error("--all takes one folder");
   }
 
@@ -124,13 +167,15 @@ private:
     common.roles = IO::shipped_role_model();
     const std::vector<std::string> paths = is_folder_of_models_ ? models_in(inputs[0]) : models();
     if (!pieces_.empty() && paths.size() != 1) throw Usage_error("--parts-json takes one model");
+    if (!output_.is_empty() && paths.size() != 1) throw Usage_error("-o takes one model, except for FILE.html");
     IO::Parts_sheet sheet(paths.size());
     std::string complaints;
     std::size_t shown = 0;
     for (const std::string& path : paths) {
       const std::string title = fs::path(path).stem().string();
       try {
-        const Read_model model = read_model(path, common);
+        Read_model model = read_model(path, common);
+        write_parts(output_, path, common, model);
         if (common.prints_table()) print_model(path, model, common.verbose);
         if (!common.html.empty()) sheet.add(title, model.objects, model.split, summary(model));
         write_output(pieces_, [&](std::ostream& out) { IO::write_parts_json(out, model.split); });
@@ -162,6 +207,7 @@ private:
 
   bool is_folder_of_models_ = false;
   std::string pieces_; // a file; empty: none
+  Parts_output output_;
 };
 
 } // namespace

@@ -158,7 +158,7 @@ void turn_by_roles(const Point& up, Read_model& model)
 Read_model read_model(const std::string& path, const Common_options& options)
 {
   return with_path(path, [&] {
-    return model_of_objects(path, IO::read_objects(path, options.up_vector(), options.reading), options);
+    return model_of_objects(path, IO::read_objects(path, options.up_vector(), options.reading_options()), options);
   });
 }
 
@@ -169,12 +169,15 @@ Read_model model_of_objects(const std::string& path, IO::Model_objects objects, 
   model.objects = std::move(objects.shape);
   model.warnings = std::move(objects.warnings);
   find_up(path, options, model);
-  if (!options.parts_from.empty()) {
+  model.faces = std::move(objects.faces);
+  model.number_of_faces = objects.number_of_faces;
+  if (!options.parts_from.empty() && !options.has_face_labels()) {
     model.split = IO::split_parts_by_json(model.objects, options.parts_from, objects.materials);
     return model;
   }
   Part_splitting_options splitting;
-  splitting.mode = options.parts == Part_splitting::AUTO && is_folder(path) ? Part_splitting::FILE : options.parts;
+  const bool are_parts = is_folder(path) || objects.are_labelled;
+  splitting.mode = options.parts == Part_splitting::AUTO && are_parts ? Part_splitting::FILE : options.parts;
   splitting.materials = std::move(objects.materials);
   model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
   if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);

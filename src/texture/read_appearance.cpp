@@ -5,6 +5,7 @@
 #include "io/read/read_objects.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
+#include "io/system/input_file.h"
 #include "texture/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
@@ -50,13 +51,13 @@ bool read_texture(std::string_view line, Texture& result)
 /// Reads a statement, or leaves it out if it is not understood. \return whether it is not damaged
 bool read_statement(std::string_view keyword, std::string_view line, Library_material& material)
 {
-  if (keyword == "map_Kd") return read_texture(line, material.texture);
-  if (keyword == "Kd") {
+  if (keyword == "map_kd") return read_texture(line, material.texture);
+  if (keyword == "kd") {
     Colour given;
     for (double& value : given)
       if (!parse(next_word(line), value)) return false;
     material.colour.head<3>() = linear_colour(given);
-  } else if (keyword == "d" || keyword == "Tr") {
+  } else if (keyword == "d" || keyword == "tr") {
     double value = 1;
     if (!parse(next_word(line), value)) return false;
     material.colour[3] = keyword == "d" ? value : 1 - value;
@@ -70,8 +71,8 @@ std::map<std::string, Library_material> read_library(std::string_view text, std:
   std::map<std::string, Library_material> result;
   Library_material* material = nullptr;
   while (!text.empty()) {
-    std::string_view line = trimmed(next_line(text));
-    const std::string_view keyword = next_word(line);
+    std::string_view line = trimmed(without_comment(next_line(text)));
+    const std::string keyword = lower(next_word(line));
     if (keyword == "newmtl")
       material = &result[std::string(trimmed(line))];
     else if (material && !read_statement(keyword, line, *material))
@@ -94,7 +95,8 @@ read_libraries(const Named_files& files, const std::vector<std::string>& stateme
       for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
         libraries.emplace_back(word, files.read(std::string(word)));
     }
-    for (const auto& [name, file] : libraries) {
+    for (auto& [name, file] : libraries) {
+      if (is_wide_text(file.bytes)) file = {"", "is text in UTF-16; save it as UTF-8"};
       if (!file.fault.empty())
         warnings.push_back("The materials of " + cited_file(name) + " were left out: it " + file.fault + ".");
       std::size_t damaged = 0;

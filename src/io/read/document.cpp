@@ -4,6 +4,7 @@
 #include "io/read/document.h"
 #include "base/limits.h"
 #include "io/read/text_words.h"
+#include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -56,6 +57,7 @@ std::string read_document(std::istream& in, const std::string& file)
     if (text.size() > internal::largest_document)
       throw Invalid_input(file + ": it is longer than " + std::to_string(internal::largest_document >> 20) + " MB");
   }
+  check_is_not_wide(text, file);
   return text;
 }
 

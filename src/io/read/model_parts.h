@@ -22,15 +22,27 @@ struct Model_part
   std::string name;
   std::vector<Point> corners;
   Part_appearance appearance = {}; ///< of the triangles, as it is in the file; materials are those of the model
+  /// By triangle, the number of its face in the file; empty where faces have no numbers. Those that are left out count.
+  std::vector<std::size_t> faces = {};
+};
+
+/// Labels of the faces of a model.
+struct Face_labels
+{
+  std::vector<int> of_faces; ///< index of its name for each face
+  std::vector<std::string> names = {};
 };
 
 /// What a model file holds.
 struct Model_content
 {
   std::vector<Model_part> parts;
-  std::size_t faces_left_out = 0; ///< those of fewer than three corners
+  std::size_t faces_left_out = 0;  ///< those of fewer than three corners
+  std::size_t number_of_faces = 0; ///< that `Model_part::faces` number
   std::vector<Surface_material> materials = {};
   std::vector<Texture> textures = {};      ///< those without bytes are files of that name
+  bool are_labelled = false;               ///< the parts are labels of faces
+  std::vector<std::string> warnings = {};  ///< on what was left out or replaced
   bool materials_are_names = false;        ///< they are defined in libraries
   std::vector<std::string> libraries = {}; ///< files of materials
 };
@@ -48,6 +60,14 @@ Model_content read_gltf_parts(std::string_view text, const std::string& file, co
 
 /// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
 Model_content import_parts(const std::string& file, const Reading_options& options);
+
+/// The labels in a list for the faces of a model, in their order: a line or word for each face, or lines with a name
+/// and lines with the numbers of its faces, from 1 on. \param name of the list, for messages \throw Invalid_input
+Face_labels read_face_labels(std::string_view text, const std::string& name, std::size_t number_of_faces);
+
+/// Makes parts of a model anew, one for each label of its faces; if it is one label only, or they are more than parts
+/// can be, the parts stay.
+void divide_by_labels(const Face_labels& labels, Model_content& content);
 
 /// Triangles of a model beyond one a byte of its files, as strips have at most. Nodes that use the same mesh take
 /// hardly any bytes, but their triangles take memory and time as all others.

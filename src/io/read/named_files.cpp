@@ -3,9 +3,9 @@
 
 #include "io/read/model_parts.h"
 #include "io/system/input_file.h"
+#include "io/system/quoting.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 
@@ -20,22 +20,6 @@ std::string with_slashes(std::string name)
   return name;
 }
 
-/// The same with %20 and the like as characters.
-std::string without_percents(const std::string& name)
-{
-  std::string result;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    int code = 0;
-    const char* const digits = name.data() + i + 1;
-    if (name[i] == '%' && i + 2 < name.size() && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
-      result += char(code);
-      i += 2;
-    } else
-      result += name[i];
-  }
-  return result;
-}
-
 } // namespace
 
 Named_file Named_files::read(const std::string& given) const
@@ -44,7 +28,7 @@ Named_file Named_files::read(const std::string& given) const
   const std::string name = with_slashes(given);
   std::error_code error;
   std::string fault = "is not there";
-  for (const fs::path candidate : {name, without_percents(name)})
+  for (const fs::path candidate : {name, percent_decoded(name)})
     for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
       if (!fs::is_regular_file(path, error)) continue;
       if (!options.allow_outside_files && !is_in_folder_of(model, path.string())) {

@@ -1,17 +1,22 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/Disjoint_sets.h"
 #include "base/limits.h"
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
+#include "io/system/colours.h"
 #include "shape/Loose_piece.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <charconv>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 // An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,
 // and CGAL's reader drops the names of objects and groups.
@@ -29,6 +34,7 @@ struct Obj_polygon
   std::vector<std::size_t> vertices;
   std::vector<int> coordinates; ///< of the corners, -1: none; empty: none of any
   int material = -1;            ///< by number of its name
+  std::size_t number = 0;       ///< among the faces of the file
 };
 
 /// A part under construction: an `o` statement, or a `g` statement inside one.
@@ -39,6 +45,11 @@ struct Section
   std::vector<Obj_polygon> polygons;
 };
 
+// Of vertices; a channel beyond it says that white is 255, not 1.
+constexpr double brightest = 1.5;
+
+constexpr std::string_view painted_vertices = "#MRGB ";
+
 class Obj_reader
 {
 public:
@@ -47,43 +58,47 @@ public:
   Model_content read()
   {
     while (!lines_.rest().empty())
-      read_statement(trimmed(without_comment(next_statement())));
+      read_statement(next_statement());
+    join_groups();
     divide_by_materials();
     return content();
   }
 
 private:
-  /// A line, and those that it is continued on by a backslash at its end.
+  /// A line without its comment and, if it has numbers, those that it is continued on by a backslash at its end. Names
+  /// end in a backslash, too.
   std::string_view next_statement()
   {
     std::string_view line = lines_.next();
-    if (!is_continued(line)) return line;
+    if (begins_with(line, painted_vertices)) read_painted_vertices(line.substr(painted_vertices.size()));
+    line = trimmed(without_comment(line));
+    if (!is_continued(line) || !has_numbers(line)) return line;
     joined_.clear();
-    for (; is_continued(line); line = lines_.next())
-      joined_.append(line, 0, line.find_last_of('\\')).append(1, ' ');
+    for (; is_continued(line); line = trimmed(without_comment(lines_.next())))
+      joined_.append(line, 0, line.size() - 1).append(1, ' ');
     return joined_.append(line);
   }
 
-  static bool is_continued(std::string_view line)
+  /// Whether the line ends in a backslash and the next one begins with a number.
+  bool is_continued(std::string_view line) const
   {
-    const std::string_view text = trimmed(line);
-    return !text.empty() && text.back() == '\\';
+    if (line.empty() || line.back() != '\\') return false;
+    std::string_view rest = lines_.rest();
+    const std::string_view next = trimmed(next_line(rest));
+    return !next.empty() && std::string_view("+-.0123456789\\").find(next[0]) != std::string_view::npos;
   }
 
-  /// A # inside a word is no comment: names have it.
-  static std::string_view without_comment(std::string_view line)
+  static bool has_numbers(std::string_view line)
   {
-    std::size_t hash = line.find('#');
-    while (hash != std::string_view::npos && hash > 0 && line[hash - 1] != ' ' && line[hash - 1] != '\t')
-      hash = line.find('#', hash + 1);
-    return line.substr(0, hash);
+    const auto keywords = {"v", "vt", "vn", "vp", "f", "fo", "l", "p", "curv", "curv2", "surf", "parm", "trim", "hole"};
+    return std::find(keywords.begin(), keywords.end(), next_word(line)) != keywords.end();
   }
 
   void read_statement(std::string_view statement)
   {
     const std::string_view keyword = next_word(statement);
     if (keyword == "v")
-      points_.push_back(lines_.vertex(statement));
+      read_vertex(statement);
     else if (keyword == "f" || keyword == "fo")
       read_face(statement);
     else if (keyword == "o")
@@ -96,6 +111,32 @@ private:
       read_texture_coordinates(statement);
     else if (keyword == "mtllib")
       libraries_.emplace_back(trimmed(statement));
+  }
+
+  /// Its coordinates, then none, a weight, a colour, or a colour and its opacity.
+  void read_vertex(std::string_view statement)
+  {
+    points_.push_back(lines_.vertex(statement));
+    for (int i = 0; i < 3; ++i)
+      next_word(statement);
+    Eigen::Vector3d colour;
+    for (double& channel : colour)
+      if (!parse(next_word(statement), channel)) return;
+    colours_.resize(points_.size(), Eigen::Vector3d::Constant(-1));
+    colours_.back() = colour;
+    if (colour.maxCoeff() > brightest) white_ = 255;
+  }
+
+  /// ZBrush has the colours of vertices, in their order, in comments: for each the digits of a mask, red, green, blue.
+  void read_painted_vertices(std::string_view digits)
+  {
+    constexpr std::size_t digits_of_vertex = 8;
+    for (digits = trimmed(digits); digits.size() >= digits_of_vertex; digits.remove_prefix(digits_of_vertex)) {
+      std::uint32_t colour = 0;
+      const char* const end = digits.data() + digits_of_vertex;
+      if (std::from_chars(digits.data(), end, colour, 16).ptr != end) return;
+      painted_.push_back(Eigen::Vector3d(colour >> 16 & 255, colour >> 8 & 255, colour & 255) / 255);
+    }
   }
 
   void use_material(const std::string& name)
@@ -123,6 +164,7 @@ private:
   {
     Obj_polygon polygon;
     polygon.material = material_;
+    polygon.number = number_of_faces_++;
     for (std::string_view word = next_word(statement); !word.empty(); word = next_word(statement)) {
       const std::size_t slash = std::min(word.find('/'), word.size());
       polygon.vertices.push_back(vertex_index(word.substr(0, slash)));
@@ -181,10 +223,19 @@ private:
     return pieces.size() > internal::most_parts || largest > mostly_one_piece * all;
   }
 
+  /// Linear; white where the vertex has none.
+  Eigen::Vector3f colour_of(std::size_t vertex) const
+  {
+    const std::vector<Eigen::Vector3d>& colours = painted_.empty() ? colours_ : painted_;
+    if (vertex >= colours.size() || colours[vertex].minCoeff() < 0) return Eigen::Vector3f::Ones();
+    return linear_colour(colours[vertex] / (painted_.empty() ? white_ : 1)).cast<float>();
+  }
+
   Model_part part_of(const Section& section, const std::string& name) const
   {
     Model_part result{name, {}};
     std::vector<Point> polygon;
+    const bool has_colours = !colours_.empty() || !painted_.empty();
     for (const Obj_polygon& of_file : section.polygons) {
       polygon.clear();
       for (std::size_t i : of_file.vertices)
@@ -196,19 +247,64 @@ private:
         if (!coordinates_.empty())
           result.appearance.coordinates.push_back(number < 0 ? Eigen::Vector2f(0, 0)
                                                              : coordinates_[std::size_t(number)]);
+        if (has_colours) result.appearance.colours.push_back(colour_of(of_file.vertices[corner]));
       }
+      result.faces.insert(result.faces.end(), corners.size() / 3, of_file.number);
       if (!materials_.empty())
         result.appearance.materials.insert(result.appearance.materials.end(), corners.size() / 3, of_file.material);
     }
     return result;
   }
 
+  /// The sets of sections that are one part, united where they share vertices: with `by_object` those of an object,
+  /// else those of a group in it.
+  internal::Disjoint_sets sections_with_shared_vertices(bool by_object) const
+  {
+    internal::Disjoint_sets sets(sections_.size());
+    std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> by_name;
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      const auto& [object, group, polygons] = sections_[i];
+      if (!polygons.empty()) by_name[{object, by_object && !object.empty() ? "" : group}].push_back(i);
+    }
+    for (const auto& [name, sections] : by_name) {
+      std::unordered_map<std::size_t, std::size_t> first; // by vertex, the first section
+      if (sections.size() > 1)
+        for (std::size_t i : sections)
+          for (const Obj_polygon& polygon : sections_[i].polygons)
+            for (std::size_t vertex : polygon.vertices)
+              sets.unite(first.emplace(vertex, i).first->second, i);
+    }
+    return sets;
+  }
+
+  /// Joins groups that are no parts: one that is named again and goes on with its own vertices, and those of an object
+  /// that share vertices, which name faces of a surface - unless the file would then be one part.
+  void join_groups()
+  {
+    const auto is_empty = [](const Section& section) { return section.polygons.empty(); };
+    sections_.erase(std::remove_if(sections_.begin(), sections_.end(), is_empty), sections_.end());
+    internal::Disjoint_sets sets = sections_with_shared_vertices(true);
+    if (sets.number_of_sets() == 1) sets = sections_with_shared_vertices(false);
+    std::vector<Section> joined;
+    std::map<std::size_t, std::size_t> place; // by set
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      Section& section = sections_[i];
+      if (const auto [known, is_new] = place.emplace(sets[i], joined.size()); is_new) {
+        joined.push_back(std::move(section));
+      } else {
+        Section& whole = joined[known->second];
+        if (whole.group != section.group) whole.group.clear();
+        std::move(section.polygons.begin(), section.polygons.end(), std::back_inserter(whole.polygons));
+      }
+    }
+    sections_ = std::move(joined);
+  }
+
   /// In a file of one object materials stand for objects where its pieces do not.
   void divide_by_materials()
   {
-    const auto has_faces = [](const Section& section) { return !section.polygons.empty(); };
-    if (std::count_if(sections_.begin(), sections_.end(), has_faces) != 1) return;
-    const Section whole = *std::find_if(sections_.begin(), sections_.end(), has_faces);
+    if (sections_.size() != 1) return;
+    const Section whole = sections_[0];
     std::map<std::string, std::size_t> number;
     std::vector<Section> divided;
     for (const Obj_polygon& polygon : whole.polygons) {
@@ -226,8 +322,7 @@ private:
     std::set<std::string> result;
     std::map<std::string, std::string> objects; // by group, the first one
     for (const Section& section : sections_)
-      if (!section.polygons.empty() && objects.emplace(section.group, section.object).first->second != section.object)
-        result.insert(section.group);
+      if (objects.emplace(section.group, section.object).first->second != section.object) result.insert(section.group);
     return result;
   }
 
@@ -242,8 +337,9 @@ private:
     };
     Model_content result;
     result.faces_left_out = faces_left_out_;
+    result.number_of_faces = number_of_faces_;
     for (const Section& section : sections_)
-      if (!section.polygons.empty()) result.parts.push_back(part_of(section, part_name(section)));
+      result.parts.push_back(part_of(section, part_name(section)));
     for (const std::string& material : materials_)
       result.materials.push_back({material, Eigen::Vector4d::Ones(), -1});
     result.materials_are_names = true;
@@ -256,8 +352,11 @@ private:
   Model_lines lines_;
   std::string joined_; ///< a statement of several lines
   const std::string& file_;
-  std::size_t faces_left_out_ = 0;
+  std::size_t faces_left_out_ = 0, number_of_faces_ = 0;
   std::vector<Point> points_;
+  std::vector<Eigen::Vector3d> colours_; ///< of vertices as far as any has one, negative: none
+  std::vector<Eigen::Vector3d> painted_; ///< of vertices, as ZBrush has them
+  double white_ = 1;                     ///< a full channel of `colours_`
   std::vector<Section> sections_;
   std::vector<Eigen::Vector2f> coordinates_;
   std::vector<std::string> materials_, libraries_; ///< names

@@ -23,7 +23,11 @@ struct Model_objects
   /// several, and for a folder.
   std::vector<std::vector<int>> materials;
   std::vector<std::string> warnings; ///< of the reader
-  Shape_appearance appearance;       ///< from the model's own file, or completed from the files that it names
+  bool are_labelled = false;         ///< they are labels of faces
+  /// By object and triangle, the number of its face in the file, and how many there are; empty for a folder.
+  std::vector<std::vector<std::size_t>> faces = {};
+  std::size_t number_of_faces = 0;
+  Shape_appearance appearance = {}; ///< from the model's own file, or completed from the files that it names
 };
 
 /// Completes materials and textures from the files that a model file names, and checks them.

@@ -7,10 +7,17 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <cstdint>
+
 // An own reader for OFF: CGAL's trusts the counts in the file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
+
+// A channel of a colour beyond it says that white is 255, not 1.
+constexpr float brightest_channel = 1.5f;
+
+const Eigen::Vector3f no_colour = Eigen::Vector3f::Constant(-1);
 
 class Off_reader
 {
@@ -19,11 +26,12 @@ public:
 
   Model_content read()
   {
-    std::string_view line = next_line_of_words();
-    check_keyword(next_word(line));
-    if (trimmed(line) == "BINARY") fail("is binary; only OFF as text is read: convert it, or write PLY or OBJ");
-    if (trimmed(line).empty()) line = next_line_of_words();
-    const std::size_t vertices = number<std::size_t>(line), faces = number<std::size_t>(line);
+    line_ = next_line_of_words();
+    read_keyword();
+    if (trimmed(line_) == "BINARY") fail("is binary; only OFF as text is read: convert it, or write PLY or OBJ");
+    if (has_dimension_ && number_in_any_line<int>() != 3) fail("is not three-dimensional");
+    const auto vertices = number_in_any_line<std::size_t>(), faces = number_in_any_line<std::size_t>();
+    skip_number_of_edges();
     constexpr std::size_t least_vertex = 6, least_face = 2; // bytes of a line
     if (vertices > lines_.rest().size() / least_vertex || faces > lines_.rest().size() / least_face)
       fail("says that it has " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
@@ -33,9 +41,15 @@ public:
       read_vertex();
     Model_content result;
     result.parts.emplace_back();
+    result.number_of_faces = faces;
     for (std::size_t i = 0; i < faces; ++i)
-      read_face(result);
-    if (!has_colours_) result.parts[0].appearance.colours.clear();
+      read_face(i, result);
+    std::vector<Eigen::Vector3f>& colours = result.parts[0].appearance.colours;
+    if (!has_colours_) colours.clear();
+    for (Eigen::Vector3f& colour : colours) {
+      if (colour == no_colour) colour = Eigen::Vector3f::Constant(white_);
+      colour = linear_colour((colour / white_).cast<double>()).cast<float>();
+    }
     return result;
   }
 
@@ -56,31 +70,61 @@ private:
     fail("ends before all of its vertices and faces are there; the file is cut off");
   }
 
-  /// Normals, colours and texture coordinates follow the coordinates; colours are read.
-  void check_keyword(std::string_view word)
+  /// The keyword says what follows the coordinates; the numbers may follow it without a blank, or it may be missing.
+  void read_keyword()
   {
-    constexpr std::string_view keyword = "OFF";
-    if (word.size() < keyword.size() || word.substr(word.size() - keyword.size()) != keyword)
+    std::string_view rest = line_;
+    const std::string_view word = next_word(rest);
+    if (double number = 0; parse(word, number)) return;
+    const std::size_t at = std::min(word.find("OFF"), word.find("off"));
+    const std::string_view letters = word.substr(0, at);
+    if (at == std::string_view::npos || letters.find_first_not_of("STCN4nstc") != std::string_view::npos)
       fail("does not begin with the word OFF");
-    if (word.find_first_not_of("STCNOF") != std::string_view::npos) fail("is not three-dimensional");
-    const std::string_view letters = word.substr(0, word.size() - keyword.size());
-    vertices_have_colours_ = letters.find('C') != std::string_view::npos;
-    vertices_have_normals_ = letters.find('N') != std::string_view::npos;
+    line_.remove_prefix(std::size_t(word.data() - line_.data()) + at + 3);
+    has_weights_ = letters.find('4') != std::string_view::npos;
+    has_dimension_ = letters.find('n') != std::string_view::npos && word[at] == 'O';
+    if (has_weights_ && has_dimension_) fail("is not three-dimensional");
+    const std::size_t colour = letters.find_first_of("Cc"), normal = letters.find_first_of("Nn");
+    vertices_have_colours_ = colour != std::string_view::npos;
+    normals_come_first_ = !has_dimension_ && normal != std::string_view::npos &&
+                          (normal > colour || !vertices_have_colours_); // MeshLab has NC, and colours first
   }
 
-  /// The colour at the beginning of the rest of a line, white where there is none: whole numbers are up to 255, others
-  /// up to 1.
+  /// It is missing, or on a line of its own, where the other numbers are.
+  void skip_number_of_edges()
+  {
+    const bool is_there = !next_word(line_).empty();
+    if (has_weights_ && !trimmed(line_).empty()) fail("is not three-dimensional"); // cells are counted, too
+    std::string_view rest = lines_.rest();
+    if (std::size_t edges = 0; !is_there && parse(trimmed(next_line(rest)), edges)) next_line_of_words();
+  }
+
+  /// The colour at the beginning of the rest of a line, as it is written; `no_colour` if there is none.
   Eigen::Vector3f colour(std::string_view line)
   {
-    Eigen::Vector3d result;
-    bool is_whole = true;
-    for (double& value : result) {
-      const std::string_view word = next_word(line);
-      if (!parse(word, value)) return Eigen::Vector3f::Ones();
-      is_whole = is_whole && word.find('.') == std::string_view::npos;
-    }
+    Eigen::Vector3f result;
+    for (float& value : result)
+      if (!parse(next_word(line), value)) return no_colour;
     has_colours_ = true;
-    return linear_colour(is_whole ? Eigen::Vector3d(result / 255) : result).cast<float>();
+    if (result.maxCoeff() > brightest_channel) white_ = 255;
+    return result;
+  }
+
+  /// Whether the rest of a line is three or four whole numbers up to 255, which are a colour that no keyword announces.
+  static bool is_colour(std::string_view line)
+  {
+    int numbers = 0;
+    for (std::string_view word = next_word(line); !word.empty(); word = next_word(line), ++numbers)
+      if (std::uint8_t value = 0; !parse(word, value)) return false;
+    return numbers == 3 || numbers == 4;
+  }
+
+  template <typename Number>
+  Number number_in_any_line()
+  {
+    while (trimmed(line_).empty())
+      line_ = next_line_of_words();
+    return number<Number>(line_);
   }
 
   template <typename Number>
@@ -98,14 +142,17 @@ private:
     Point point;
     for (double& coordinate : point)
       coordinate = number<double>(line);
+    if (has_weights_) point /= number<double>(line);
     points_.push_back(point);
+    if (!vertices_have_colours_ && !normals_come_first_ && is_colour(line)) vertices_have_colours_ = true;
     if (!vertices_have_colours_) return;
-    for (int i = 0; vertices_have_normals_ && i < 3; ++i)
+    for (int i = 0; normals_come_first_ && i < 3; ++i)
       next_word(line);
-    colours_.push_back(colour(line));
+    colours_.resize(points_.size(), no_colour);
+    colours_.back() = colour(line);
   }
 
-  void read_face(Model_content& result)
+  void read_face(std::size_t face, Model_content& result)
   {
     std::string_view line = next_line_of_words();
     const std::size_t corners = number<std::size_t>(line);
@@ -121,19 +168,23 @@ private:
       vertices.push_back(index);
     }
     if (corners < 3) ++result.faces_left_out;
-    const Eigen::Vector3f of_face = vertices_have_colours_ ? Eigen::Vector3f::Ones() : colour(line);
+    const Eigen::Vector3f of_face = vertices_have_colours_ ? no_colour : colour(line);
     Model_part& part = result.parts[0];
     for (std::size_t corner : triangles_of_polygon(polygon_)) {
       part.corners.push_back(polygon_[corner]);
       part.appearance.colours.push_back(vertices_have_colours_ ? colours_[vertices[corner]] : of_face);
     }
+    part.faces.resize(part.corners.size() / 3, face);
   }
 
   Model_lines lines_;
   const std::string& file_;
   std::vector<Point> points_, polygon_;
-  std::vector<Eigen::Vector3f> colours_; ///< of vertices
-  bool vertices_have_colours_ = false, vertices_have_normals_ = false, has_colours_ = false;
+  std::string_view line_;                ///< what is not read of a line of the header
+  std::vector<Eigen::Vector3f> colours_; ///< of vertices, as they are written
+  float white_ = 1;                      ///< a full channel of colours
+  bool has_weights_ = false, has_dimension_ = false, normals_come_first_ = false;
+  bool vertices_have_colours_ = false, has_colours_ = false;
 };
 
 } // namespace

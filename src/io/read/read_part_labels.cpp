@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/read/Json_field.h"
+#include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -55,7 +56,7 @@ void find_labels(const fs::path& folder, int depth, std::vector<fs::path>& files
   }
   if (depth == deepest) return;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_directory()) find_labels(entry.path(), depth + 1, files);
+    if (entry.is_directory() && !is_hidden(entry.path())) find_labels(entry.path(), depth + 1, files);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
 #include "io/system/little_endian.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <map>
 
 // An own reader for PLY, of all its encodings and number types: CGAL's and assimp's trust the counts in the file.
 
@@ -48,9 +51,11 @@ struct Ply_property
   int use = -1;                         ///< as `use_of()` says
 };
 
-constexpr int first_channel = 3, first_texture_coordinate = 6; // uses of properties; coordinates come first
+// Uses of properties; coordinates come first
+constexpr int first_channel = 3, first_texture_coordinate = 6, texture_number = 8, part_number = 9;
 
-/// What a property of this name is used for: a coordinate, a channel of a colour, a texture coordinate, or -1.
+/// What a property of this name is used for: a coordinate, a channel of a colour, a texture coordinate, the number of a
+/// texture, or -1.
 int use_of(const std::string& name)
 {
   constexpr const char* uses[][4] = {{"x"},
@@ -60,12 +65,20 @@ int use_of(const std::string& name)
                                      {"green", "diffuse_green"},
                                      {"blue", "diffuse_blue"},
                                      {"s", "u", "texture_s", "texture_u"},
-                                     {"t", "v", "texture_t", "texture_v"}};
+                                     {"t", "v", "texture_t", "texture_v"},
+                                     {"texnumber"}};
   for (std::size_t use = 0; use < std::size(uses); ++use)
     for (const char* known : uses[use])
       if (known && name == known) return int(use);
   return -1;
 }
+
+constexpr int most_textures = 1000; // of a file
+
+/// Properties of faces that say which part they are of, the finest first.
+constexpr const char* part_properties[] = {"part",       "part_id",     "segment",   "segment_id", "seg",
+                                           "instance",   "instance_id", "object_id", "label",      "labels",
+                                           "face_label", "category_id", "class",     "class_id"};
 
 struct Ply_element
 {
@@ -99,13 +112,13 @@ public:
         part.corners.push_back(polygon[corner]);
         add_looks(i, corner, std::size_t(face[corner]), part.appearance);
       }
+      part.faces.resize(part.corners.size() / 3, numbers_[i]);
+      part.appearance.materials.resize(part.faces.size(), texture_of(i));
     }
-    if (!texture_.empty() && !part.appearance.coordinates.empty()) {
-      result_.textures.push_back({texture_, "", {}});
-      result_.materials.push_back({texture_, Eigen::Vector4d::Ones(), 0});
-      part.appearance.materials.assign(part.corners.size() / 3, 0);
-    }
+    add_textures(part.appearance);
+    result_.number_of_faces = faces_.size() + result_.faces_left_out;
     result_.parts.push_back(std::move(part));
+    if (!labels_.empty()) divide_by_labels(face_labels(), result_);
     return std::move(result_);
   }
 
@@ -117,12 +130,14 @@ private:
   {
     Point point = Point::Zero();
     int coordinates = 0; ///< of the point, that are given
-    bool has_colours = false, has_coordinates = false;
+    int texture = 0;     ///< its number
+    double label = 0;    ///< of the part
+    bool has_colours = false, has_coordinates = false, has_texture = false;
     Eigen::Vector3d colour = Eigen::Vector3d::Ones();
     Eigen::Vector2f at = Eigen::Vector2f::Zero(); ///< texture coordinates
     std::vector<double> corners;                  ///< of a face, texture coordinates
 
-    bool has_looks() const { return has_colours || has_coordinates || !corners.empty(); }
+    bool has_looks() const { return has_colours || has_coordinates || has_texture || !corners.empty(); }
 
     void set(const Ply_property& property, double number)
     {
@@ -133,6 +148,11 @@ private:
       } else if (property.use < first_texture_coordinate) {
         has_colours = true;
         colour[property.use - first_channel] = number / property.type->white;
+      } else if (property.use == texture_number) {
+        has_texture = true;
+        texture = number >= 0 && number < most_textures ? int(number) : -1;
+      } else if (property.use == part_number) {
+        label = std::isnan(number) ? -1 : number;
       } else {
         has_coordinates = true;
         const int axis = property.use - first_texture_coordinate;
@@ -153,7 +173,7 @@ private:
     else if (of_face && of_face->has_colours)
       appearance.colours.push_back(colour(*of_face));
     if (faces_have_coordinates_) {
-      const std::vector<double>& at = face_looks_[face].corners;
+      const std::vector<double> none, &at = of_face ? of_face->corners : none;
       const bool is_there = at.size() >= 2 * corner + 2;
       appearance.coordinates.push_back(is_there ? Eigen::Vector2f(float(at[2 * corner]), float(1 - at[2 * corner + 1]))
                                                 : Eigen::Vector2f(0, 0));
@@ -161,23 +181,90 @@ private:
       appearance.coordinates.push_back(of_vertex->at);
   }
 
+  /// The number of the texture of a face, which it has itself or its first vertex has; -1: none.
+  int texture_of(std::size_t face) const
+  {
+    const auto vertex = std::size_t(faces_[face][0]);
+    const Values* looks = face < face_looks_.size() && face_looks_[face].has_texture ? &face_looks_[face]
+                          : vertex < vertices_.size()                                ? &vertices_[vertex]
+                                                                                     : nullptr;
+    const int number = looks ? looks->texture : 0;
+    return number < int(textures_.size()) ? number : -1;
+  }
+
+  void add_textures(Part_appearance& appearance)
+  {
+    if (textures_.empty() || appearance.coordinates.empty()) return appearance.materials.clear();
+    for (const std::string& texture : textures_) {
+      result_.materials.push_back({texture, Eigen::Vector4d::Ones(), int(result_.textures.size())});
+      result_.textures.push_back({texture, "", {}});
+    }
+  }
+
+  /// The labels of all faces, in the order of their numbers.
+  Face_labels face_labels() const
+  {
+    std::map<double, int> known;
+    for (double label : labels_)
+      known.emplace(label, 0);
+    Face_labels result;
+    for (auto& [label, index] : known) {
+      index = int(result.names.size());
+      const std::string number = internal::number_text(label);
+      const auto name = names_.find(part_property_ + ' ' + number);
+      result.names.push_back(name == names_.end() ? part_property_ + '_' + number : name->second);
+    }
+    result.of_faces.assign(result_.number_of_faces, 0);
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      result.of_faces[numbers_[i]] = known[labels_[i]];
+    return result;
+  }
+
   void read_header()
   {
+    // A header of CR alone may be followed by a byte that is LF
+    const std::size_t end = text_.find_first_of("\r\n");
+    const bool has_cr_alone = end != std::string_view::npos && text_[end] == '\r' && text_.substr(end, 2) != "\r\n";
     if (trimmed(next_line(text_)) != "ply") fail("it cannot be read as a PLY model: it does not begin with 'ply'");
     for (;;) {
       if (text_.empty()) fail("its PLY header has no end; the file is cut off");
       std::string_view line = next_line(text_);
       const std::string_view keyword = next_word(line);
-      if (keyword == "end_header") return;
+      if (keyword == "end_header") {
+        if (has_cr_alone && text_.data()[-1] == '\n') text_ = {text_.data() - 1, text_.size() + 1};
+        return choose_part_property();
+      }
       if (keyword == "format")
         read_format(next_word(line));
       else if (keyword == "element")
         read_element_statement(line);
       else if (keyword == "property")
         read_property(line);
-      else if (keyword == "comment" && next_word(line) == "TextureFile")
-        texture_ = trimmed(line);
+      else if (keyword == "comment")
+        read_comment(line);
     }
+  }
+
+  /// A texture, or what this program writes: the name of a number of a part or label.
+  void read_comment(std::string_view line)
+  {
+    const std::string_view keyword = next_word(line);
+    if (keyword == "TextureFile" && textures_.size() < most_textures) textures_.emplace_back(trimmed(line));
+    if (keyword != "part" && keyword != "label") return;
+    const std::string_view number = next_word(line);
+    names_.emplace(std::string(keyword) + ' ' + std::string(number), percent_decoded(std::string(trimmed(line))));
+  }
+
+  /// Finds the property of faces that makes parts, if there is one.
+  void choose_part_property()
+  {
+    for (Ply_element& element : elements_)
+      for (const char* name : part_properties)
+        for (Ply_property& property : element.properties)
+          if (element.name == "face" && !property.count_type && property.name == name && part_property_.empty()) {
+            property.use = part_number;
+            part_property_ = name;
+          }
   }
 
   void read_format(std::string_view word)
@@ -248,6 +335,7 @@ private:
           is_face = read_list(element, property, values) || is_face;
         else
           values.set(property, next(*property.type));
+      if (is_face && !part_property_.empty()) labels_.push_back(values.label);
       if (is_face && (values.has_looks() || !face_looks_.empty())) {
         faces_have_coordinates_ = faces_have_coordinates_ || !values.corners.empty();
         face_looks_.resize(faces_.size());
@@ -278,18 +366,40 @@ private:
     std::vector<double> list(static_cast<std::size_t>(count));
     for (double& number : list)
       number = next(*property.type);
+    const bool are_vertices = property.name == "vertex_indices" || property.name == "vertex_index";
+    if (element.name == "tristrips" && are_vertices) add_strips(list);
     if (element.name != "face") return false;
     if (property.name == "texcoord") {
       values.corners = std::move(list);
       return false;
     }
-    if (property.name != "vertex_indices" && property.name != "vertex_index") return false;
+    if (!are_vertices) return false;
     if (list.size() < 3) {
       ++result_.faces_left_out;
       return false;
     }
-    faces_.push_back(std::move(list));
+    add_face(std::move(list));
     return true;
+  }
+
+  void add_face(std::vector<double> vertices)
+  {
+    numbers_.push_back(faces_.size() + result_.faces_left_out);
+    faces_.push_back(std::move(vertices));
+  }
+
+  /// The triangles of strips: every vertex makes one with the two before it, in turn the other way round, up to a -1.
+  void add_strips(const std::vector<double>& vertices)
+  {
+    constexpr double unsigned_end = std::numeric_limits<std::uint32_t>::max(); // -1 where numbers have no sign
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (vertices[i] == -1 || vertices[i] == unsigned_end)
+        begin = i + 1;
+      else if (i >= begin + 2)
+        add_face((i - begin) % 2 == 0 ? std::vector<double>{vertices[i - 2], vertices[i - 1], vertices[i]}
+                                      : std::vector<double>{vertices[i - 1], vertices[i - 2], vertices[i]});
+    }
   }
 
   std::size_t checked_index(double index) const
@@ -322,8 +432,12 @@ private:
   std::vector<Point> points_;
   std::vector<std::vector<double>> faces_;
   std::vector<Values> vertices_, face_looks_; ///< of `points_` and `faces_`, as far as they are known
+  std::vector<std::size_t> numbers_;          ///< of `faces_`, with those that are left out
   bool faces_have_coordinates_ = false;
-  std::string texture_; ///< a file
+  std::vector<std::string> textures_;        ///< files
+  std::string part_property_;                ///< of faces; empty: there is none
+  std::vector<double> labels_;               ///< of `faces_`, by this property
+  std::map<std::string, std::string> names_; ///< of parts and labels, by keyword and number
   Model_content result_;
 };
 

@@ -60,7 +60,35 @@ std::string content_of(const std::string& file)
   return text;
 }
 
-Model_content read_parts(const std::string& file, const Reading_options& options)
+/// Makes parts of the labels of faces in the list that is given, or lies beside the model.
+void label_faces(const std::string& file, const Reading_options& options, Model_content& content)
+{
+  if (!options.face_labels.empty()) {
+    const std::string extension = lower_extension(options.face_labels);
+    if (extension == ".eseg" || extension == ".sseg")
+      throw Invalid_input(options.face_labels + ": it has labels of edges; give a list with a label for each face");
+    if (content.number_of_faces == 0)
+      throw Invalid_input(file + ": labels of faces are for models in OBJ, OFF, PLY or STL; save it as one of these");
+    return divide_by_labels(
+        read_face_labels(content_of(options.face_labels), options.face_labels, content.number_of_faces), content);
+  }
+  const fs::path list = fs::path(file).replace_extension(".seg");
+  std::error_code error;
+  if (content.number_of_faces == 0 || !fs::is_regular_file(list, error)) return;
+  std::uintmax_t rest = largest_model;
+  const Named_file found = Named_files{file, options, largest_model, rest}.read(list.filename().string());
+  try {
+    if (!found.fault.empty()) throw Invalid_input("it " + found.fault);
+    divide_by_labels(read_face_labels(found.bytes, list.string(), content.number_of_faces), content);
+    content.warnings.push_back("The parts are the labels of faces in " + list.filename().string() + ".");
+  } catch (const Invalid_input& fault) {
+    content.warnings.push_back("The labels of faces beside the model were left out: " + std::string(fault.what()) +
+                               ".");
+  }
+}
+
+/// \param are_parts whether all that is in the file becomes one part
+Model_content read_parts(const std::string& file, bool are_parts, const Reading_options& options)
 {
   const std::string extension = lower_extension(file);
   const Text_reader reader = text_reader_of(extension);
@@ -68,13 +96,12 @@ Model_content read_parts(const std::string& file, const Reading_options& options
     throw Invalid_input(file + ": models are read from files of type " + known_formats +
                         (extension.empty() ? ", and this one has no extension" : ", not '" + extension + "'"));
   const std::string text = content_of(file);
-  const std::string mark = text.substr(0, 2);
-  const bool is_wide = mark == "\xFF\xFE" || mark == "\xFE\xFF";
-  if (is_wide && extension != ".stl") // a binary STL file may begin with any bytes
-    throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
+  // A binary STL file may begin with any bytes
+  if (extension != ".stl" || text.substr(0, 4).find('\0') != std::string::npos) check_is_not_wide(text, file);
   Model_content content = reader               ? reader(text, file)
                           : is_gltf(extension) ? read_gltf_parts(text, file, options)
                                                : import_parts(file, options);
+  if (!are_parts) label_faces(file, options, content);
   for (Model_part& part : content.parts)
     part.name = utf8_text(part.name);
   return content;
@@ -113,6 +140,10 @@ bool add_part(const std::string& file, const Model_part& part, Model_objects& ob
   if (mesh.triangles.cols() == 0 || !internal::has_area(mesh)) return false;
   objects.shape.add_part(part.name, std::move(mesh));
   objects.appearance.parts.push_back(looks_of(part.appearance, kept));
+  if (part.faces.empty()) return true;
+  for (std::size_t& triangle : kept)
+    triangle = part.faces[triangle];
+  objects.faces.push_back(std::move(kept));
   return true;
 }
 
@@ -133,7 +164,8 @@ std::vector<fs::path> model_files(const fs::path& folder)
   fs::directory_iterator entries(folder, error);
   if (error) throw Invalid_input(folder.string() + ": the folder cannot be read (" + error.message() + ")");
   for (const fs::directory_entry& entry : entries) {
-    if (is_model_file(entry.path().string()) && entry.is_regular_file()) files.push_back(entry.path());
+    if (!is_hidden(entry.path()) && is_model_file(entry.path().string()) && entry.is_regular_file())
+      files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -162,7 +194,10 @@ void add_content(Model_content more, Model_content& all)
   append(more.materials, all.materials);
   append(more.textures, all.textures);
   append(more.parts, all.parts);
+  append(more.warnings, all.warnings);
   all.faces_left_out += more.faces_left_out;
+  all.number_of_faces += more.number_of_faces;
+  all.are_labelled = more.are_labelled;
 }
 
 /// The name of SHAPE, for SHAPE and SHAPE/parts alike.
@@ -219,11 +254,13 @@ Model_objects read_objects(const std::string& path, const Point& up, const Readi
   check_exists(path);
   const bool is_folder = fs::is_directory(path);
   const std::vector<fs::path> files = files_of(path);
+  if (is_folder && !options.face_labels.empty())
+    throw Invalid_input(path + ": labels of faces are for a model file; the files of a folder are its parts");
   const std::string name = is_folder ? folder_name(path) : utf8_text(files[0].stem().string());
-  Model_objects result{Segmented_shape(name, up), {}, {}, {}};
+  Model_objects result{Segmented_shape(name, up), {}, {}};
   Model_content content;
   for (const fs::path& file : files) {
-    Model_content of_file = read_parts(file.string(), options);
+    Model_content of_file = read_parts(file.string(), is_folder, options);
     check_number_of_parts(file.string(), is_folder ? 1 : of_file.parts.size());
     if (complete) complete(file.string(), of_file, result.appearance.warnings);
     if (is_folder) of_file.parts = {joined(file, of_file.parts)};
@@ -242,6 +279,9 @@ Model_objects read_objects(const std::string& path, const Point& up, const Readi
   }
   if (result.shape.parts().empty())
     throw Invalid_input(path + ": part '" + left_out + "': all triangles have zero area; give it a surface");
+  result.warnings = std::move(content.warnings);
+  result.are_labelled = content.are_labelled && !is_folder;
+  result.number_of_faces = content.number_of_faces;
   warn(content.faces_left_out, "Faces of fewer than three corners", result.warnings);
   warn(number_left_out, "Parts without a surface", result.warnings);
   result.appearance.materials = std::move(content.materials);

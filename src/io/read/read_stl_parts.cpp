@@ -8,7 +8,10 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <set>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -16,68 +19,174 @@ namespace {
 // Of binary files: a header of 80 bytes, a count, and for each triangle a normal, three corners and two bytes more
 constexpr std::size_t header_size = 84, triangle_size = 50, normal_size = 12;
 
-Model_content read_binary_stl(std::string_view text, const std::string& file)
+constexpr int most_lines_before = 100; // a text's first solid
+
+std::uint32_t count_in(std::string_view text) { return number_in<std::uint32_t>(text.data() + header_size - 4); }
+
+/// Whether a file, or what is left of it, is a header with a count and as many triangles, of which there are some.
+bool begins_with_binary(std::string_view text)
 {
-  const std::size_t count = number_in<std::uint32_t>(text.data() + header_size - 4);
-  if (count > (text.size() - header_size) / triangle_size)
-    throw Invalid_input(file + ": it cannot be read as an STL model: it says that it has " + std::to_string(count) +
-                        " triangles, which is more than the file holds; it is cut off or damaged");
-  Model_content result;
-  result.parts.emplace_back();
-  for (std::size_t t = 0; t < count; ++t) {
-    const char* const corners = text.data() + header_size + t * triangle_size + normal_size;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Point corner;
-      for (std::size_t i = 0; i < 3; ++i)
-        corner[Eigen::Index(i)] = number_in<float>(corners + 4 * (3 * k + i));
-      result.parts[0].corners.push_back(corner);
-    }
-  }
-  return result;
+  return text.size() >= header_size && count_in(text) > 0 &&
+         count_in(text) <= (text.size() - header_size) / triangle_size;
 }
 
-/// Every solid is a part.
-Model_content read_text_stl(std::string_view text, const std::string& file)
+/// Headers of binary files may begin with "solid", too; they, or the count after them, have zeros.
+bool is_text(std::string_view text)
 {
-  Model_content result;
-  Model_lines lines(text, file);
-  std::size_t corners_of_face = 0;
-  while (!lines.rest().empty()) {
-    std::string_view line = lines.next();
-    const std::string_view keyword = next_word(line);
-    if (keyword == "solid") result.parts.push_back({std::string(trimmed(line)), {}});
-    if (keyword == "facet") corners_of_face = 0;
-    if (keyword == "endfacet" && corners_of_face != 3) lines.fail("a facet does not have three corners");
-    if (keyword != "vertex" || result.parts.empty()) continue;
-    ++corners_of_face;
-    result.parts.back().corners.push_back(lines.vertex(line));
-  }
-  if (corners_of_face % 3 != 0) lines.fail("the file ends in the middle of a facet; it is cut off");
-  const auto is_empty = [](const Model_part& part) { return part.corners.empty(); };
-  result.parts.erase(std::remove_if(result.parts.begin(), result.parts.end(), is_empty), result.parts.end());
-  return result;
-}
-
-/// Headers of binary files may begin with the word, too.
-bool is_text_stl(std::string_view text)
-{
-  if (text.size() >= header_size &&
-      text.size() == header_size + triangle_size * std::size_t(number_in<std::uint32_t>(text.data() + header_size - 4)))
+  if (text.size() >= header_size && text.size() == header_size + triangle_size * std::size_t(count_in(text)))
     return false;
-  return next_word(text) == "solid";
+  if (text.substr(0, header_size).find('\0') != std::string_view::npos) return false;
+  for (int i = 0; i < most_lines_before && !text.empty(); ++i) {
+    std::string_view line = next_line(text);
+    const std::string keyword = lower(next_word(line));
+    if (keyword == "solid" || keyword == "facet") return true;
+  }
+  return false;
 }
+
+/// Whether the bytes at a place are a triangle, not any others: its normal is of length 1 or 0.
+bool is_triangle(const char* bytes)
+{
+  constexpr float tolerance = 0.01f;
+  float squared = 0;
+  for (std::size_t i = 0; i < normal_size; i += 4)
+    squared += number_in<float>(bytes + i) * number_in<float>(bytes + i);
+  return squared == 0 || std::abs(squared - 1) < tolerance;
+}
+
+class Stl_reader
+{
+public:
+  Stl_reader(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+
+  /// Files may be several, one after the other.
+  Model_content read()
+  {
+    do
+      if (is_text(rest_))
+        read_text();
+      else
+        read_binary();
+    while (is_text(rest_) || begins_with_binary(rest_));
+    name_binary_parts();
+    const auto is_empty = [](const Model_part& part) { return part.corners.empty(); };
+    result_.parts.erase(std::remove_if(result_.parts.begin(), result_.parts.end(), is_empty), result_.parts.end());
+    if (result_.parts.empty())
+      throw Invalid_input(file_ + ": there is no triangle in it; a model needs a mesh for every part");
+    if (rest_.find_first_not_of(std::string_view(" \t\r\n\0\x1A", 6)) != std::string_view::npos)
+      warn("What follows after the last triangle is no STL and was left out: " + std::to_string(rest_.size()) +
+           " bytes.");
+    if (lines_left_out_ > 0) warn("Lines that are no STL were left out: " + std::to_string(lines_left_out_) + ".");
+    number_faces();
+    return std::move(result_);
+  }
+
+private:
+  void warn(const std::string& warning) { result_.warnings.push_back(warning); }
+
+  void read_binary()
+  {
+    if (rest_.size() < header_size)
+      throw Invalid_input(file_ + ": it cannot be read as an STL model; it is another kind of file or cut off");
+    const std::size_t given = count_in(rest_), room = (rest_.size() - header_size) / triangle_size;
+    const bool fills_file = (rest_.size() - header_size) % triangle_size == 0;
+    std::size_t count = given;
+    // Of programs that write triangles as they come, and not their number
+    if (fills_file && (given == 0 || given == std::numeric_limits<std::uint32_t>::max())) count = room;
+    if (count > room)
+      throw Invalid_input(file_ + ": it cannot be read as an STL model: it says that it has " + std::to_string(count) +
+                          " triangles, which is more than the file holds; it is cut off or damaged");
+    const char* triangle = rest_.data() + header_size;
+    if (fills_file && count < room && is_triangle(triangle + count * triangle_size)) count = room;
+    if (count != given)
+      warn("The file says that it has " + std::to_string(given) + " triangles, but it holds, and " +
+           std::to_string(count) + " were read.");
+    Model_part& part = result_.parts.emplace_back();
+    headers_.resize(result_.parts.size());
+    headers_.back() = trimmed(rest_.substr(0, std::min(rest_.find('\0'), header_size - 4)));
+    for (std::size_t t = 0; t < count; ++t, triangle += triangle_size)
+      for (std::size_t k = 0; k < 3; ++k) {
+        Point corner;
+        for (std::size_t i = 0; i < 3; ++i)
+          corner[Eigen::Index(i)] = number_in<float>(triangle + normal_size + 4 * (3 * k + i));
+        part.corners.push_back(corner);
+      }
+    rest_.remove_prefix(header_size + count * triangle_size);
+  }
+
+  /// The solids up to the end of the text. Every solid is a part.
+  void read_text()
+  {
+    Model_lines lines(rest_, file_);
+    std::size_t corners_of_face = 0;
+    bool is_in_solid = false;
+    while (!lines.rest().empty() && (is_in_solid || !begins_with_binary(lines.rest()) || is_text(lines.rest()))) {
+      std::string_view line = lines.next();
+      for (std::string keyword = lower(next_word(line)); !keyword.empty(); keyword = lower(next_word(line))) {
+        if (keyword == "solid" || (result_.parts.empty() && keyword == "facet"))
+          result_.parts.push_back({keyword == "solid" ? std::string(trimmed(line)) : "", {}});
+        if (keyword == "solid" || keyword == "endsolid") {
+          is_in_solid = keyword == "solid";
+          break; // the rest is a name
+        }
+        if (keyword == "facet") {
+          corners_of_face = 0;
+        } else if (keyword == "endfacet") {
+          if (corners_of_face != 3) lines.fail("a facet does not have three corners");
+        } else if (keyword == "vertex" && !result_.parts.empty()) {
+          ++corners_of_face;
+          result_.parts.back().corners.push_back(lines.vertex(line));
+          skip_vector(line);
+        } else if (keyword == "normal") {
+          skip_vector(line);
+        } else if (!is_known(keyword)) {
+          ++lines_left_out_;
+          break;
+        }
+      }
+    }
+    if (corners_of_face % 3 != 0) lines.fail("the file ends in the middle of a facet; it is cut off");
+    rest_ = lines.rest();
+  }
+
+  static void skip_vector(std::string_view& line)
+  {
+    for (int i = 0; i < 3; ++i)
+      next_word(line);
+  }
+
+  /// Whether nothing of use is left out with a word; some systems end texts with zeros or a Control-Z.
+  static bool is_known(const std::string& word)
+  {
+    return word == "outer" || word == "loop" || word == "endloop" || word[0] == '\0' || word[0] == '\x1A';
+  }
+
+  /// Headers are names if each file of several has another one.
+  void name_binary_parts()
+  {
+    headers_.resize(result_.parts.size());
+    const std::set<std::string> all(headers_.begin(), headers_.end());
+    if (all.size() < 2 || all.size() < headers_.size() || all.count("") > 0) return;
+    for (std::size_t i = 0; i < headers_.size(); ++i)
+      result_.parts[i].name = headers_[i];
+  }
+
+  void number_faces()
+  {
+    for (Model_part& part : result_.parts)
+      for (std::size_t i = 0; i < part.corners.size() / 3; ++i)
+        part.faces.push_back(result_.number_of_faces++);
+  }
+
+  std::string_view rest_;
+  const std::string& file_;
+  std::vector<std::string> headers_; ///< of binary files, by part
+  std::size_t lines_left_out_ = 0;
+  Model_content result_;
+};
 
 } // namespace
 
-Model_content read_stl_parts(std::string_view text, const std::string& file)
-{
-  const bool is_text = is_text_stl(text);
-  if (!is_text && text.size() < header_size)
-    throw Invalid_input(file + ": it cannot be read as an STL model; it is another kind of file or cut off");
-  Model_content result = is_text ? read_text_stl(text, file) : read_binary_stl(text, file);
-  if (result.parts.empty() || result.parts[0].corners.empty())
-    throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
-  return result;
-}
+Model_content read_stl_parts(std::string_view text, const std::string& file) { return Stl_reader(text, file).read(); }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -38,12 +38,35 @@ inline std::string_view next_word(std::string_view& text)
   return word;
 }
 
-/// Takes the first line off `text`, without its end.
+/// The same word in small letters.
+inline std::string lower(std::string_view word)
+{
+  std::string result(word);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return result;
+}
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; ///< of UTF-8, which some programs begin files with
+
+/// Takes the first line off `text`, without its end, which is LF, CR LF or CR, and without a byte order mark.
 inline std::string_view next_line(std::string_view& text)
 {
-  const std::string_view line = text.substr(0, text.find('\n'));
-  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  const auto is_end = [](char c) { return c == '\n' || c == '\r'; };
+  const auto size = std::size_t(std::find_if(text.begin(), text.end(), is_end) - text.begin());
+  std::string_view line = text.substr(0, size);
+  text.remove_prefix(std::min(text.size(), size + (text.substr(size, 2) == "\r\n" ? 2 : 1)));
+  if (begins_with(line, byte_order_mark)) line.remove_prefix(byte_order_mark.size());
   return line;
+}
+
+/// A line without its comment. A # inside a word begins none: names have it.
+inline std::string_view without_comment(std::string_view line)
+{
+  std::size_t hash = line.find('#');
+  while (hash != std::string_view::npos && hash > 0 && line[hash - 1] != ' ' && line[hash - 1] != '\t')
+    hash = line.find('#', hash + 1);
+  return line.substr(0, hash);
 }
 
 /// Reads a number that makes up the whole word, in any locale.

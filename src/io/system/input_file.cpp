@@ -8,7 +8,6 @@
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <locale>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -33,6 +32,23 @@ std::ifstream open_input(const std::string& path)
   std::ifstream in(fs::path(path), std::ios::binary);
   if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
   return in;
+}
+
+bool is_hidden(const fs::path& path)
+{
+  const std::string name = path.filename().string();
+  return name[0] == '.' || name == "__MACOSX";
+}
+
+bool is_wide_text(std::string_view text)
+{
+  const std::string_view mark = text.substr(0, 2);
+  return mark == "\xFF\xFE" || mark == "\xFE\xFF";
+}
+
+void check_is_not_wide(std::string_view text, const std::string& file)
+{
+  if (is_wide_text(text)) throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
 }
 
 bool is_in_folder_of(const std::string& file, const std::string& named)

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -13,6 +15,15 @@ void check_exists(const std::string& path);
 
 /// A file, opened for reading. \throw Invalid_input if it is not there, a folder, a pipe, or cannot be opened; names it
 std::ifstream open_input(const std::string& path);
+
+/// Whether a file or folder is one that folders have besides what people put there: `.name`, `__MACOSX`.
+bool is_hidden(const std::filesystem::path& path);
+
+/// Whether a text begins with a byte order mark of UTF-16.
+bool is_wide_text(std::string_view text);
+
+/// Throws `Invalid_input` if it does; names `file`.
+void check_is_not_wide(std::string_view text, const std::string& file);
 
 /// Whether a file that `file` names is in the same folder as it, or in one of its sub-folders, also where links lead
 /// to.

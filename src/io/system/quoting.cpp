@@ -3,14 +3,18 @@
 
 #include "io/system/quoting.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/locale/utf.hpp>
 
 #include <cctype>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <iterator>
+#include <locale>
+#include <set>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -130,6 +134,40 @@ std::string quote_obj(const std::string& name)
 std::string quote_ply(const std::string& name)
 {
   return one_line(utf8_text(name), [](std::uint32_t, std::size_t) { return false; });
+}
+
+std::string file_name(const std::string& name)
+{
+  constexpr std::size_t longest = 200; // bytes; with a number and an ending, at most 255
+  const std::set<std::string> reserved{"con", "prn", "aux", "nul"};
+  std::string result =
+      replace_characters(utf8_text(name), [](std::uint32_t code, std::size_t at, const std::string& bytes) {
+        const bool is_forbidden = code < 0x80 && std::strchr("/\\:*?\"<>|", int(code)) != nullptr;
+        return is_control(code) || is_layout(code) || is_forbidden || (code == '.' && at == 0) ? "_" : bytes;
+      });
+  if (result.size() > longest) {
+    std::size_t end = longest;
+    while ((static_cast<unsigned char>(result[end]) & 0xC0) == 0x80) // in a character
+      --end;
+    result.resize(end);
+  }
+  while (!result.empty() && (result.back() == ' ' || result.back() == '.'))
+    result.back() = '_';
+  const std::string stem = boost::algorithm::to_lower_copy(result.substr(0, result.find('.')), std::locale::classic());
+  const bool is_port = stem.size() == 4 && (stem.rfind("com", 0) == 0 || stem.rfind("lpt", 0) == 0);
+  return result.empty() || is_port || reserved.count(stem) > 0 ? "_" + result : result;
+}
+
+std::string percent_decoded(const std::string& text)
+{
+  std::string result;
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (is_percent_code(text, at)) {
+      result += char(std::stoi(text.substr(at + 1, 2), nullptr, 16));
+      at += 2;
+    } else
+      result += text[at];
+  return result;
 }
 
 std::string quote_dot(const std::string& name)

@@ -19,6 +19,12 @@ std::string utf8_text(const std::string& bytes);
 std::string quote_obj(const std::string& name);
 std::string quote_ply(const std::string& name);
 
+/// The same with the character that it stands for in place of each %XX.
+std::string percent_decoded(const std::string& text);
+
+/// A name for a file on any system: what one of them forbids is _, and it is not longer than they allow.
+std::string file_name(const std::string& name);
+
 /// A name as a quoted string of Graphviz's language.
 std::string quote_dot(const std::string& name);
 

@@ -28,6 +28,10 @@ struct Reading_options
   /// in the model's folder or below it, so that a model from somebody else cannot take anything from elsewhere. They
   /// are regular files in any case.
   bool allow_outside_files = false;
+  /// A file with a label for each face of an OBJ, OFF, PLY or STL model, whose labels are the parts: a line or a word
+  /// for each, or for each label a line with its name and lines with the numbers of its faces, from 1 on. Empty: the
+  /// list beside the model that is named like it and ends in `.seg`, if there is one.
+  std::string face_labels;
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
@@ -36,11 +40,14 @@ struct Reading_options
 /// file; sorted by name). Vertices at the same place are merged, polygons triangulated; faces of fewer than three
 /// corners, and parts of a file that have no area, are left out.
 ///
-/// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; groups of one name in several objects
-/// are named `object/group`; if there is only one object, mostly one piece, its materials are the parts. If a name
-/// occurs again, it gets a number: `leg`, `leg#2`. Names become UTF-8; those that are not UTF-8 are read as Latin-1.
-/// OBJ, OFF, PLY, STL and glTF keep double precision, the other formats are read in single precision. COLLADA files
-/// define the upright axis: they are turned to y up.
+/// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; a group that is named again and uses
+/// vertices of the earlier one goes on with it; groups of an `o` that share vertices are one part, unless the file
+/// would then be one; groups of one name in several objects are named `object/group`; if there is only one object,
+/// mostly one piece, its materials are the parts. Labels of faces are parts where a PLY file has them (face property
+/// `part`, `segment`, `label`, `category_id`, `object_id` or the like) or a list gives them. In folders, hidden files
+/// are no parts. If a name occurs again, it gets a number: `leg`, `leg#2`. Names become UTF-8; those that are not UTF-8
+/// are read as Latin-1. OBJ, OFF, PLY, STL and glTF keep double precision, the other formats are read in single
+/// precision. COLLADA files define the upright axis: they are turned to y up.
 ///
 /// Formats other than OBJ, OFF, PLY, STL and glTF 2.0 are read by assimp in a program of its own,
 /// `shape_correspondence_import`, which is installed with the package. If it takes more than 2 GB of memory, 60 seconds
