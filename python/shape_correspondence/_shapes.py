@@ -42,8 +42,8 @@ class Shape:
         (name, mesh), or a dictionary of these; a mesh is (V, F), or one of trimesh or PyVista. Or a Scene of trimesh or
         a MultiBlock of PyVista. A single mesh is divided into parts as a file is
     :param name: names the shape in messages and results
-    :param up: the upright direction: ``"x"``, ``"y"``, ``"z"``, a vector, or ``"auto"``, the axis along which the shape
-        stands most stably
+    :param up: the upright direction: ``"x"``, ``"y"``, ``"z"``, ``"-x"``, ``"-y"``, ``"-z"``, a vector, or
+        ``"auto"``, the axis along which the shape stands most stably
     :raises InvalidInput: if a name is empty or taken, a mesh has an invalid index or coordinate, or no area
     """
 
@@ -225,8 +225,8 @@ Input = Union[Graph, Shape, Path, Parts]
 def read(path: Path, **options: Any) -> Shape:
     """Reads a segmented shape.
 
-    :param path: an OBJ (``o`` and ``g`` are parts), PLY, STL, OFF, glTF, COLLADA, FBX, 3DS, DXF or AC3D file with one
-        object or node for each part; or a folder of part meshes, one file for each part
+    :param path: an OBJ (``o`` and ``g`` are parts), PLY, STL, OFF, glTF, COLLADA, FBX, 3DS, 3MF, DXF, AC3D or URDF file
+        with one object, node or link for each part; or a folder of part meshes, one file for each part
     :raises InvalidInput: if the file cannot be read
     """
     return Shape._of(_core.read(os.fspath(path), options))
@@ -268,10 +268,11 @@ def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], pro
 
 def _direction(up: Union[str, Sequence[float]]) -> Optional[Tuple[float, float, float]]:
     axes = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "auto": None}
+    axes.update({"-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1)})
     if isinstance(up, str):
-        if up not in axes:
+        if up.removeprefix("+") not in axes:
             raise _core.InvalidInput(f"up cannot be {up!r}; known are: {', '.join(axes)}, or a vector")
-        return axes[up]
+        return axes[up.removeprefix("+")]
     x, y, z = up
     return (x, y, z)
 

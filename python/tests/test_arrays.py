@@ -32,6 +32,8 @@ def test_arrays_of_other_types_and_orders(table, dtype):
 def test_up(table):
     turned = [(name, vertices[:, [2, 0, 1]], faces) for name, vertices, faces in table()]
     assert sc.Shape(turned, up="z").up.tolist() == [0, 0, 1]
+    assert sc.Shape(turned, up="-z").up.tolist() == [0, 0, -1]
+    assert sc.Shape(turned, up="+z").up.tolist() == [0, 0, 1]
     assert sc.Shape(turned, up=(0, 0, 2)).up.tolist() == [0, 0, 1]
     assert sc.Shape(turned, up="auto").up.tolist() == [0, 0, 1]
     with pytest.raises(sc.InvalidInput):

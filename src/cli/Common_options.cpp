@@ -18,7 +18,7 @@ constexpr int most_threads = 4096; // each needs memory of its own
 constexpr int most_curve_points = 1000;
 constexpr int most_sheet_points = 200; // along a side
 
-const std::vector<std::string> axes{"x", "y", "z", "auto"};
+const std::vector<std::string> axes{"x", "y", "z", "-x", "-y", "-z", "+x", "+y", "+z", "auto"};
 
 const std::vector<std::pair<const char*, Abstraction_kind>> abstraction_kinds{
     {"auto", Abstraction_kind::AUTOMATIC}, {"curve", Abstraction_kind::CURVE}, {"sheet", Abstraction_kind::SHEET}};
@@ -167,7 +167,8 @@ IO::Reading_options Common_options::reading_options() const
 
 Point Common_options::up_vector() const
 {
-  return up == "x" ? Point::UnitX() : up == "z" ? Point::UnitZ() : Point::UnitY();
+  if (up.empty() || finds_up()) return Point::UnitY();
+  return (up[0] == '-' ? -1 : 1) * Point::Unit(up.back() - 'x');
 }
 
 Text_field output_by_ending(const std::vector<std::pair<std::string, std::string*>>& files)
@@ -224,8 +225,9 @@ void add_reading_options(Option_table& table, Common_options& options)
 {
   Option_table::Group add = table.rare_group(reading_group);
   add("up", "AXIS", &options.up,
-      "upright axis of the model: x, y, z, or auto (the axis along which the model stands most stably). Default: the "
-      "one given by the file (glTF, COLLADA, graphs); y for a folder of part meshes; otherwise y unless the model "
+      "upright axis of the model: x, y, z, -x, -y, -z, or auto (the axis along which the model stands most stably). "
+      "Default: the one given by the file (glTF, COLLADA, FBX, URDF, 3MF, graphs); y for a folder of part meshes; "
+      "otherwise y unless the model "
       "clearly stands along another axis, or its parts are more like labelled ones with another axis up, with a note")
       .words(axes)
       .in_python()

@@ -27,7 +27,7 @@ struct Common_options
 {
   std::string json, glb, html;   ///< files to write; empty: none
   std::string cache;             ///< folder of graphs; empty: none
-  std::string up;                ///< x, y, z or auto; empty: what the file says, or a guess that favours y
+  std::string up;                ///< x, -x, +x etc., or auto; empty: what the file says, or a guess that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;
   std::string parts_from; ///< a file that says which piece is in which part, or has labels of faces; empty: none

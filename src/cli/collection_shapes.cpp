@@ -201,7 +201,7 @@ void make_names_unique(std::vector<Collection_shape>& shapes)
 
 bool is_folder_of_shapes(const std::string& path)
 {
-  if (!fs::is_directory(path) || fs::is_directory(fs::path(path) / "parts")) return false;
+  if (!fs::is_directory(path) || fs::is_directory(fs::path(path) / "parts") || IO::robot_in(path)) return false;
   const std::vector<std::string> models = model_files(path);
   if (!models.empty()) return are_shapes(models);
   const fs::directory_iterator entries(path);

@@ -27,8 +27,8 @@ Builds the structural graph of a segmented shape: a curve or a sheet for every p
 contacts between parts.
 
 MODEL is one of
-  - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D. Its objects or nodes are the
-    parts; an object of unrelated loose pieces is split into them (--parts);
+  - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
+    nodes or links are the parts; an object of unrelated loose pieces is split into them (--parts);
   - a folder of part meshes: one file for each part, named after the part;
   - a structural graph (.json, .xml).
 

@@ -245,6 +245,19 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
   });
 }
 
+void find_up_by_roles(const std::string& path, const Common_options& options, Read_model& model)
+{
+  if (!options.roles || !model.is_up_estimated || model.split.shape.parts().size() < 2) return;
+  try {
+    const Loaded_shape shape = load_shape(path, model, options);
+    const std::optional<Point> up = up_by_roles(model, shape.graph, *options.roles);
+    if (!up || *up == model.objects.up()) return;
+    turn_by_roles(*up, model);
+    model.split.shape.set_up(*up);
+  } catch (const Invalid_input&) {
+  }
+}
+
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   std::vector<Loaded_shape> shapes(paths.size());
@@ -277,6 +290,8 @@ std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Commo
         paths[i], [&] { return IO::read_objects(paths[i], of_input.up_vector(), of_input.reading_options()); });
     shapes[i].read_seconds = now() - begin;
   });
+  for (std::size_t i = 0; i < 2; ++i)
+    axes.is_unknown[i] = axes.is_unknown[i] && !objects[i].says_up;
   std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);
   std::array<Read_model, 2> models;
   internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {

@@ -30,8 +30,8 @@ struct Read_model
   std::size_t number_of_faces = 0;             ///< of the file; 0: they have no numbers
 };
 
-/// The name of an upright axis: x, y or z.
-char axis_name(const Point& axis);
+/// The name of an upright axis: x, y or z, or -x, -y or -z.
+std::string axis_name(const Point& axis);
 
 /// Finds the upright axis of the objects and makes parts of them, as the options say. \throw Invalid_input
 Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options);
@@ -47,6 +47,10 @@ std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph
 
 /// Sets the upright axis of the objects of a model, estimated by roles, and replaces the warning about it.
 void turn_by_roles(const Point& up, Read_model& model);
+
+/// Estimates the upright axis by the roles of the parts, where the model's axis is an estimate, as commands do that
+/// abstract the parts. What is wrong with these is for those commands to say.
+void find_up_by_roles(const std::string& path, const Common_options& options, Read_model& model);
 
 /// The upright axes of two inputs that are estimated together, by input.
 struct Pair_axes

@@ -31,8 +31,8 @@ const char* const parts_help =
     R"(Usage: shape_correspondence parts MODEL... [options]
        shape_correspondence parts FOLDER [--all] [options]
 
-Lists the objects of model files with their loose pieces, and which part each piece becomes, and why. No part is
-abstracted, so this is fast. With --html, it also writes a page with a picture of every model, one colour for each part.
+Lists the objects of model files with their loose pieces, and which part each piece becomes, and why. Parts are
+abstracted only where the upright axis is estimated by them, as other commands do. With --html, it also writes a page with a picture of every model, one colour for each part.
 
 MODEL is a model file or a folder of part meshes, as in `graph`. FOLDER is a folder of such models; it is known by its
 model files, each of several objects, or by its folders of part meshes. With --all, the models are all model files in
@@ -175,6 +175,7 @@ private:
       const std::string title = fs::path(path).stem().string();
       try {
         Read_model model = read_model(path, common);
+        find_up_by_roles(path, common, model);
         write_parts(output_, path, common, model);
         if (common.prints_table()) print_model(path, model, common.verbose);
         if (!common.html.empty()) sheet.add(title, model.objects, model.split, summary(model));

@@ -55,10 +55,11 @@ bool is_up_unknown(const std::string& path, const Common_options& options)
   return options.up.empty() && !says_up(path) && !is_folder(path);
 }
 
-void find_up(const std::string& path, const Common_options& options, Read_model& model)
+void find_up(const std::string& path, bool file_says, const Common_options& options, Read_model& model)
 {
+  if (!options.up.empty() && !options.finds_up()) return model.objects.set_up(options.up_vector());
   const bool is_asked_for = options.finds_up() && !says_up(path);
-  if (!is_asked_for && !is_up_unknown(path, options)) return;
+  if (file_says || (!is_asked_for && !is_up_unknown(path, options))) return;
   const Up_estimate found = estimate_up(model.objects, is_asked_for ? 1 : odds_of_y);
   model.objects.set_up(found.up);
   model.up_confidence = found.confidence;
@@ -100,7 +101,12 @@ bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_
 
 } // namespace
 
-char axis_name(const Point& axis) { return axis.x() > 0.5 ? 'x' : axis.y() > 0.5 ? 'y' : 'z'; }
+std::string axis_name(const Point& axis)
+{
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return (axis[largest] < 0 ? "-" : "") + std::string(1, "xyz"[largest]);
+}
 
 Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options)
 {
@@ -168,7 +174,7 @@ Read_model model_of_objects(const std::string& path, IO::Model_objects objects, 
   Read_model model;
   model.objects = std::move(objects.shape);
   model.warnings = std::move(objects.warnings);
-  find_up(path, options, model);
+  find_up(path, objects.says_up, options, model);
   model.faces = std::move(objects.faces);
   model.number_of_faces = objects.number_of_faces;
   if (!options.parts_from.empty() && !options.has_face_labels()) {

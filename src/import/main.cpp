@@ -1,11 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program shape_correspondence_import FILE inside|outside: reads a model file with assimp, and writes what is in it
-// as io/read/model_stream.h says. It is a program of its own since assimp is not made for damaged files: some end it,
-// some make it take all memory.
+// The program shape_correspondence_import FILE inside|outside: reads a model file with assimp, or glTF with compressed
+// meshes with their codecs, and writes what is in it as io/read/model_stream.h says. It is a program of its own since
+// these libraries are not made for damaged files: some end them, some make them take all memory.
 
+#include "import/gltf_codecs.h"
+#include "import/names_in_3mf.h"
 #include "io/read/model_stream.h"
+#include "io/read/part_names.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"
@@ -21,6 +24,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <new>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -65,7 +69,8 @@ public:
   {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
       add_material(*scene_.mMaterials[i], are_linear);
-    visit(*scene_.mRootNode, Transform::Identity());
+    visit(*scene_.mRootNode, -1, Transform::Identity());
+    name_parts_by_tree(tree_, node_of_part_, meshes_, content_.parts);
     if (!are_linear)
       for (Model_part& part : content_.parts)
         for (Eigen::Vector3f& colour : part.appearance.colours)
@@ -78,6 +83,7 @@ private:
   {
     Surface_material material;
     material.name = of_file.GetName().C_Str();
+    channels_.push_back(0);
     aiColor4D colour;
     if (of_file.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
         of_file.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) {
@@ -91,6 +97,8 @@ private:
       aiString path;
       if (of_file.GetTexture(type, 0, &path) != AI_SUCCESS || path.length == 0) continue;
       material.texture = add_texture(of_file, type, path);
+      int channel = 0;
+      if (of_file.Get(AI_MATKEY_UVWSRC(type, 0), channel) == AI_SUCCESS && channel > 0) channels_.back() = channel;
       if (!is_linear) material.colour.head<3>().setOnes(); // as modelling programs do
       break;
     }
@@ -120,15 +128,21 @@ private:
     return int(content_.textures.size()) - 1;
   }
 
-  void visit(const aiNode& node, const Transform& parent)
+  void visit(const aiNode& node, int parent, const Transform& of_parent)
   {
-    const Transform to_world = parent * transform_of(node);
+    const Transform to_world = of_parent * transform_of(node);
+    const int number = int(tree_.size());
+    tree_.push_back({parent, node.mName.C_Str()});
     Model_part part{node.mName.C_Str(), {}};
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
       add_mesh(*scene_.mMeshes[node.mMeshes[i]], to_world, part);
-    if (!part.corners.empty()) content_.parts.push_back(std::move(part));
+    if (!part.corners.empty()) {
+      content_.parts.push_back(std::move(part));
+      node_of_part_.push_back(number);
+      meshes_.push_back(scene_.mMeshes[node.mMeshes[0]]->mName.C_Str());
+    }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
-      visit(*node.mChildren[i], to_world);
+      visit(*node.mChildren[i], number, to_world);
   }
 
   void add_mesh(const aiMesh& mesh, const Transform& to_world, Model_part& part)
@@ -155,10 +169,13 @@ private:
     const bool has_material = mesh.mMaterialIndex < content_.materials.size() &&
                               content_.materials[mesh.mMaterialIndex].name != AI_DEFAULT_MATERIAL_NAME;
     looks.materials.push_back(has_material ? int(mesh.mMaterialIndex) : -1);
-    if (mesh.HasTextureCoords(0) || !looks.coordinates.empty()) {
+    int channel = mesh.mMaterialIndex < channels_.size() ? channels_[mesh.mMaterialIndex] : 0;
+    if (!mesh.HasTextureCoords(unsigned(channel))) channel = 0;
+    if (mesh.HasTextureCoords(unsigned(channel)) || !looks.coordinates.empty()) {
       looks.coordinates.resize(before, Eigen::Vector2f(0, 0));
       for (unsigned k = 0; k < 3; ++k) {
-        const aiVector3D at = mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][face.mIndices[k]] : aiVector3D();
+        const aiVector3D at =
+            mesh.HasTextureCoords(unsigned(channel)) ? mesh.mTextureCoords[channel][face.mIndices[k]] : aiVector3D();
         looks.coordinates.emplace_back(at.x, 1 - at.y);
       }
     }
@@ -183,6 +200,10 @@ private:
   const aiScene& scene_;
   std::uint64_t bytes_, triangles_ = 0;
   Model_content content_;
+  std::vector<int> channels_; ///< of texture coordinates, by material
+  std::vector<Tree_node> tree_;
+  std::vector<int> node_of_part_;   ///< by part
+  std::vector<std::string> meshes_; ///< the names of those of the parts
 };
 
 /// Opens regular files only, since a pipe that a model names may never end; unless told otherwise, those of the model's
@@ -229,28 +250,75 @@ std::uint64_t triangles_of(const aiScene& scene)
   return result;
 }
 
+std::string text_of(const std::string& file)
+{
+  std::ifstream in = open_input(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The upright axis that an FBX file says; zero: it does not, and what assimp has is its default.
+Point up_of_fbx(const aiScene& scene, const std::string& file)
+{
+  std::int32_t axis = 0, sign = 1;
+  if (!scene.mMetaData || !scene.mMetaData->Get("UpAxis", axis) || axis < 0 || axis > 2) return Point::Zero();
+  if (text_of(file).find("UpAxis") == std::string::npos) return Point::Zero();
+  scene.mMetaData->Get("UpAxisSign", sign);
+  return (sign < 0 ? -1 : 1) * Point::Unit(axis);
+}
+
 Model_content read_scene(const std::string& file, bool allows_outside)
 {
+  const std::string extension = lower_extension(file);
+  const bool is_3mf = extension == ".3mf", is_gltf = extension == ".gltf" || extension == ".glb";
+  const auto names = is_3mf ? names_in_3mf(file) : std::map<std::string, std::string>();
   Assimp::Importer importer;
   const auto files = new Model_files(file, allows_outside); // which the importer deletes
   importer.SetIOHandler(files);
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // they would be nodes of their own
-  const aiScene* const scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
+#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION, true); // older ones turn nothing
+#endif
+  const aiScene* const scene =
+      importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_TransformUVCoords);
   if ((!scene || !scene->mRootNode) && !files->missing().empty())
     throw Invalid_input("the file " + cited_file(files->missing()) +
                         ", which it names, is not there; put it beside the model");
   if (!scene || !scene->mRootNode) {
     const std::string why = importer.GetErrorString();
+    if (why.find(std::bad_alloc().what()) != std::string::npos) throw std::bad_alloc();
     throw Invalid_input("it cannot be read as a model of the format that its extension says" +
                         (why.empty() ? "" : " (" + why + ")"));
   }
-  const std::string extension = lower_extension(file);
-  const bool is_gltf = extension == ".gltf" || extension == ".glb";
   Model_content content =
       Scene_reader(*scene, is_gltf ? triangles_of(*scene) : std::filesystem::file_size(file)).read(is_gltf);
+  for (Model_part& part : content.parts)
+    if (const auto found = names.find(part.name); found != names.end()) part.name = found->second;
   if (content.parts.empty()) throw Invalid_input("there is no triangle in it; a model needs a mesh for every part");
+  if (extension == ".fbx") content.up = up_of_fbx(*scene, file);
+  if (is_3mf) content.up = Point::UnitZ(); // as the format has it
   return content;
+}
+
+/// The message without the name of the file, which who reads it knows.
+std::string without_file(const std::string& message, const std::string& file)
+{
+  return begins_with(message, file + ": ") ? message.substr(file.size() + 2) : message;
+}
+
+/// What is in a model file. \param allows_outside whether files that it names may be anywhere
+Model_content read_model(const std::string& file, bool allows_outside)
+{
+  const std::string extension = lower_extension(file);
+  if (extension != ".gltf" && extension != ".glb") return read_scene(file, allows_outside);
+  try {
+    const Gltf_codecs codecs = gltf_codecs();
+    return read_gltf(text_of(file), file, Reading_options{allows_outside}, &codecs);
+  } catch (const Needs_import&) {
+    return read_scene(file, allows_outside); // of version 1
+  } catch (const Invalid_input& error) {
+    throw Invalid_input(without_file(error.what(), file));
+  }
 }
 
 template <typename Resource>
@@ -296,7 +364,7 @@ int main(int argc, char* argv[])
   try {
     std::cout << IO::import_mark;
     try {
-      IO::write(IO::read_scene(argv[1], argv[2] == std::string("outside")));
+      IO::write(IO::read_model(argv[1], argv[2] == std::string("outside")));
     } catch (const Invalid_input& error) {
       std::cout << IO::has_complaint << error.what();
     } catch (const std::bad_alloc&) {

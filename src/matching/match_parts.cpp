@@ -10,8 +10,10 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -83,6 +85,34 @@ Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
       result(i, j) = (over_row == 0 || over_column == 0) && over_row + over_column <= most;
     }
   return result;
+}
+
+// Pairs copies of a part one to one, in their order, where a shape has as many of them in one place as the other one
+// has, as levels of detail and meshes for collisions are: all pairs of them cost the same.
+void separate_copies(const Eigen::MatrixXd& costs, double tolerance, Match_matrix& pairs)
+{
+  const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
+  const auto are_tied = [&](Eigen::Index i, Eigen::Index j) {
+    return pairs(i, j) && quantized(costs(i, j)) <= quantized(tolerance) &&
+           quantized(costs(i, j) - least_in_row[i]) == 0 && quantized(costs(i, j) - least_in_column[j]) == 0;
+  };
+  const Eigen::Index n = costs.rows(), m = costs.cols();
+  Disjoint_sets sets(std::size_t(n + m));
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < m; ++j)
+      if (are_tied(i, j)) sets.unite(std::size_t(i), std::size_t(n + j));
+  std::map<std::size_t, std::array<std::vector<Eigen::Index>, 2>> copies; // of both shapes, by set
+  for (Eigen::Index k = 0; k < n + m; ++k)
+    copies[sets[std::size_t(k)]][k < n ? 0 : 1].push_back(k < n ? k : k - n);
+  for (const auto& [set, of_shape] : copies) {
+    const auto& [rows, columns] = of_shape;
+    bool are_copies = rows.size() == columns.size() && rows.size() > 1;
+    for (std::size_t k = 0; are_copies && k < rows.size(); ++k)
+      are_copies = are_tied(rows[k], columns[k]);
+    for (std::size_t a = 0; are_copies && a < rows.size(); ++a)
+      for (std::size_t b = 0; b < columns.size(); ++b)
+        pairs(rows[a], columns[b]) = a == b;
+  }
 }
 
 // The number of pairs of each of the rows with the columns.
@@ -190,8 +220,9 @@ void separate_supports(const Shape_features& source, const Shape_features& targe
 Match_matrix matched(const Eigen::MatrixXd& costs, const Shape_features& source, const Shape_features& target,
                      const Part_matching_options& options)
 {
-  const Match_matrix confident = pairs_within(costs, options.confident_excess);
-  Match_matrix pairs = pairs_within(costs, options.excess);
+  Match_matrix confident = pairs_within(costs, options.confident_excess), pairs = pairs_within(costs, options.excess);
+  separate_copies(costs, options.tolerance, confident);
+  separate_copies(costs, options.tolerance, pairs);
   complete_blocks(blocks_of(confident, source, target), confident, costs, source, target, options, pairs);
   if (support_as_sets(confident, source.assemblies, target.assemblies)) {
     separate_supports(source, target, pairs);

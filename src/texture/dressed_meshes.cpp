@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "texture/dressed_meshes.h"
+#include "base/directions.h"
 #include "io/system/colours.h"
 #include "texture/image_file.h"
 
@@ -171,7 +172,7 @@ Add_scenes dressed_scenes(std::vector<std::pair<const Segmented_shape*, const Sh
 
 void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
 {
-  const auto turn = Eigen::Quaterniond::FromTwoVectors(shape.up(), Point::UnitY()).toRotationMatrix(); // glTF has y up
+  const auto turn = internal::least_rotation(shape.up(), Point::UnitY()).toRotationMatrix(); // glTF has y up
   Glb_file glb;
   Glb_materials materials(glb, appearance);
   std::vector<int> nodes;

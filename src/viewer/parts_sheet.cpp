@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -19,7 +20,7 @@ constexpr std::size_t sheet_triangles = 200000, fewest_of_model = 500;
 /// Turns the upright axis to y.
 Eigen::Matrix3d upright(const Point& up)
 {
-  const Point front = up.z() > 0.5 ? Point(-Point::UnitY()) : Point::UnitZ();
+  const Point front = std::abs(up.z()) > 0.5 ? Point(-up.z() * Point::UnitY()) : Point::UnitZ();
   Eigen::Matrix3d result; // rows: side, up, front
   result << up.cross(front).transpose(), up.transpose(), front.transpose();
   return result;

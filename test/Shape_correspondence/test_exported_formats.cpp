@@ -62,3 +62,32 @@ TEST_CASE("Models in formats that assimp writes have their parts, materials and 
     }
   }
 }
+
+TEST_CASE("The upright axis of an FBX file is the one that it says")
+{
+  const Temporary_folder folder;
+  Assimp::Importer importer;
+  const aiScene* const scene = importer.ReadFile(folder.write("m.obj", obj_table()), aiProcess_Triangulate);
+  REQUIRE(scene);
+  Assimp::Exporter exporter;
+  if (exporter.Export(scene, "fbxa", folder.path("m.fbx")) != aiReturn_SUCCESS) {
+    WARN("assimp does not write FBX");
+    return;
+  }
+  const std::string text = text_of(folder.path("m.fbx"));
+  const auto up_of = [&](int axis, int sign) {
+    std::string changed = text;
+    const auto set = [&](const std::string& name, int value) {
+      const std::string key = "P: \"" + name + "\", \"int\", \"Integer\", \"\", ";
+      const std::size_t at = changed.find(key) + key.size();
+      changed.replace(at, changed.find('\n', at) - at, std::to_string(value));
+    };
+    set("UpAxis", axis);
+    set("UpAxisSign", sign);
+    return IO::read_segmented_shape(folder.write("changed.fbx", changed)).up();
+  };
+  CHECK(up_of(1, 1) == Point::UnitY());
+  CHECK(up_of(2, 1) == Point::UnitZ());
+  CHECK(up_of(2, -1) == -Point::UnitZ());
+  CHECK(up_of(0, 1) == Point::UnitX());
+}

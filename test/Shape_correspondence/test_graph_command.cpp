@@ -82,6 +82,10 @@ TEST_CASE("Symmetries, contacts and the upright axis on demand")
   const json up = graph_of(" --up auto");
   CHECK(up["up"] == graph_of("")["up"]);
   CHECK_THAT(up["warnings"][0].get<std::string>(), Contains("upright axis was taken to be y"));
+  CHECK(graph_of(" --up -y")["up"][1].get<double>() == Approx(-1));
+  CHECK(graph_of(" --up=-z")["up"][2].get<double>() == Approx(-1));
+  CHECK(graph_of(" --up +x")["up"][0].get<double>() == Approx(1));
+  CHECK_THAT(run("parts " + model + " --up -x").out, Contains("5 parts; -x up"));
 }
 
 TEST_CASE("Files for graph tools")

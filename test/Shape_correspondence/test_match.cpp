@@ -145,6 +145,34 @@ TEST_CASE("A model matches itself at no cost, part by part")
   }
 }
 
+TEST_CASE("Copies in one place, also of less detail, match themselves at no cost, part by part")
+{
+  const model_files::Temporary_folder folder;
+  using model_files::obj_box;
+  std::string text;
+  int parts = 0;
+  const auto add = [&](const std::string& name, double x, double y, double z, double dx, double dy, double dz) {
+    text += obj_box("o " + name, parts++, x, y, z, dx, dy, dz);
+  };
+  for (const char* copy : {"", "_collision", "_lod"}) {
+    const double inset = copy == std::string("_lod") ? 0.002 : 0;
+    add(std::string("left") + copy, inset, inset, 0, 0.05, 0.5, 0.6);
+    add(std::string("right") + copy, 0.95 - inset, inset, 0, 0.05, 0.5, 0.6);
+    add(std::string("rear") + copy, 0, inset, inset, 1, 0.5, 0.05);
+  }
+  add("floor", 0, 0, 0, 1, 0.05, 0.6);
+  add("lid", 0, 0.5, 0, 1, 0.05, 0.6);
+  const fs::path file = folder.write("box.obj", text);
+  for (const char* roles : {"--up y", "--up y --roles none"}) {
+    INFO(roles);
+    const json result = match(file, file, roles);
+    CHECK(result["energy"] == 0);
+    CHECK(result["pairs"].size() == 11);
+    for (const auto& pair : pairs_of(result))
+      CHECK(pair.first == pair.second);
+  }
+}
+
 TEST_CASE("Moving, scaling, turning by 30 degrees and shuffling parts changes no pair")
 {
   const std::string source = "chair_slatted", target = "chair_swivel";

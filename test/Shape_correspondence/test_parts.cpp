@@ -216,7 +216,8 @@ TEST_CASE("Where a model stands on several sides, the roles of its parts tell it
   const Temporary_folder folder;
   const std::string chair = obj_of_shape("chair_four_legged");
   const std::string y = quoted(folder.write("y.obj", chair)), z = quoted(folder.write("z.obj", with_z_up(chair)));
-  CHECK_THAT(run("parts " + z).out, Contains("y up")); // as it stands
+  CHECK_THAT(run("parts " + z).out, Contains("z up")); // as all commands take it
+  CHECK_THAT(run("parts " + z + " --up y").out, Contains("y up"));
   const std::string boxes = " --abstraction boxes --json - ";
   const auto warnings = [&](const std::string& command) { return json::parse(run(command).out)["warnings"].dump(); };
   CHECK_THAT(warnings("graph " + z + boxes), Contains("taken to be z") && Contains("--up"));

@@ -36,6 +36,18 @@ endforeach()
 target_link_libraries(test_exported_formats PRIVATE assimp::assimp) # it writes files
 target_link_libraries(test_library_call PRIVATE Shape_correspondence_commands) # commands run in the test itself
 
+if(MINIZIP_INCLUDE_DIR AND MINIZIP_LIBRARY)
+  target_compile_definitions(test_read_3mf PRIVATE SHAPE_CORRESPONDENCE_WITH_MINIZIP)
+endif()
+foreach(codec draco::draco meshoptimizer::meshoptimizer) # they compress what is read
+  if(TARGET ${codec})
+    string(REGEX REPLACE ":.*" "" name ${codec})
+    string(TOUPPER ${name} name)
+    target_link_libraries(test_read_gltf PRIVATE ${codec})
+    target_compile_definitions(test_read_gltf PRIVATE SHAPE_CORRESPONDENCE_WITH_${name})
+  endif()
+endforeach()
+
 # Makes system calls of the program fail
 if(UNIX AND NOT APPLE)
   add_library(failing_calls MODULE failing_calls.cpp)

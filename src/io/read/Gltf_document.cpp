@@ -19,7 +19,9 @@ namespace {
 constexpr std::uint64_t most_numbers =
     200'000'000;                              // of ten million triangles: three corners each, and what they are of
 constexpr std::size_t most_zeros = 1'000'000; // elements of an accessor that the file says nothing of
-const char* const version_1 = "glTF 1.0";
+constexpr const char* version_1 = "glTF 1.0";
+constexpr const char* draco_extension = "KHR_draco_mesh_compression";
+constexpr const char* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 
 /// None if it has a character of another kind, or ends early.
 std::optional<std::string> from_base64(std::string_view text)
@@ -43,12 +45,21 @@ std::optional<std::string> from_base64(std::string_view text)
   return result;
 }
 
+/// Whether the extension is known here, and nothing need be said of it.
+bool is_known(const std::string& extension)
+{
+  const auto names = {draco_extension,         meshopt_extensions[0],     meshopt_extensions[1],
+                      "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_texture_transform"};
+  return std::find(names.begin(), names.end(), extension) != names.end();
+}
+
 /// Whether shapes are read right by those who do not know the extension.
 bool is_of_looks(const std::string& extension)
 {
-  const auto beginnings = {"KHR_materials_", "KHR_texture_",  "EXT_texture_", "MSFT_texture_",
-                           "KHR_lights_",    "KHR_technique", "KHR_xmp"};
-  return std::any_of(beginnings.begin(), beginnings.end(), [&](const char* b) { return begins_with(extension, b); });
+  const auto words = {"_materials_", "_texture_",  "_lights_",  "KHR_technique", "_environment",
+                      "KHR_xmp",     "_animation", "_metadata", "_audio",        "_features"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return extension.find(word) != std::string::npos; });
 }
 
 } // namespace
@@ -61,23 +72,21 @@ struct Gltf_document::Component
   double (*read)(const char*);
 };
 
-Gltf_document::Gltf_document(std::string_view text, const std::string& file, const Reading_options& options)
-    : text_(text), file_(file), options_(options)
+Gltf_document::Gltf_document(std::string_view text, const std::string& file, const Reading_options& options,
+                             const Gltf_codecs* codecs)
+    : text_(text), file_(file), options_(options), codecs_(codecs)
 {
   if (begins_with(text, "glTF")) split_glb();
-  if (!needs_.empty()) return;
   if (text_.size() > internal::largest_document)
     throw Invalid_input(file_ + ": its JSON is longer than " + std::to_string(internal::largest_document >> 20) +
                         " MB; save it as GLB, whose numbers are no text");
   root_ = parse_json(text_, file_);
   const Json_field number = (*root_)["asset"]["version"];
   const std::string version = number.is_text() ? number.text() : "1.0"; // of old files, a number
-  if (begins_with(version, "1."))
-    needs_ = version_1;
-  else if (!begins_with(version, "2."))
+  if (begins_with(version, "1.")) throw Needs_import{version_1};
+  if (!begins_with(version, "2."))
     throw Invalid_input(file_ + ": it is glTF of version " + cited(version) + "; save it as glTF 2.0");
-  else
-    check_extensions();
+  check_extensions();
 }
 
 void Gltf_document::split_glb()
@@ -87,7 +96,7 @@ void Gltf_document::split_glb()
   const auto cut_off = [&] { return Invalid_input(file_ + ": it cannot be read as GLB: it is cut off, or damaged"); };
   if (text_.size() < header + chunk_header) throw cut_off();
   const std::uint32_t version = number_in<std::uint32_t>(text_.data() + 4);
-  if (version == 1) return void(needs_ = version_1);
+  if (version == 1) throw Needs_import{version_1};
   if (version != 2)
     throw Invalid_input(file_ + ": it is GLB of version " + std::to_string(version) + "; save it as glTF 2.0");
   const std::size_t length = number_in<std::uint32_t>(text_.data() + 8);
@@ -109,12 +118,21 @@ void Gltf_document::split_glb()
 void Gltf_document::check_extensions()
 {
   if (!root_->has("extensionsRequired")) return;
-  for (const Json_field& extension : (*root_)["extensionsRequired"].elements())
-    if (const std::string name = extension.text(); name == "KHR_draco_mesh_compression")
-      needs_ = "the extension " + name;
-    else if (name != "KHR_mesh_quantization" && !is_of_looks(name))
+  for (const std::string& name : (*root_)["extensionsRequired"].texts()) {
+    if (!is_known(name) && !is_of_looks(name))
       throw Invalid_input(file_ + ": it needs the extension " + cited(name) +
-                          " of glTF, which is not known here; save it without compression or instancing");
+                          " of glTF, which is not known here; save it without this extension");
+    required_.insert(name);
+  }
+}
+
+std::vector<std::string> Gltf_document::warnings_of_looks() const
+{
+  std::vector<std::string> result;
+  for (const std::string& name : required_)
+    if (!is_known(name) && name.find("_texture_") == std::string::npos) // textures are warned of one by one
+      result.push_back("What the extension " + cited(name) + " of glTF describes was left out.");
+  return result;
 }
 
 const std::vector<Json_field>& Gltf_document::list(const std::string& name)
@@ -160,8 +178,11 @@ void Gltf_document::count_triangles(std::uint64_t triangles)
 {
   triangles_ += triangles;
   std::uint64_t bytes = text_.size() + binary_.size();
-  for (const auto& [index, data] : loaded_)
-    bytes += data.size();
+  for (const auto* read : {&loaded_, &decompressed_})
+    for (const auto& [index, data] : *read)
+      bytes += data.size();
+  for (const auto& [view, mesh] : draco_)
+    bytes += mesh.corners.size();
   if (are_repeated_too_often(triangles_, bytes)) throw Invalid_input(file_ + ": " + repeated_too_often);
 }
 
@@ -201,13 +222,49 @@ std::string_view Gltf_document::buffer(std::size_t index)
   return data.substr(0, length);
 }
 
-std::string_view Gltf_document::bytes(const Json_field& view)
+std::string_view Gltf_document::bytes_in(const Json_field& view)
 {
   const std::string_view all = buffer(index("buffers", view["buffer"]));
   const std::size_t offset = number_at(view, "byteOffset", 0), length = number_at(view, "byteLength", 0);
   if (offset > all.size() || length > all.size() - offset)
     view.fail("ends beyond the " + std::to_string(all.size()) + " bytes of its buffer");
   return all.substr(offset, length);
+}
+
+template <typename Codec>
+void Gltf_document::check_codec(const Codec Gltf_codecs::*codec, const char* extension, const char* library) const
+{
+  if (!codecs_) throw Needs_import{std::string("the extension ") + extension};
+  if (!(codecs_->*codec))
+    throw Invalid_input(file_ + ": it needs the extension " + extension +
+                        " of glTF, and the program was built without " + library + "; save it without compression");
+}
+
+std::string Gltf_document::decompressed(const Json_field& view, const Json_field& extension)
+{
+  check_codec(&Gltf_codecs::meshopt, meshopt_extensions[0], "meshoptimizer");
+  const auto text_at = [&](const char* key) { return extension.has(key) ? extension[key].text() : ""; };
+  const Meshopt_view packed{bytes_in(extension), number_at(extension, "count", 0),
+                            number_at(extension, "byteStride", 0), text_at("mode"), text_at("filter")};
+  constexpr std::size_t largest_stride = 256; // bytes, by the extension
+  if (packed.stride == 0 || packed.stride > largest_stride) extension.fail("has a byteStride that is not in 1 to 256");
+  count(extension, packed.count * (packed.stride / sizeof(float) + 1));
+  std::string result = codecs_->meshopt(packed);
+  if (result.empty() && packed.count > 0)
+    view.fail("cannot be decompressed; it is damaged, or by a newer meshoptimizer: save it without compression");
+  return result;
+}
+
+std::string_view Gltf_document::bytes(const Json_field& reference)
+{
+  const std::size_t number = index("bufferViews", reference);
+  if (const auto found = decompressed_.find(number); found != decompressed_.end()) return found->second;
+  const Json_field& view = list("bufferViews")[number];
+  if (view.has("extensions"))
+    for (const char* name : meshopt_extensions)
+      if (const Json_field extensions = view["extensions"]; extensions.has(name) && requires_extension(name))
+        return decompressed_[number] = decompressed(view, extensions[name]);
+  return bytes_in(view);
 }
 
 const Gltf_document::Component& Gltf_document::component_at(const Json_field& field)
@@ -226,7 +283,7 @@ Eigen::MatrixXd Gltf_document::decode(const Json_field& place, const Component& 
                                       std::size_t components, std::size_t count)
 {
   const Json_field view = element("bufferViews", place["bufferView"]);
-  const std::string_view all = bytes(view);
+  const std::string_view all = bytes(place["bufferView"]);
   const std::size_t size = component.size * components;
   const std::size_t stride = number_at(view, "byteStride", size), offset = number_at(place, "byteOffset", 0);
   if (stride < size) view.fail("has a byteStride of less than an element");
@@ -266,17 +323,27 @@ Eigen::MatrixXd Gltf_document::zeros(const Json_field& accessor, std::size_t com
   return Eigen::MatrixXd::Zero(Eigen::Index(components), Eigen::Index(count));
 }
 
-Eigen::MatrixXd Gltf_document::numbers(const Json_field& accessor_reference, std::initializer_list<const char*> types)
+std::size_t Gltf_document::components_of(const Json_field& accessor, std::initializer_list<const char*> types)
 {
-  const Json_field& accessor = element("accessors", accessor_reference);
   const std::string type = accessor["type"].text();
   if (std::find(types.begin(), types.end(), type) == types.end())
     accessor.fail("is of type " + cited(type) + " where " + *types.begin() + " is expected");
-  const std::size_t components = type == "SCALAR" ? 1 : std::size_t(type.back() - '0');
+  return type == "SCALAR" ? 1 : std::size_t(type.back() - '0');
+}
+
+double Gltf_document::largest_of(const Json_field& accessor)
+{
+  return accessor.has("normalized") && accessor["normalized"].boolean() ? component_at(accessor).largest : 1;
+}
+
+Eigen::MatrixXd Gltf_document::numbers(const Json_field& accessor_reference, std::initializer_list<const char*> types)
+{
+  const Json_field& accessor = element("accessors", accessor_reference);
+  const std::size_t components = components_of(accessor, types);
   const std::size_t elements = number_at(accessor, "count", 0);
   count(accessor, std::uint64_t(elements) * components);
   const Component& component = component_at(accessor);
-  const bool is_normalized = accessor.has("normalized") && accessor["normalized"].boolean() && component.largest > 1;
+  const bool is_normalized = largest_of(accessor) > 1;
   Eigen::MatrixXd result;
   if (accessor.has("bufferView"))
     result = decode(accessor, component, is_normalized, components, elements);
@@ -286,6 +353,53 @@ Eigen::MatrixXd Gltf_document::numbers(const Json_field& accessor_reference, std
     accessor.fail("has no bufferView; if the model is compressed, save it without compression");
   if (accessor.has("sparse")) replace_sparse(accessor["sparse"], component, is_normalized, result);
   return result;
+}
+
+const Draco_mesh* Gltf_document::draco_mesh(const Json_field& primitive)
+{
+  if (!primitive.has("extensions") || !primitive["extensions"].has(draco_extension)) return nullptr;
+  const Json_field attributes = primitive["attributes"];
+  if (!attributes.has("POSITION") || element("accessors", attributes["POSITION"]).has("bufferView"))
+    return nullptr; // the mesh is there without compression, too
+  check_codec(&Gltf_codecs::draco, draco_extension, "Draco");
+  const Json_field reference = primitive["extensions"][draco_extension]["bufferView"];
+  const std::size_t view = index("bufferViews", reference);
+  if (const auto found = draco_.find(view); found != draco_.end()) return &found->second;
+  Draco_mesh mesh = codecs_->draco(bytes(reference));
+  if (mesh.attributes.empty())
+    reference.fail("cannot be decompressed by Draco; the file is damaged: save it again, or without compression");
+  return &(draco_[view] = std::move(mesh));
+}
+
+std::optional<Eigen::MatrixXd> Gltf_document::attribute(const Json_field& primitive, const std::string& name,
+                                                        std::initializer_list<const char*> types)
+{
+  const Json_field attributes = primitive["attributes"];
+  if (!attributes.has(name)) return std::nullopt;
+  const Draco_mesh* const mesh = draco_mesh(primitive);
+  if (!mesh) return numbers(attributes[name], types);
+  const Json_field identifiers = primitive["extensions"][draco_extension]["attributes"];
+  if (!identifiers.has(name)) return numbers(attributes[name], types);
+  const auto found = mesh->attributes.find(identifiers[name].integer());
+  const Json_field& accessor = element("accessors", attributes[name]);
+  const std::size_t components = components_of(accessor, types);
+  if (found == mesh->attributes.end() || std::size_t(found->second.rows()) != components)
+    identifiers[name].fail("is none of the attributes that Draco compressed");
+  count(accessor, std::uint64_t(found->second.size()));
+  const double largest = largest_of(accessor);
+  return largest > 1 ? Eigen::MatrixXd((found->second / largest).cwiseMax(-1)) : found->second;
+}
+
+std::optional<Eigen::VectorXd> Gltf_document::indices(const Json_field& primitive)
+{
+  if (const Draco_mesh* const mesh = draco_mesh(primitive)) {
+    count(primitive, mesh->corners.size());
+    return Eigen::Map<const Eigen::Matrix<std::size_t, Eigen::Dynamic, 1>>(mesh->corners.data(),
+                                                                           Eigen::Index(mesh->corners.size()))
+        .cast<double>();
+  }
+  if (!primitive.has("indices")) return std::nullopt;
+  return Eigen::VectorXd(numbers(primitive["indices"], {"SCALAR"}).row(0));
 }
 
 } // namespace CGAL::Shape_correspondence::IO

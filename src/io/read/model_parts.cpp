@@ -2,10 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/read/model_parts.h"
+#include "io/read/Gltf_document.h"
 #include "shape/first_in_place.h"
 #include "shape/meshes.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
 namespace CGAL::Shape_correspondence::IO {
+
+Model_content read_gltf_parts(std::string_view text, const std::string& file, const Reading_options& options)
+{
+  try {
+    return read_gltf(text, file, options, nullptr);
+  } catch (const Needs_import& needs) {
+    try {
+      return import_parts(file, options);
+    } catch (const Invalid_input& error) {
+      throw Invalid_input(error.what() + (" (it needs " + needs.what + ")"));
+    }
+  }
+}
 
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)
 {
@@ -31,33 +47,6 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
   mesh.points = points(Eigen::indexing::all, used);
   mesh.triangles = Eigen::Map<const Eigen::Matrix3Xi>(triangles.data(), 3, Eigen::Index(triangles.size() / 3));
   return mesh;
-}
-
-Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
-{
-  const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // of attributes that the file has
-  Part_appearance result;
-  for (std::size_t t : triangles) {
-    if (all.materials.size() >= needed) result.materials.push_back(all.materials[t]);
-    for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
-      if (all.coordinates.size() >= 3 * needed) result.coordinates.push_back(all.coordinates[corner]);
-      if (all.colours.size() >= 3 * needed) result.colours.push_back(all.colours[corner]);
-    }
-  }
-  return result;
-}
-
-void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all)
-{
-  const auto append = [](auto& to, std::size_t before, const auto& from, std::size_t count, const auto& none) {
-    if (to.empty() && from.empty()) return;
-    to.resize(before, none);
-    to.insert(to.end(), from.begin(), from.end());
-    to.resize(before + count, none);
-  };
-  append(all.materials, triangles, more.materials, more_triangles, -1);
-  append(all.coordinates, 3 * triangles, more.coordinates, 3 * more_triangles, Eigen::Vector2f(0, 0));
-  append(all.colours, 3 * triangles, more.colours, 3 * more_triangles, Eigen::Vector3f(1, 1, 1));
 }
 
 std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,

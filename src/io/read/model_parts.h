@@ -7,6 +7,7 @@
 #include <CGAL/Shape_correspondence/Shape_appearance.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,6 +46,8 @@ struct Model_content
   std::vector<std::string> warnings = {};  ///< on what was left out or replaced
   bool materials_are_names = false;        ///< they are defined in libraries
   std::vector<std::string> libraries = {}; ///< files of materials
+  std::vector<std::string> warnings_of_looks = {};
+  Point up = Point::Zero(); ///< as the file says; zero: it does not
 };
 
 /// The readers of the formats. They throw `Invalid_input`, and name the file. Names may be empty, equal, and of any
@@ -57,6 +60,12 @@ Model_content read_stl_parts(std::string_view text, const std::string& file);
 
 /// The same for glTF and GLB; the document may name files with its buffers. Nodes are parts.
 Model_content read_gltf_parts(std::string_view text, const std::string& file, const Reading_options& options = {});
+
+/// The same for a robot as URDF describes it, with all joints at 0; its links are parts. \param folder of
+/// all meshes; empty: that of the file \param read reads a mesh file
+using Mesh_reader = std::function<Model_content(const std::string& path)>;
+Model_content read_urdf_parts(const std::string& text, const std::string& file, const std::string& folder,
+                              const Reading_options& options, const Mesh_reader& read);
 
 /// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
 Model_content import_parts(const std::string& file, const Reading_options& options);
@@ -119,6 +128,9 @@ std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape,
 
 /// The appearance of some triangles of a part.
 Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
+
+/// Moves the materials and textures of a file to the end of those of others, and renumbers those of its parts.
+void append_looks(Model_content& from, Model_content& to);
 
 /// Appends the appearance of more triangles; attributes that only one side has are filled with defaults.
 void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all);

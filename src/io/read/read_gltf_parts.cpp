@@ -1,7 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "io/read/Gltf_document.h"
+#include "io/read/part_names.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -19,6 +21,19 @@ using Transform = Eigen::Affine3d;
 
 /// What the indices of a primitive make.
 enum Mode { POINTS, LINES, LOOP, LINE_STRIP, TRIANGLES, STRIP, FAN };
+
+Eigen::Affine2d place_of_texture(const Json_field& transform)
+{
+  const auto pair = [&](const char* key, double otherwise) {
+    if (!transform.has(key)) return Eigen::Vector2d(otherwise, otherwise);
+    const std::vector<Json_field> numbers = transform[key].elements(2, "two numbers");
+    return Eigen::Vector2d(numbers[0].number(), numbers[1].number());
+  };
+  const double angle = transform.has("rotation") ? transform["rotation"].number() : 0;
+  Eigen::Affine2d result = Eigen::Affine2d::Identity();
+  result.translate(pair("offset", 0)).rotate(-angle).scale(pair("scale", 1)); // against the clock, as v is downwards
+  return result;
+}
 
 Transform transform_of(const Json_field& node)
 {
@@ -68,12 +83,22 @@ public:
     visit_nodes();
     if (content_.parts.empty())
       throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
+    name_parts_by_tree(tree_, node_of_part_, meshes_, content_.parts);
+    content_.warnings_of_looks = document_.warnings_of_looks();
     return std::move(content_);
   }
 
 private:
+  /// Where a texture is on a surface: which of the sets of coordinates it takes, and how it moves them.
+  struct Place
+  {
+    std::size_t set = 0;
+    Eigen::Affine2d transform = Eigen::Affine2d::Identity();
+  };
+
   void add_material(const Json_field& of_file)
   {
+    places_.emplace_back();
     Surface_material material;
     if (of_file.has("name")) material.name = of_file["name"].text();
     const char* const glossiness = "KHR_materials_pbrSpecularGlossiness"; // of older exporters
@@ -91,14 +116,33 @@ private:
       for (int k = 0; k < 4; ++k)
         material.colour[k] = channels[std::size_t(k)].number();
     }
-    if (looks.has(name + "Texture"))
-      material.texture = texture(document_.element("textures", looks[name + "Texture"]["index"]));
+    if (!looks.has(name + "Texture")) return;
+    const Json_field of_texture = looks[name + "Texture"];
+    material.texture = texture(document_.element("textures", of_texture["index"]));
+    Place& place = places_.back();
+    place.set = Gltf_document::number_at(of_texture, "texCoord", 0);
+    const char* const extension = "KHR_texture_transform";
+    if (!of_texture.has("extensions") || !of_texture["extensions"].has(extension)) return;
+    const Json_field transform = of_texture["extensions"][extension];
+    place.set = Gltf_document::number_at(transform, "texCoord", place.set);
+    place.transform = place_of_texture(transform);
   }
 
-  /// \return -1 if its image is of a format of an extension
+  /// The image of a texture, or else that of an extension, in a format that other readers may know.
+  std::optional<std::size_t> image_of(const Json_field& texture)
+  {
+    std::optional<std::size_t> image = document_.index_at(texture, "source", "images");
+    if (image || !texture.has("extensions")) return image;
+    for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"})
+      if (!image && texture["extensions"].has(name))
+        image = document_.index_at(texture["extensions"][name], "source", "images");
+    return image;
+  }
+
+  /// \return -1 if it has no image
   int texture(const Json_field& of_file)
   {
-    const std::optional<std::size_t> image = document_.index_at(of_file, "source", "images");
+    const std::optional<std::size_t> image = image_of(of_file);
     if (!image) return -1;
     Texture_wrap wrap[2] = {Texture_wrap::REPEAT, Texture_wrap::REPEAT};
     if (of_file.has("sampler")) {
@@ -128,7 +172,7 @@ private:
     const Json_field& image = document_.list("images")[index];
     Texture result{image.has("name") ? image["name"].text() : "image " + std::to_string(index), "", {}};
     if (!image.has("uri")) {
-      const std::string_view bytes = document_.bytes(document_.element("bufferViews", image["bufferView"]));
+      const std::string_view bytes = document_.bytes(image["bufferView"]);
       document_.count(image, bytes.size() / sizeof(double));
       result.bytes = bytes;
     } else if (std::optional<std::string> data = Gltf_document::data_of_uri(image["uri"].text()))
@@ -165,51 +209,91 @@ private:
       result.push_back(document_.index("nodes", child));
     return result;
   }
+
   /// Each, then those in it, in their order; without recursion, since a tree may be deep.
   void visit_nodes()
   {
     const std::vector<Json_field>& nodes = document_.list("nodes");
     std::vector<bool> added(nodes.size());
+    tree_.resize(nodes.size());
     std::vector<std::pair<std::size_t, Transform>> open;
-    const auto add = [&](const std::vector<std::size_t>& indices, const Transform& parent) {
+    const auto add = [&](const std::vector<std::size_t>& indices, int parent, const Transform& transform) {
       for (auto i = indices.rbegin(); i != indices.rend(); ++i) {
         if (added[*i]) nodes[*i].fail("is in the tree of nodes twice, or in itself");
         added[*i] = true;
-        open.emplace_back(*i, parent);
+        tree_[*i] = {parent, nodes[*i].has("name") ? nodes[*i]["name"].text() : ""};
+        open.emplace_back(*i, transform);
       }
     };
-    add(roots(), Transform::Identity());
+    add(roots(), -1, Transform::Identity());
     while (!open.empty()) {
       const auto [index, parent] = open.back();
       open.pop_back();
       const Json_field& node = nodes[index];
       const Transform to_world = parent * transform_of(node);
-      if (node.has("mesh")) add_part(node, to_world);
-      add(children(node, "children"), to_world);
+      if (node.has("mesh"))
+        for (const Transform& instance : instances_of(node)) {
+          add_part(node, to_world * instance);
+          node_of_part_.resize(content_.parts.size(), int(index));
+        }
+      add(children(node, "children"), int(index), to_world);
     }
     if (!document_.list("scenes").empty()) return; // nodes may be in no scene
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (!added[i]) nodes[i].fail("is in itself, or in one that is");
   }
 
+  /// Where a node has its mesh: once, unless an extension says otherwise.
+  std::vector<Transform> instances_of(const Json_field& node)
+  {
+    const char* const extension = "EXT_mesh_gpu_instancing";
+    if (!node.has("extensions") || !node["extensions"].has(extension)) return {Transform::Identity()};
+    const Json_field attributes = node["extensions"][extension]["attributes"];
+    const auto columns = [&](const char* name, const char* type) -> std::optional<Eigen::MatrixXd> {
+      if (!attributes.has(name)) return std::nullopt;
+      return document_.numbers(attributes[name], {type});
+    };
+    const auto moves = columns("TRANSLATION", "VEC3"), turns = columns("ROTATION", "VEC4"),
+               scales = columns("SCALE", "VEC3");
+    std::vector<Transform> result(std::size_t(moves    ? moves->cols()
+                                              : turns  ? turns->cols()
+                                              : scales ? scales->cols()
+                                                       : 1),
+                                  Transform::Identity());
+    if (result.size() > internal::most_parts) attributes.fail("are of " + internal::too_many_parts(result.size()));
+    for (const auto* numbers : {&moves, &turns, &scales})
+      if (*numbers && std::size_t((*numbers)->cols()) != result.size())
+        attributes.fail("are not of as many instances each");
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const auto column = Eigen::Index(i);
+      if (moves) result[i].translate(Point(moves->col(column)));
+      if (turns) result[i].rotate(Eigen::Quaterniond(Eigen::Vector4d(turns->col(column))).normalized());
+      if (scales) result[i].scale(Point(scales->col(column)));
+    }
+    return result;
+  }
+
   void add_part(const Json_field& node, const Transform& to_world)
   {
     const Json_field& mesh = document_.element("meshes", node["mesh"]);
     Model_part part;
-    for (const Json_field& named : {node, mesh})
-      if (part.name.empty() && named.has("name")) part.name = named["name"].text();
+    if (node.has("name")) part.name = node["name"].text();
+    const std::string mesh_name = mesh.has("name") ? mesh["name"].text() : "";
+    if (part.name.empty()) part.name = mesh_name;
     for (const Json_field& primitive : mesh["primitives"].elements())
       add_primitive(primitive, to_world, part);
-    if (!part.corners.empty()) content_.parts.push_back(std::move(part));
+    if (part.corners.empty()) return;
+    content_.parts.push_back(std::move(part));
+    meshes_.push_back(mesh_name);
   }
 
   void add_primitive(const Json_field& primitive, const Transform& to_world, Model_part& part)
   {
     constexpr std::uint64_t numbers_of_primitive = 100, numbers_of_corner = 3; // a primitive takes time as 100 numbers
     document_.count(primitive, numbers_of_primitive);
-    const Json_field attributes = primitive["attributes"];
-    if (!attributes.has("POSITION")) return;
-    const Eigen::MatrixXd points = document_.numbers(attributes["POSITION"], {"VEC3"});
+    const std::optional<Eigen::MatrixXd> positions = document_.attribute(primitive, "POSITION", {"VEC3"});
+    if (!positions) return;
+    const Eigen::MatrixXd& points = *positions;
     const std::vector<std::size_t> vertices = vertices_of(primitive, std::size_t(points.cols()), part.name);
     const std::size_t mode = Gltf_document::number_at(primitive, "mode", TRIANGLES);
     if (mode > FAN) primitive["mode"].fail("is " + std::to_string(mode) + ", which is none");
@@ -222,7 +306,7 @@ private:
     document_.count_triangles(corners.size() / 3);
     for (std::size_t& corner : corners)
       corner = vertices[corner];
-    add_looks(looks_of(primitive, attributes, corners, points.cols()), corners.size() / 3, part.corners.size() / 3,
+    add_looks(looks_of(primitive, corners, points.cols()), corners.size() / 3, part.corners.size() / 3,
               part.appearance);
     if (part.corners.empty()) part.corners.reserve(corners.size());
     for (std::size_t corner : corners)
@@ -232,14 +316,14 @@ private:
   std::vector<std::size_t> vertices_of(const Json_field& primitive, std::size_t points, const std::string& part)
   {
     std::vector<std::size_t> result;
-    if (!primitive.has("indices")) {
+    const std::optional<Eigen::VectorXd> indices = document_.indices(primitive);
+    if (!indices) {
       result.resize(points);
       std::iota(result.begin(), result.end(), std::size_t(0));
       return result;
     }
-    const Eigen::MatrixXd indices = document_.numbers(primitive["indices"], {"SCALAR"});
-    result.reserve(std::size_t(indices.cols()));
-    for (double index : indices.row(0)) {
+    result.reserve(std::size_t(indices->size()));
+    for (double index : *indices) {
       if (!(index >= 0 && index < double(points)) || index != std::floor(index)) // nor is NaN
         primitive["indices"].fail("of part '" + part + "' has a vertex that is not one of the " +
                                   std::to_string(points));
@@ -248,20 +332,22 @@ private:
     return result;
   }
 
-  Part_appearance looks_of(const Json_field& primitive, const Json_field& attributes,
-                           const std::vector<std::size_t>& corners, Eigen::Index points)
+  Part_appearance looks_of(const Json_field& primitive, const std::vector<std::size_t>& corners, Eigen::Index points)
   {
     const std::optional<std::size_t> material = document_.index_at(primitive, "material", "materials");
     Part_appearance result;
     result.materials.assign(corners.size() / 3, material ? int(*material) : -1);
-    const auto read = [&](const char* name, std::initializer_list<const char*> types, auto add) {
-      if (!attributes.has(name)) return;
-      const Eigen::MatrixXd of_points = document_.numbers(attributes[name], types);
-      if (of_points.cols() != points) attributes[name].fail("is not of as many vertices as POSITION");
+    const auto read = [&](const std::string& name, std::initializer_list<const char*> types, auto add) {
+      const std::optional<Eigen::MatrixXd> of_points = document_.attribute(primitive, name, types);
+      if (!of_points) return;
+      if (of_points->cols() != points) primitive["attributes"][name].fail("is not of as many vertices as POSITION");
       for (std::size_t corner : corners)
-        add(of_points.col(Eigen::Index(corner)));
+        add(of_points->col(Eigen::Index(corner)));
     };
-    read("TEXCOORD_0", {"VEC2"}, [&](auto at) { result.coordinates.emplace_back(float(at[0]), float(at[1])); });
+    const Place place = material ? places_[*material] : Place();
+    read("TEXCOORD_" + std::to_string(place.set), {"VEC2"}, [&](auto at) {
+      result.coordinates.push_back((place.transform * Eigen::Vector2d(at)).template cast<float>());
+    });
     read("COLOR_0", {"VEC3", "VEC4"},
          [&](auto colour) { result.colours.push_back(colour.template head<3>().template cast<float>()); });
     return result;
@@ -269,20 +355,20 @@ private:
 
   Gltf_document& document_;
   Model_content content_;
+  std::vector<Place> places_;   ///< by material
+  std::vector<Tree_node> tree_; ///< as the nodes of the document
+  std::vector<int> node_of_part_;
+  std::vector<std::string> meshes_;                                             ///< the names of those of the parts
   std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image
 };
 
 } // namespace
 
-Model_content read_gltf_parts(std::string_view text, const std::string& file, const Reading_options& options)
+Model_content read_gltf(std::string_view text, const std::string& file, const Reading_options& options,
+                        const Gltf_codecs* codecs)
 {
-  Gltf_document document(text, file, options);
-  if (document.needs().empty()) return Gltf_reader(document).read(file);
-  try {
-    return import_parts(file, options);
-  } catch (const Invalid_input& error) {
-    throw Invalid_input(error.what() + (" (it needs " + document.needs() + ")"));
-  }
+  Gltf_document document(text, file, options, codecs);
+  return Gltf_reader(document).read(file);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

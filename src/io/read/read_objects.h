@@ -23,6 +23,7 @@ struct Model_objects
   /// several, and for a folder.
   std::vector<std::vector<int>> materials;
   std::vector<std::string> warnings; ///< of the reader
+  bool says_up = false;              ///< whether the files say which axis is up, which the shape then has
   bool are_labelled = false;         ///< they are labels of faces
   /// By object and triangle, the number of its face in the file, and how many there are; empty for a folder.
   std::vector<std::vector<std::size_t>> faces = {};
@@ -33,6 +34,9 @@ struct Model_objects
 /// Completes materials and textures from the files that a model file names, and checks them.
 using Complete_looks =
     std::function<void(const std::string& file, Model_content& content, std::vector<std::string>& warnings)>;
+
+/// The robot (URDF) that a folder is of: the one such file in it, or in its folder `urdf` or `robots`.
+std::optional<std::string> robot_in(const std::string& folder);
 
 /// The same as `read_segmented_shape()`, with materials. \param complete may be empty
 Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options = {},

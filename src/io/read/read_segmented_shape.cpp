@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae), FBX, 3DS, DXF, AC3D (ac)";
+const char* const known_formats = "OBJ, PLY, STL, OFF, glTF, GLB, COLLADA (dae), FBX, 3DS, 3MF, DXF, AC3D (ac), URDF";
 
 using Text_reader = Model_content (*)(std::string_view, const std::string&);
 
@@ -38,9 +38,11 @@ Text_reader text_reader_of(const std::string& extension)
 
 bool is_gltf(const std::string& extension) { return extension == ".gltf" || extension == ".glb"; }
 
+bool is_urdf(const std::string& extension) { return extension == ".urdf"; }
+
 bool is_read_by_assimp(const std::string& extension)
 {
-  const auto formats = {".dae", ".fbx", ".3ds", ".dxf", ".ac"};
+  const auto formats = {".dae", ".fbx", ".3ds", ".3mf", ".dxf", ".ac"};
   return std::find(formats.begin(), formats.end(), extension) != formats.end();
 }
 
@@ -87,12 +89,30 @@ void label_faces(const std::string& file, const Reading_options& options, Model_
   }
 }
 
-/// \param are_parts whether all that is in the file becomes one part
-Model_content read_parts(const std::string& file, bool are_parts, const Reading_options& options)
+Model_content read_parts(const std::string& file, bool are_parts, const std::string& folder,
+                         const Reading_options& options, const Complete_looks& complete,
+                         std::vector<std::string>& warnings);
+
+Model_content read_robot(const std::string& text, const std::string& file, const std::string& folder,
+                         const Reading_options& options, const Complete_looks& complete,
+                         std::vector<std::string>& warnings)
+{
+  return read_urdf_parts(text, file, folder, options, [&](const std::string& mesh) {
+    Model_content content = read_parts(mesh, true, folder, options, {}, warnings);
+    if (complete) complete(mesh, content, warnings);
+    return content;
+  });
+}
+
+/// What a file holds. \param complete for the meshes that a robot names, which have materials of their own; may be
+/// empty \param are_parts whether all that is in the file becomes one part
+Model_content read_parts(const std::string& file, bool are_parts, const std::string& folder,
+                         const Reading_options& options, const Complete_looks& complete,
+                         std::vector<std::string>& warnings)
 {
   const std::string extension = lower_extension(file);
   const Text_reader reader = text_reader_of(extension);
-  if (!reader && !is_gltf(extension) && !is_read_by_assimp(extension))
+  if (!reader && !is_gltf(extension) && !is_read_by_assimp(extension) && !is_urdf(extension))
     throw Invalid_input(file + ": models are read from files of type " + known_formats +
                         (extension.empty() ? ", and this one has no extension" : ", not '" + extension + "'"));
   const std::string text = content_of(file);
@@ -100,6 +120,7 @@ Model_content read_parts(const std::string& file, bool are_parts, const Reading_
   if (extension != ".stl" || text.substr(0, 4).find('\0') != std::string::npos) check_is_not_wide(text, file);
   Model_content content = reader               ? reader(text, file)
                           : is_gltf(extension) ? read_gltf_parts(text, file, options)
+                          : is_urdf(extension) ? read_robot(text, file, folder, options, complete, warnings)
                                                : import_parts(file, options);
   if (!are_parts) label_faces(file, options, content);
   for (Model_part& part : content.parts)
@@ -157,14 +178,17 @@ void warn(std::size_t number, const std::string& of_what, std::vector<std::strin
   if (number > 0) warnings.push_back(of_what + " were left out: " + std::to_string(number) + ".");
 }
 
-std::vector<fs::path> model_files(const fs::path& folder)
+/// \param is_of_robots whether those that describe robots are meant, or all others
+std::vector<fs::path> model_files(const fs::path& folder, bool is_of_robots = false)
 {
   std::vector<fs::path> files;
   std::error_code error;
   fs::directory_iterator entries(folder, error);
   if (error) throw Invalid_input(folder.string() + ": the folder cannot be read (" + error.message() + ")");
   for (const fs::directory_entry& entry : entries) {
-    if (!is_hidden(entry.path()) && is_model_file(entry.path().string()) && entry.is_regular_file())
+    const std::string file = entry.path().string();
+    const bool is_part = is_model_file(file) && !is_hidden(entry.path());
+    if (is_part && is_urdf(lower_extension(file)) == is_of_robots && entry.is_regular_file())
       files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
@@ -185,16 +209,9 @@ Model_part joined(const fs::path& file, const std::vector<Model_part>& objects)
 /// Adds what a file holds to what others hold, whose materials and textures come first.
 void add_content(Model_content more, Model_content& all)
 {
-  for (Surface_material& material : more.materials)
-    if (material.texture >= 0) material.texture += int(all.textures.size());
-  for (Model_part& part : more.parts)
-    for (int& material : part.appearance.materials)
-      if (material >= 0) material += int(all.materials.size());
-  const auto append = [](auto& from, auto& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); };
-  append(more.materials, all.materials);
-  append(more.textures, all.textures);
-  append(more.parts, all.parts);
-  append(more.warnings, all.warnings);
+  append_looks(more, all);
+  std::move(more.parts.begin(), more.parts.end(), std::back_inserter(all.parts));
+  std::move(more.warnings.begin(), more.warnings.end(), std::back_inserter(all.warnings));
   all.faces_left_out += more.faces_left_out;
   all.number_of_faces += more.number_of_faces;
   all.are_labelled = more.are_labelled;
@@ -245,27 +262,47 @@ std::vector<std::vector<int>> materials_of(const Model_objects& objects)
 bool is_model_file(const std::string& path)
 {
   const std::string extension = lower_extension(path);
-  return text_reader_of(extension) || is_gltf(extension) || is_read_by_assimp(extension);
+  return text_reader_of(extension) || is_gltf(extension) || is_read_by_assimp(extension) || is_urdf(extension);
 }
 
-Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options,
+std::optional<std::string> robot_in(const std::string& folder)
+{
+  if (!fs::is_directory(folder)) return std::nullopt;
+  for (const char* place : {"", "urdf", "robots"}) {
+    const fs::path below = fs::path(folder) / place;
+    const std::vector<fs::path> robots = fs::is_directory(below) ? model_files(below, true) : std::vector<fs::path>();
+    if (robots.size() == 1) return robots[0].string();
+    if (!robots.empty()) break;
+  }
+  return std::nullopt;
+}
+
+Model_objects read_objects(const std::string& given, const Point& up, const Reading_options& options,
                            const Complete_looks& complete)
 {
-  check_exists(path);
+  check_exists(given);
+  const std::string path = robot_in(given).value_or(given);
   const bool is_folder = fs::is_directory(path);
   const std::vector<fs::path> files = files_of(path);
   if (is_folder && !options.face_labels.empty())
     throw Invalid_input(path + ": labels of faces are for a model file; the files of a folder are its parts");
   const std::string name = is_folder ? folder_name(path) : utf8_text(files[0].stem().string());
-  Model_objects result{Segmented_shape(name, up), {}, {}};
+  Model_objects result;
   Model_content content;
+  bool agree = true; // on the upright axis
   for (const fs::path& file : files) {
-    Model_content of_file = read_parts(file.string(), is_folder, options);
+    Model_content of_file = read_parts(file.string(), is_folder, fs::is_directory(given) ? given : "", options,
+                                       complete, result.appearance.warnings);
     check_number_of_parts(file.string(), is_folder ? 1 : of_file.parts.size());
-    if (complete) complete(file.string(), of_file, result.appearance.warnings);
+    if (complete && !is_urdf(lower_extension(file.string())))
+      complete(file.string(), of_file, result.appearance.warnings);
     if (is_folder) of_file.parts = {joined(file, of_file.parts)};
+    if (file == files[0]) content.up = of_file.up;
+    agree = agree && of_file.up == content.up;
     add_content(std::move(of_file), content);
   }
+  result.says_up = agree && content.up != Point::Zero();
+  result.shape = Segmented_shape(name, result.says_up && up == Point::UnitY() ? content.up : up);
   complete_names(name, content.parts);
   std::string left_out;
   std::size_t number_left_out = 0;
@@ -300,7 +337,7 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up, s
 
 std::optional<std::string> digest_of_folder(const std::string& path)
 {
-  if (!fs::is_directory(path)) return std::nullopt;
+  if (!fs::is_directory(path) || robot_in(path)) return std::nullopt; // a robot names its meshes
   std::string all = digest(folder_name(path));
   for (const fs::path& file : model_files(folder_of_parts(path))) {
     if (!text_reader_of(lower_extension(file.string()))) return std::nullopt; // a glTF file names its buffers

@@ -3,8 +3,8 @@
 
 #include "base/clamped.h"
 #include "base/limits.h"
-#include "io/read/document.h"
 #include "io/read/graph_documents.h"
+#include "io/read/xml_document.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
@@ -12,7 +12,6 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/trim.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 
 #include <algorithm>
 #include <array>
@@ -341,15 +340,7 @@ std::vector<Part_group> read_groups(const Tree& document, const std::string& fil
 Structural_graph read_structural_graph_xml(std::istream& in, const std::string& file_name, const Point& up,
                                            const Structure_options& options)
 {
-  std::istringstream text(read_document(in, file_name));
-  check_xml_depth(text.str(), file_name);
-  Tree tree;
-  try {
-    boost::property_tree::read_xml(text, tree);
-  } catch (const boost::property_tree::xml_parser_error& error) {
-    throw Invalid_input(file_name + ": it is not an XML document (line " + std::to_string(error.line()) + ": " +
-                        error.message() + ")");
-  }
+  const Tree tree = parse_xml(read_document(in, file_name), file_name);
   const auto document = tree.find("document");
   if (document == tree.not_found())
     throw Invalid_input(file_name + ": it has no <document>; a structure graph in XML is one");

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/directions.h"
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "io/write/pictures.h"
@@ -71,7 +72,7 @@ Json parts_of(std::size_t source, std::size_t target)
 /// Turns a blend as glTF wants it: y is up.
 Eigen::Matrix3d turn_of(const Shape_blend& blend)
 {
-  return Eigen::Quaterniond::FromTwoVectors(blend(0).up(), Point::UnitY()).toRotationMatrix();
+  return internal::least_rotation(blend(0).up(), Point::UnitY()).toRotationMatrix();
 }
 
 /// The shape at an end.

@@ -35,10 +35,11 @@ struct Reading_options
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, DXF, AC3D; every node that owns triangles is a
-/// part) or a folder of part meshes (every model file in it, or in its sub-folder `parts`, is a part, named after the
-/// file; sorted by name). Vertices at the same place are merged, polygons triangulated; faces of fewer than three
-/// corners, and parts of a file that have no area, are left out.
+/// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D; every node that owns triangles
+/// is a part; or URDF, of which every link with visuals is a part) or a folder of part meshes (every model file in it,
+/// or in its sub-folder `parts`, is a part, named after the file; sorted by name). Vertices at the same place are
+/// merged, polygons triangulated; faces of fewer than three corners, and parts of a file that have no area, are left
+/// out.
 ///
 /// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; a group that is named again and uses
 /// vertices of the earlier one goes on with it; groups of an `o` that share vertices are one part, unless the file
@@ -47,9 +48,10 @@ struct Reading_options
 /// `part`, `segment`, `label`, `category_id`, `object_id` or the like) or a list gives them. In folders, hidden files
 /// are no parts. If a name occurs again, it gets a number: `leg`, `leg#2`. Names become UTF-8; those that are not UTF-8
 /// are read as Latin-1. OBJ, OFF, PLY, STL and glTF keep double precision, the other formats are read in single
-/// precision. COLLADA files define the upright axis: they are turned to y up.
+/// precision. COLLADA files define the upright axis: they are turned to y up. FBX, 3MF and URDF define it, too: it
+/// becomes that of the shape, unless `up` is another one than y.
 ///
-/// Formats other than OBJ, OFF, PLY, STL and glTF 2.0 are read by assimp in a program of its own,
+/// Formats other than OBJ, OFF, PLY, STL, URDF and glTF 2.0 without compression are read in a program of its own,
 /// `shape_correspondence_import`, which is installed with the package. If it takes more than 2 GB of memory, 60 seconds
 /// of processor time or 120 seconds, that is an error. A program that is linked with the static library and moved to
 /// another machine says where it is by the environment variable `SHAPE_CORRESPONDENCE_IMPORT`. Link

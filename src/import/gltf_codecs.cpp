@@ -1,0 +1,143 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "import/gltf_codecs.h"
+
+#ifdef SHAPE_CORRESPONDENCE_WITH_DRACO
+#include <draco/compression/decode.h>
+#include <draco/core/decoder_buffer.h>
+#endif
+#ifdef SHAPE_CORRESPONDENCE_WITH_MESHOPTIMIZER
+#include <meshoptimizer.h>
+#endif
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+#ifdef SHAPE_CORRESPONDENCE_WITH_DRACO
+
+template <typename Number>
+void read_attribute(const draco::PointAttribute& attribute, Eigen::MatrixXd& numbers)
+{
+  Number components[4];
+  for (Eigen::Index point = 0; point < numbers.cols(); ++point) {
+    attribute.GetMappedValue(draco::PointIndex(std::uint32_t(point)), components);
+    for (Eigen::Index k = 0; k < numbers.rows(); ++k)
+      numbers(k, point) = double(components[k]);
+  }
+}
+
+/// The numbers as they are stored, a vertex a column; none if they are of a type that glTF does not have.
+Eigen::MatrixXd numbers_of(const draco::PointAttribute& attribute, std::uint32_t points)
+{
+  constexpr int most_components = 4;
+  if (attribute.num_components() > most_components) return {};
+  Eigen::MatrixXd result(attribute.num_components(), points);
+  switch (attribute.data_type()) {
+  case draco::DT_INT8:
+    read_attribute<std::int8_t>(attribute, result);
+    break;
+  case draco::DT_UINT8:
+    read_attribute<std::uint8_t>(attribute, result);
+    break;
+  case draco::DT_INT16:
+    read_attribute<std::int16_t>(attribute, result);
+    break;
+  case draco::DT_UINT16:
+    read_attribute<std::uint16_t>(attribute, result);
+    break;
+  case draco::DT_INT32:
+    read_attribute<std::int32_t>(attribute, result);
+    break;
+  case draco::DT_UINT32:
+    read_attribute<std::uint32_t>(attribute, result);
+    break;
+  case draco::DT_FLOAT32:
+    read_attribute<float>(attribute, result);
+    break;
+  case draco::DT_FLOAT64:
+    read_attribute<double>(attribute, result);
+    break;
+  default:
+    return {};
+  }
+  return result;
+}
+
+/// No attributes: it is damaged.
+Draco_mesh decoded_by_draco(std::string_view bytes)
+{
+  draco::DecoderBuffer buffer;
+  buffer.Init(bytes.data(), bytes.size());
+  const auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
+  if (!decoded.ok()) return {};
+  const draco::Mesh& mesh = *decoded.value();
+  Draco_mesh result;
+  result.corners.reserve(3 * std::size_t(mesh.num_faces()));
+  for (std::uint32_t f = 0; f < mesh.num_faces(); ++f)
+    for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(f)))
+      result.corners.push_back(corner.value());
+  for (int i = 0; i < mesh.num_attributes(); ++i) {
+    const draco::PointAttribute& attribute = *mesh.attribute(i);
+    result.attributes[int(attribute.unique_id())] = numbers_of(attribute, mesh.num_points());
+  }
+  return result;
+}
+
+#endif
+#ifdef SHAPE_CORRESPONDENCE_WITH_MESHOPTIMIZER
+
+/// Sizes are checked first, since the library only asserts them. \return whether it is not damaged
+bool decode_meshopt(const Meshopt_view& view, std::string& result)
+{
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(view.bytes.data());
+  const bool is_of_indices = view.stride == 2 || view.stride == 4;
+  if (view.mode == "ATTRIBUTES")
+    return view.stride % 4 == 0 &&
+           meshopt_decodeVertexBuffer(result.data(), view.count, view.stride, bytes, view.bytes.size()) == 0;
+  if (view.mode == "TRIANGLES")
+    return is_of_indices && view.count % 3 == 0 &&
+           meshopt_decodeIndexBuffer(result.data(), view.count, view.stride, bytes, view.bytes.size()) == 0;
+  return view.mode == "INDICES" && is_of_indices &&
+         meshopt_decodeIndexSequence(result.data(), view.count, view.stride, bytes, view.bytes.size()) == 0;
+}
+
+/// \return whether the filter fits the numbers
+bool undo_filter(const Meshopt_view& view, std::string& result)
+{
+  if (view.filter.empty() || view.filter == "NONE") return true;
+  if (view.filter == "OCTAHEDRAL" && (view.stride == 4 || view.stride == 8))
+    meshopt_decodeFilterOct(result.data(), view.count, view.stride);
+  else if (view.filter == "QUATERNION" && view.stride == 8)
+    meshopt_decodeFilterQuat(result.data(), view.count, view.stride);
+  else if (view.filter == "EXPONENTIAL" && view.stride % 4 == 0)
+    meshopt_decodeFilterExp(result.data(), view.count, view.stride);
+  else
+    return false;
+  return true;
+}
+
+/// Empty: it is damaged.
+std::string decoded_by_meshoptimizer(const Meshopt_view& view)
+{
+  std::string result(view.count * view.stride, '\0');
+  return decode_meshopt(view, result) && undo_filter(view, result) ? result : std::string();
+}
+
+#endif
+
+} // namespace
+
+Gltf_codecs gltf_codecs()
+{
+  Gltf_codecs result;
+#ifdef SHAPE_CORRESPONDENCE_WITH_DRACO
+  result.draco = decoded_by_draco;
+#endif
+#ifdef SHAPE_CORRESPONDENCE_WITH_MESHOPTIMIZER
+  result.meshopt = decoded_by_meshoptimizer;
+#endif
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::IO

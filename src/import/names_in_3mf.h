@@ -1,0 +1,15 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// The names of objects, by what assimp calls them, since it leaves them out; none if the program was built without
+/// minizip. \throw Invalid_input if the archive is damaged, or has objects in several files
+std::map<std::string, std::string> names_in_3mf(const std::string& file);
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/read/part_names.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace CGAL::Shape_correspondence::IO {
+namespace {
+
+/// Whether a name is one that programs give to all that has none: a number, or such a word with or without a number.
+bool only_counts(const std::string& name)
+{
+  std::string word;
+  for (char c : name)
+    if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80)
+      word += char(std::tolower(static_cast<unsigned char>(c)));
+  const auto words = {
+      "",         "object", "obj",      "mesh",      "node",  "group",          "geometry",    "geom",
+      "meshnode", "shape",  "objectid", "polygon",   "part",  "primitive",      "polysurface", "submesh",
+      "root",     "scene",  "rootnode", "component", "gltf",  "gltfnode",       "meshobject",  "instance",
+      "default",  "model",  "untitled", "unnamed",   "solid", "sketchfabmodel", "transform",   "entity"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+} // namespace
+
+void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<int>& node_of_part,
+                        const std::vector<std::string>& meshes, std::vector<Model_part>& parts)
+{
+  std::vector<std::size_t> parts_in(tree.size()); // a node or those below it
+  for (int part_node : node_of_part)
+    for (int node = part_node; node >= 0; node = tree[std::size_t(node)].parent)
+      ++parts_in[std::size_t(node)];
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!only_counts(parts[i].name)) continue;
+    int node = tree[std::size_t(node_of_part[i])].parent;
+    while (node >= 0 && only_counts(tree[std::size_t(node)].name))
+      node = tree[std::size_t(node)].parent;
+    if (node >= 0 && parts_in[std::size_t(node)] < parts.size())
+      parts[i].name = tree[std::size_t(node)].name;
+    else if (!only_counts(meshes[i]) || parts[i].name.empty())
+      parts[i].name = meshes[i];
+  }
+}
+
+} // namespace CGAL::Shape_correspondence::IO
