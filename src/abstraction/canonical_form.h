@@ -4,6 +4,7 @@
 #pragma once
 
 #include "abstraction/curve_and_sheet_geometry.h"
+#include "base/generic_direction.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
@@ -20,25 +21,30 @@
 namespace CGAL::Shape_correspondence::internal {
 
 /// A mesh that does not depend on the order of vertices and triangles, nor on rounding noise: coordinates are rounded
-/// to a grid, equal vertices merged, vertices and triangles sorted, duplicates removed.
+/// to a grid, equal vertices merged, vertices and triangles sorted along a direction, duplicates removed.
 inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
 {
-  using Key = std::array<double, 3>;
+  using Key = std::array<double, 4>; // place along the direction, coordinates
+  const Point direction = generic_direction();
   std::map<Key, int> vertices;
   const auto key = [&](Eigen::Index v) {
     const auto snap = [grid](double x) { return std::round(x / grid) * grid + 0.; };
-    return Key{snap(mesh.points(0, v)), snap(mesh.points(1, v)), snap(mesh.points(2, v))};
+    const Point p(snap(mesh.points(0, v)), snap(mesh.points(1, v)), snap(mesh.points(2, v)));
+    return Key{direction.dot(p), p.x(), p.y(), p.z()};
   };
   for (Eigen::Index t = 0; t < mesh.triangles.size(); ++t)
     vertices.emplace(key(mesh.triangles.data()[t]), 0);
   Part_mesh result;
   result.points.resize(3, Eigen::Index(vertices.size()));
   int count = 0;
+  std::vector<double> places;
   for (auto& [position, index] : vertices) {
-    result.points.col(count) << position[0], position[1], position[2];
+    places.push_back(position[0]);
+    result.points.col(count) << position[1], position[2], position[3];
     index = count++;
   }
-  std::map<std::array<int, 3>, std::array<int, 3>> triangles; // sorted corners, corners in their order
+  using Triangle_key = std::pair<double, std::array<int, 3>>; // place of the centre, sorted corners
+  std::map<Triangle_key, std::array<int, 3>> triangles;       // corners in their order
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     std::array<int, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -47,7 +53,9 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
     std::array<int, 3> sorted = corners;
     std::sort(sorted.begin(), sorted.end());
     if (sorted[0] != sorted[1] && sorted[1] != sorted[2]) {
-      const auto [known, is_new] = triangles.emplace(sorted, corners);
+      const auto place_of = [&](std::size_t k) { return places[std::size_t(sorted[k])]; };
+      const double place = place_of(0) + place_of(1) + place_of(2);
+      const auto [known, is_new] = triangles.emplace(Triangle_key(place, sorted), corners);
       if (!is_new) known->second = std::min(known->second, corners);
     }
   }

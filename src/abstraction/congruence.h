@@ -5,6 +5,7 @@
 
 #include "abstraction/surface_samples.h"
 #include "base/Nearest_points.h"
+#include "base/generic_direction.h"
 #include "base/eigen_system.h"
 #include "shape/oriented_box.h"
 
@@ -148,12 +149,11 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
   std::vector<std::size_t> order(meshes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto place = [&](std::size_t i) {
-    // On a coarse grid: noise must not decide between mirror images.
-    const Point& c = signatures[i].centre;
-    return std::array<double, 3>{-std::round(1e4 * c.x()), -std::round(1e4 * c.z()), std::round(1e4 * c.y())};
+    // Along a direction, and on a coarse grid: noise must not decide between mirror images.
+    return -std::round(1e4 * generic_direction().dot(signatures[i].centre));
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const auto place_a = place(a), place_b = place(b);
+    const double place_a = place(a), place_b = place(b);
     return place_a != place_b ? place_a < place_b : canonical_less(meshes[a], meshes[b]);
   });
 

@@ -82,8 +82,8 @@ inline std::vector<Eigen::Index> used_vertices(const Part_mesh& mesh, std::size_
 /// Picks `n` of some points, each the farthest from those before.
 inline Points farthest_points(const Points& candidates, std::size_t n)
 {
-  // Rounding noise must not decide between equally far points: the first one wins.
-  const double nearly = 1 - 1e-9;
+  // Noise must not decide between equally far points: the first one wins.
+  const double nearly = 1 - 1e-4;
   using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
   const Row x = candidates.row(0), y = candidates.row(1), z = candidates.row(2); // contiguous, for the speed
   const auto squared_distances = [&](const Point& p) {

@@ -313,7 +313,7 @@ Model_content read_model(const std::string& file, bool allows_outside)
   if (extension != ".gltf" && extension != ".glb") return read_scene(file, allows_outside);
   try {
     const Gltf_codecs codecs = gltf_codecs();
-    return read_gltf(text_of(file), file, Reading_options{allows_outside}, &codecs);
+    return read_gltf(text_of(file), file, Reading_options{allows_outside, {}}, &codecs);
   } catch (const Needs_import&) {
     return read_scene(file, allows_outside); // of version 1
   } catch (const Invalid_input& error) {

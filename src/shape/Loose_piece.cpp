@@ -4,6 +4,7 @@
 #include "shape/Loose_piece.h"
 
 #include "base/Disjoint_sets.h"
+#include "shape/canonical_surface.h"
 #include "shape/first_in_place.h"
 #include "shape/triangle_distance.h"
 
@@ -107,8 +108,8 @@ Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materia
 
 } // namespace
 
-std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, const std::vector<int>& materials,
-                                      bool divide)
+std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, double tolerance,
+                                      const std::vector<int>& materials, bool divide)
 {
   const Indices place = places_of_corners(mesh, materials, divide && !materials.empty());
   const std::size_t places = place.empty() ? 0 : 1 + *std::max_element(place.begin(), place.end());
@@ -131,7 +132,7 @@ std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh,
   std::vector<Loose_piece> result;
   std::vector<int> number(std::size_t(mesh.points.cols()), -1);
   for (const Indices& piece : pieces) {
-    result.push_back(loose_piece(object, extracted(mesh, piece, number)));
+    result.push_back(loose_piece(object, extracted(mesh, piece, number), tolerance));
     if (materials.empty()) continue;
     for (std::size_t t : piece)
       result.back().materials.insert(materials[t]);
@@ -147,20 +148,23 @@ double size_of(const Points& points, const Point& middle)
   return (points.colwise() - from).colwise().norm().maxCoeff();
 }
 
-Loose_piece loose_piece(std::size_t object, Part_mesh mesh)
+Loose_piece loose_piece(std::size_t object, Part_mesh mesh, double tolerance)
 {
-  double area = 0;
+  Loose_piece result;
+  result.object = object;
+  result.surface = canonical_surface(mesh, tolerance);
+  result.mesh = std::move(mesh);
   Point middle = Point::Zero();
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const contacts::Triangle corners = triangle_of(mesh, t);
+  for (Eigen::Index t = 0; t < result.surface.triangles.cols(); ++t) {
+    const contacts::Triangle corners = triangle_of(result.surface, t);
     const double twice = contacts::area_vector(corners).norm();
-    area += twice / 2;
+    result.area += twice / 2;
     middle += twice / 6 * (corners[0] + corners[1] + corners[2]);
   }
-  middle = area > 0 ? Point(middle / area) : Point(mesh.points.rowwise().mean());
-  const double size = size_of(mesh.points, middle);
-  const bool closed = is_closed(mesh);
-  return {object, std::move(mesh), area, size, closed};
+  const Points& points = result.surface.points;
+  result.size = size_of(points, result.area > 0 ? Point(middle / result.area) : Point(points.rowwise().mean()));
+  result.closed = is_closed(result.surface);
+  return result;
 }
 
 Points border_points(const Part_mesh& mesh, double spacing)

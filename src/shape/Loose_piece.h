@@ -14,22 +14,24 @@ namespace CGAL::Shape_correspondence::internal {
 /// A connected component of an object, by places of vertices.
 struct Loose_piece
 {
-  std::size_t object;
-  Part_mesh mesh;
-  double area;
-  double size;                  ///< approximate diameter, see `size_of()`
-  bool closed;                  ///< an even number of triangles meets at every edge
+  std::size_t object = 0;
+  Part_mesh mesh;    ///< its triangles as they are in the model
+  Part_mesh surface; ///< the same in canonical triangles, which is what is measured
+  double area = 0;
+  double size = 0;              ///< approximate diameter, see `size_of()`
+  bool closed = false;          ///< an even number of triangles meets at every edge
   std::set<int> materials = {}; ///< empty: not known
 };
 
 /// The connected components of a mesh, connected through vertices at the same place, in the order of first triangles.
+/// \param tolerance of `canonical_surface()`
 /// \param materials by triangle. Empty: they are not known
 /// \param divide only triangles of one material are connected
-std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, const std::vector<int>& materials = {},
-                                      bool divide = false);
+std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, double tolerance,
+                                      const std::vector<int>& materials, bool divide);
 
 /// Measures a piece.
-Loose_piece loose_piece(std::size_t object, Part_mesh mesh);
+Loose_piece loose_piece(std::size_t object, Part_mesh mesh, double tolerance);
 
 /// Points on the edges of only one triangle, at most `spacing` apart.
 Points border_points(const Part_mesh& mesh, double spacing);

@@ -5,6 +5,7 @@
 #include "base/planar_hull.h"
 #include "base/quantized.h"
 #include "shape/all_vertices.h"
+#include "shape/canonical_surface.h"
 #include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/estimate_up.h>
@@ -53,8 +54,9 @@ struct Surface_summary
   Point horizontal = Point::Zero(); // by axis, the share of the surface that is perpendicular to it
 };
 
-Surface_summary summary_of_surface(const Segmented_shape& shape)
+Surface_summary summary_of_surface(const Segmented_shape& given)
 {
+  const Segmented_shape shape = canonical_shape(given);
   Surface_summary result;
   result.vertices = all_vertices(shape);
   const Point low = result.vertices.rowwise().minCoeff();

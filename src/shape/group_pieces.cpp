@@ -50,7 +50,7 @@ class Measured_piece
 {
 public:
   Measured_piece(const Loose_piece& piece, double model_size)
-      : piece_(piece), tree_(triangles_of(piece.mesh)), samples_(samples_of(piece.mesh)), model_size_(model_size)
+      : piece_(piece), tree_(triangles_of(piece.surface)), samples_(samples_of(piece.surface)), model_size_(model_size)
   {}
 
   const Loose_piece& piece() const { return piece_; }
@@ -110,7 +110,7 @@ private:
 
   const Border& border() const
   {
-    if (!border_) border_.emplace(border_points(piece_.mesh, border_spacing * model_size_));
+    if (!border_) border_.emplace(border_points(piece_.surface, border_spacing * model_size_));
     return *border_;
   }
 
@@ -129,7 +129,7 @@ private:
 
   const Hull_planes& hull() const
   {
-    if (!hull_) hull_.emplace(piece_.mesh.points, hull_tolerance * model_size_);
+    if (!hull_) hull_.emplace(piece_.surface.points, hull_tolerance * model_size_);
     return *hull_;
   }
 
@@ -356,7 +356,8 @@ private:
       for (std::size_t b = a + 1; b < order.size(); ++b) {
         const Loose_piece &p = pieces_[order[a]], &q = pieces_[order[b]];
         if (q.area > (1 + alike) * p.area) break;
-        if (p.mesh.triangles.cols() != q.mesh.triangles.cols() || std::abs(p.size - q.size) > alike * p.size) continue;
+        if (p.surface.triangles.cols() != q.surface.triangles.cols() || std::abs(p.size - q.size) > alike * p.size)
+          continue;
         result.unite(order[a], order[b]);
         break;
       }

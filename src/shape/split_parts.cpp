@@ -4,6 +4,7 @@
 #include "base/limits.h"
 #include "shape/Loose_piece.h"
 #include "shape/all_vertices.h"
+#include "shape/canonical_surface.h"
 #include "shape/group_pieces.h"
 #include "shape/has_area.h"
 #include "shape/meshes.h"
@@ -69,8 +70,8 @@ public:
     check_materials(objects_, materials);
     result_.by_materials = divide && !materials.empty();
     for (std::size_t i = 0; i < objects_.size(); ++i)
-      for (Loose_piece& piece :
-           loose_pieces(i, objects_[i].mesh, materials.empty() ? std::vector<int>() : materials[i], divide))
+      for (Loose_piece& piece : loose_pieces(i, objects_[i].mesh, flatness_tolerance(size_),
+                                             materials.empty() ? std::vector<int>() : materials[i], divide))
         add_piece(std::move(piece));
     name_pieces();
   }
@@ -88,7 +89,7 @@ public:
       result_.pieces_left_out += segments.pieces_left_out;
       result_.pieces_kept_whole += segments.pieces_kept_whole;
       for (const Shape_part& segment : segments.shape.parts())
-        add_piece(loose_piece(piece.object, segment.mesh));
+        add_piece(loose_piece(piece.object, segment.mesh, flatness_tolerance(size_)));
     }
     name_pieces();
   }

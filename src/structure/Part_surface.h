@@ -83,8 +83,12 @@ public:
   {
     std::vector<Sampled_triangle> pieces;
     std::vector<Point> vertices;
-    for (std::size_t t = 0; t < marked.size(); ++t) {
-      if (!marked[t]) continue;
+    std::vector<std::size_t> order; // that of the mesh
+    for (std::size_t t = 0; t < marked.size(); ++t)
+      if (marked[t]) order.push_back(t);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return tree_.given_number(a) < tree_.given_number(b); });
+    for (std::size_t t : order) {
       const Triangle& triangle = tree_.triangles()[t];
       Polygon polygon(triangle.begin(), triangle.end());
       if (!region.contains(box_of(triangle))) polygon = clipped(std::move(polygon), region);

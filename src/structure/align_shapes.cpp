@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "structure/align_shapes.h"
+#include "base/generic_direction.h"
 #include "base/quantized.h"
 #include "base/quarter_turn.h"
 
@@ -252,10 +253,13 @@ using Grid_point = std::array<Steps, 3>;
 
 Grid_point grid_point(const Point& p) { return {quantized(p.y()), quantized(p.x()), quantized(p.z())}; }
 
-// The centroid and the extent of a part, by which parts are ordered.
-std::array<Grid_point, 2> place_of(const Sampled_part& part)
+// The place of the centroid along a direction and the extent of a part, by which parts are ordered.
+using Place = std::pair<Steps, Grid_point>;
+
+Place place_of(const Sampled_part& part)
 {
-  return {grid_point(part.centroid), grid_point(part.samples.rowwise().maxCoeff() - part.samples.rowwise().minCoeff())};
+  return {quantized(generic_direction().dot(part.centroid)),
+          grid_point(part.samples.rowwise().maxCoeff() - part.samples.rowwise().minCoeff())};
 }
 
 // The samples of a part as a set, independent of their order: they differ for parts that cross each other.
@@ -272,7 +276,7 @@ std::vector<Grid_point> sample_set(const Sampled_part& part)
 std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Matrix3d& turn, Aligned_shape& result)
 {
   std::vector<Sampled_part> sampled;
-  std::vector<std::array<Grid_point, 2>> places;
+  std::vector<Place> places;
   for (const Part_abstraction& part : shape.parts) {
     sampled.push_back(sampled_part(part, shape.frame, turn));
     places.push_back(place_of(sampled.back()));

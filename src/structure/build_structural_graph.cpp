@@ -86,15 +86,17 @@ Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups,
 } // namespace
 
 template <typename ConcurrencyTag>
-Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options,
+Structural_graph build_structural_graph(const Segmented_shape& given, const Structure_options& options,
                                         Structure_times* times)
 {
-  check_number_of_parts(shape.name(), shape.parts().size());
+  check_number_of_parts(given.name(), given.parts().size());
   CGAL::Real_timer timer;
   timer.start();
   Shape_structure result;
-  result.name = shape.name();
-  result.frame = frame_of(shape);
+  result.name = given.name();
+  const Shape_in_frame placed(given);
+  const Segmented_shape& shape = placed.shape;
+  result.frame = placed.frame;
   const double before = timer.time();
   result.parts = abstract_parts<ConcurrencyTag>(shape, result.frame, options.abstraction);
   const double abstraction = timer.time() - before;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/generic_direction.h"
 #include "base/limits.h"
 #include "structure/reflections.h"
 #include "structure/rings.h"
@@ -113,14 +114,14 @@ private:
   std::set<Key> rejected_; ///< candidates that the surfaces do not confirm
 };
 
-/// An order of the parts that does not depend on the file: by centre, size and, for parts that cross each other,
-/// support function, rounded.
+/// An order of the parts that does not depend on the file: by the place of the centre along a direction, size and, for
+/// parts that cross each other, support function, rounded.
 std::vector<std::size_t> canonical_order(const std::vector<Part_signature>& signatures)
 {
-  constexpr double quantum = 1e-6;
+  constexpr double quantum = 1e-5;
   const auto key = [&](std::size_t i) {
     const Part_signature& s = signatures[i];
-    std::vector<double> result = {s.centre.y(), s.centre.x(), s.centre.z(), s.width, s.diagonal};
+    std::vector<double> result = {generic_direction().dot(s.centre), s.width, s.diagonal};
     result.insert(result.end(), s.support.begin(), s.support.end());
     for (double& x : result)
       x = std::round(x / quantum);

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "structure/frame_of_shape.h"
+#include "base/directions.h"
+#include "base/generic_direction.h"
+#include "shape/all_vertices.h"
+#include "shape/canonical_surface.h"
 #include "shape/sample_triangles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -15,33 +20,35 @@ namespace {
 constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
 constexpr int least_frame_samples = 4; ///< of every part, however small
 
-/// The triangles of a part and their area.
+/// The triangles of a part, their area, and the place of its centre along a direction.
 struct Part_triangles
 {
-  explicit Part_triangles(const Part_mesh& mesh)
+  Part_triangles(const Part_mesh& mesh, const Point& origin, const Point& direction)
       : triangles(contacts::sampled_triangles_of(mesh)), area(contacts::total_area(triangles))
-  {}
+  {
+    for (const contacts::Sampled_triangle& t : triangles)
+      place += t.area / area * direction.dot(t.corner - origin + (t.side_1 + t.side_2) / 3);
+  }
 
-  /// An order that does not depend on the file: by area, then by the first corner.
+  /// An order that does not depend on the file.
   bool operator<(const Part_triangles& other) const
   {
-    const auto key = [](const Part_triangles& part) {
-      const Point& p = part.triangles.front().corner;
-      return std::make_tuple(part.area, p.x(), p.y(), p.z());
-    };
-    return key(*this) < key(other);
+    return std::tie(place, area) < std::tie(other.place, other.area);
   }
 
   std::vector<contacts::Sampled_triangle> triangles;
   double area;
+  double place = 0;
 };
 
 /// Points spread over the shape by area, the same to the bit whatever the order of the parts.
-Points sample_shape(const Segmented_shape& shape)
+Points sample_shape(const Segmented_shape& shape, const Eigen::Matrix3d& axes)
 {
+  const Points vertices = all_vertices(shape);
+  const Point origin = vertices.rowwise().minCoeff();
   std::vector<Part_triangles> parts;
   for (const Shape_part& part : shape.parts())
-    parts.emplace_back(part.mesh);
+    parts.emplace_back(part.mesh, origin, axes * generic_direction());
   std::sort(parts.begin(), parts.end());
   double total = 0;
   for (const Part_triangles& part : parts)
@@ -58,13 +65,25 @@ Points sample_shape(const Segmented_shape& shape)
   return result;
 }
 
+/// Axes of which the second is the upright direction, by the least rotation.
+Eigen::Matrix3d upright_axes(const Point& up) { return least_rotation(Point::UnitY(), up).toRotationMatrix(); }
+
 } // namespace
 
-Shape_frame frame_of(const Segmented_shape& shape) { return compute_shape_frame(sample_shape(shape), shape.up()); }
-
-std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& shape)
+Shape_in_frame::Shape_in_frame(const Segmented_shape& given)
 {
-  const Points samples = sample_shape(shape);
+  const Eigen::Matrix3d axes = upright_axes(given.up());
+  shape = canonical_shape(given, axes);
+  const Shape_frame first = compute_shape_frame(sample_shape(shape, axes), shape.up());
+  // Again with the axes found, so that the same triangles and samples are taken of a shape that was turned
+  shape = canonical_shape(given, first.axes);
+  frame = compute_shape_frame(sample_shape(shape, first.axes), shape.up());
+}
+
+std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& given)
+{
+  const Segmented_shape shape = canonical_shape(given);
+  const Points samples = sample_shape(shape, Eigen::Matrix3d::Identity());
   return {compute_shape_frame(samples, Point::UnitX()), compute_shape_frame(samples, Point::UnitY()),
           compute_shape_frame(samples, Point::UnitZ())};
 }

@@ -10,8 +10,15 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The frame of a shape, the same to the bit whatever the order of the parts.
-Shape_frame frame_of(const Segmented_shape& shape);
+/// A shape whose surfaces are canonical, and its frame: the same to the bit whatever the order of its parts and of
+/// their triangles.
+struct Shape_in_frame
+{
+  explicit Shape_in_frame(const Segmented_shape& given);
+
+  Segmented_shape shape;
+  Shape_frame frame;
+};
 
 /// The frames of a shape if x, y or z is up.
 std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& shape);

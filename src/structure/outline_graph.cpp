@@ -35,11 +35,13 @@ Part_abstraction outline(const Shape_part& part)
 
 } // namespace
 
-Structural_graph outline_graph(const Segmented_shape& shape)
+Structural_graph outline_graph(const Segmented_shape& given)
 {
+  const Shape_in_frame placed(given);
+  const Segmented_shape& shape = placed.shape;
   Shape_structure result;
   result.name = shape.name();
-  result.frame = frame_of(shape);
+  result.frame = placed.frame;
   std::vector<Part_group> groups;
   for (const Shape_part& part : shape.parts()) {
     groups.emplace_back().parts = {result.parts.size()};

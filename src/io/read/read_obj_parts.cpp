@@ -214,7 +214,8 @@ private:
   /// Whether the loose pieces of an object cannot be its parts: one is most of its surface, or they are too many.
   bool needs_materials(const Section& section) const
   {
-    const std::vector<internal::Loose_piece> pieces = internal::loose_pieces(0, weld(part_of(section, "").corners));
+    const Part_mesh mesh = weld(part_of(section, "").corners);
+    const std::vector<internal::Loose_piece> pieces = internal::loose_pieces(0, mesh, 0, {}, false);
     double largest = 0, all = 0;
     for (const internal::Loose_piece& piece : pieces) {
       largest = std::max(largest, piece.area);

@@ -31,7 +31,7 @@ struct Reading_options
   /// A file with a label for each face of an OBJ, OFF, PLY or STL model, whose labels are the parts: a line or a word
   /// for each, or for each label a line with its name and lines with the numbers of its faces, from 1 on. Empty: the
   /// list beside the model that is named like it and ends in `.seg`, if there is one.
-  std::string face_labels;
+  std::string face_labels = {};
 };
 
 /// \ingroup PkgShapeCorrespondenceIO

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The same surface in triangles that depend on the surface alone, not on how a file divides it into triangles, nor on
+/// their order: connected triangles of a plane become one face, of which points within straight edges are left out, and
+/// which is divided anew; points and triangles are sorted by their place. What cannot be divided stays as it is.
+/// \param tolerance distance from a plane or a line that is rounding noise
+/// \param axes of the shape: with them, ties turn with the shape
+Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance,
+                            const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+
+/// The distance from a plane that is rounding noise, for a shape of this size.
+inline double flatness_tolerance(double size) { return 5e-6 * size; }
+
+/// The shape with the canonical surface of every part.
+Segmented_shape canonical_shape(const Segmented_shape& shape,
+                                const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+
+} // namespace CGAL::Shape_correspondence::internal
