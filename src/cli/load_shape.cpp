@@ -6,6 +6,7 @@
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/input_file.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
@@ -153,7 +154,7 @@ auto with_path(const std::string& path, const Read& read)
   } catch (const Invalid_input& error) {
     throw Invalid_input(message_about(path, error.what()));
   } catch (const std::bad_alloc&) {
-    throw Invalid_input(path + ": it needs more memory than there is");
+    throw Invalid_input(path + ": it needs more memory than there is; " + IO::remedy::make_smaller);
   }
 }
 

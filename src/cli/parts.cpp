@@ -7,6 +7,7 @@
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/read/model_parts.h"
+#include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "viewer/parts_sheet.h"
 
@@ -45,12 +46,11 @@ Examples: shape_correspondence parts chair.obj
 
 std::vector<std::string> models_in(const std::string& folder)
 {
-  if (!fs::is_directory(folder)) throw Invalid_input(folder + ": it is not a folder");
+  if (!fs::is_directory(folder)) throw Invalid_input(folder + ": it is not a folder; give one, or leave --all out");
   std::vector<std::string> result;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && IO::is_model_file(entry.path().string())) result.push_back(entry.path().string());
-  std::sort(result.begin(), result.end());
-  if (result.empty()) throw Invalid_input(folder + ": there is no model file in it");
+  for (const std::string& file : IO::files_under(folder))
+    if (IO::is_model_file(file)) result.push_back(file);
+  if (result.empty()) throw Invalid_input(folder + ": there is no model file in it; give the folder that has them");
   return result;
 }
 

@@ -225,6 +225,9 @@ std::uint64_t triangles_of(const aiScene& scene)
   return result;
 }
 
+constexpr const char* not_readable =
+    "it cannot be read as a model of the format that its extension says: it is damaged, or of another version or kind";
+
 Model_content read_scene(const std::string& file, bool allows_outside)
 {
   Assimp::Importer importer;
@@ -236,16 +239,12 @@ Model_content read_scene(const std::string& file, bool allows_outside)
   if ((!scene || !scene->mRootNode) && !files->missing().empty())
     throw Invalid_input("the file " + cited_file(files->missing()) +
                         ", which it names, is not there; put it beside the model");
-  if (!scene || !scene->mRootNode) {
-    const std::string why = importer.GetErrorString();
-    throw Invalid_input("it cannot be read as a model of the format that its extension says" +
-                        (why.empty() ? "" : " (" + why + ")"));
-  }
+  if (!scene || !scene->mRootNode) throw Invalid_input(not_readable);
   const std::string extension = lower_extension(file);
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
   Model_content content =
       Scene_reader(*scene, is_gltf ? triangles_of(*scene) : std::filesystem::file_size(file)).read(is_gltf);
-  if (content.parts.empty()) throw Invalid_input("there is no triangle in it; a model needs a mesh for every part");
+  if (content.parts.empty()) throw Invalid_input("there is no triangle in it; give every part a mesh");
   return content;
 }
 
@@ -297,8 +296,8 @@ int main(int argc, char* argv[])
       std::cout << IO::has_complaint << error.what();
     } catch (const std::bad_alloc&) {
       throw;
-    } catch (const std::exception& error) {
-      std::cout << IO::has_complaint << "it cannot be read (" << error.what() << ")";
+    } catch (const std::exception&) { // of assimp, whose words are for programmers
+      std::cout << IO::has_complaint << IO::not_readable;
     }
   } catch (const std::bad_alloc&) {
     return IO::out_of_memory_status;

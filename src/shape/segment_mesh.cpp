@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "shape/check_mesh.h"
 #include "shape/convex_segments.h"
 #include "shape/has_area.h"
 #include "shape/meshes.h"
@@ -30,6 +31,7 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
   if (options.patches < 1) throw Invalid_input("the number of patches of a segmentation is 0; give at least 1");
   if (!(options.probability > 0 && options.probability < 1) || !(options.least_area >= 0 && options.least_area <= 1))
     throw Invalid_input("the probability and the least area of a segmentation must be between 0 and 1");
+  check_triangles(name, mesh);
   Halfedge_mesh surface = manifold_surface(mesh);
   std::vector<Halfedge_mesh> components;
   CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
@@ -50,7 +52,8 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
       CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(component); // its inside is what is measured
       // So many that the time, which is quadratic in them, does not grow with the number of components
       const double patches = std::ceil(double(options.patches) * std::sqrt(areas[i] / total_area));
-      segments = convex_segments(component, std::size_t(std::max(patches, 1.)), options);
+      const double most = double(component.number_of_faces());
+      segments = convex_segments(component, std::size_t(std::clamp(patches, 1., most)), options);
       if (segments.empty()) ++result.pieces_kept_whole;
     }
     segments.resize(component.number_of_faces(), 0);

@@ -66,8 +66,7 @@ public:
     for (const Json_field& material : document_.list("materials"))
       add_material(material);
     visit_nodes();
-    if (content_.parts.empty())
-      throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
+    if (content_.parts.empty()) throw Invalid_input(file + ": there is no triangle in it; give every part a mesh");
     return std::move(content_);
   }
 
@@ -281,7 +280,9 @@ Model_content read_gltf_parts(std::string_view text, const std::string& file, co
   try {
     return import_parts(file, options);
   } catch (const Invalid_input& error) {
-    throw Invalid_input(error.what() + (" (it needs " + document.needs() + ")"));
+    std::string what = error.what(); // with a remedy
+    const std::size_t end = what.rfind("; ");
+    throw Invalid_input(what.insert(std::min(end, what.size()), " (it needs " + document.needs() + ")"));
   }
 }
 

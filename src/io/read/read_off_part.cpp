@@ -21,14 +21,15 @@ public:
   {
     std::string_view line = next_line_of_words();
     check_keyword(next_word(line));
-    if (trimmed(line) == "BINARY") fail("is binary; only OFF as text is read: convert it, or write PLY or OBJ");
+    if (trimmed(line) == "BINARY") fail("is binary, and only OFF as text is read; convert it, or write PLY or OBJ");
     if (trimmed(line).empty()) line = next_line_of_words();
     const std::size_t vertices = number<std::size_t>(line), faces = number<std::size_t>(line);
     constexpr std::size_t least_vertex = 6, least_face = 2; // bytes of a line
     if (vertices > lines_.rest().size() / least_vertex || faces > lines_.rest().size() / least_face)
       fail("says that it has " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
-           " faces, which is more than the file holds; it is cut off or damaged");
-    if (faces == 0) throw Invalid_input(file_ + ": there is no face in it; a model needs a mesh for every part");
+               " faces, which is more than the file holds: it is cut off or damaged",
+           remedy::save_again);
+    if (faces == 0) throw Invalid_input(file_ + ": there is no face in it; give every part a mesh");
     for (std::size_t i = 0; i < vertices; ++i)
       read_vertex();
     Model_content result;
@@ -40,9 +41,9 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const
+  [[noreturn]] void fail(const std::string& what, const char* remedy = remedy::correct_text) const
   {
-    lines_.fail("it cannot be read as an OFF model: it " + what);
+    lines_.fail("it cannot be read as an OFF model: it " + what, remedy);
   }
 
   /// The next line that is more than blanks and a comment.
@@ -53,7 +54,7 @@ private:
       const std::string_view words = trimmed(line.substr(0, line.find('#')));
       if (!words.empty()) return words;
     }
-    fail("ends before all of its vertices and faces are there; the file is cut off");
+    fail("ends before all of its vertices and faces are there: the file is cut off", remedy::save_again);
   }
 
   /// Normals, colours and texture coordinates follow the coordinates; colours are read.
@@ -61,8 +62,9 @@ private:
   {
     constexpr std::string_view keyword = "OFF";
     if (word.size() < keyword.size() || word.substr(word.size() - keyword.size()) != keyword)
-      fail("does not begin with the word OFF");
-    if (word.find_first_not_of("STCNOF") != std::string_view::npos) fail("is not three-dimensional");
+      fail("does not begin with the word OFF", remedy::check_kind);
+    if (word.find_first_not_of("STCNOF") != std::string_view::npos)
+      fail("is not three-dimensional", remedy::save_as_other_format);
     const std::string_view letters = word.substr(0, word.size() - keyword.size());
     vertices_have_colours_ = letters.find('C') != std::string_view::npos;
     vertices_have_normals_ = letters.find('N') != std::string_view::npos;

@@ -21,7 +21,8 @@ Model_content read_binary_stl(std::string_view text, const std::string& file)
   const std::size_t count = number_in<std::uint32_t>(text.data() + header_size - 4);
   if (count > (text.size() - header_size) / triangle_size)
     throw Invalid_input(file + ": it cannot be read as an STL model: it says that it has " + std::to_string(count) +
-                        " triangles, which is more than the file holds; it is cut off or damaged");
+                        " triangles, which is more than the file holds: it is cut off or damaged; " +
+                        remedy::save_again);
   Model_content result;
   result.parts.emplace_back();
   for (std::size_t t = 0; t < count; ++t) {
@@ -52,7 +53,7 @@ Model_content read_text_stl(std::string_view text, const std::string& file)
     ++corners_of_face;
     result.parts.back().corners.push_back(lines.vertex(line));
   }
-  if (corners_of_face % 3 != 0) lines.fail("the file ends in the middle of a facet; it is cut off");
+  if (corners_of_face % 3 != 0) lines.fail("the file ends in the middle of a facet: it is cut off", remedy::save_again);
   const auto is_empty = [](const Model_part& part) { return part.corners.empty(); };
   result.parts.erase(std::remove_if(result.parts.begin(), result.parts.end(), is_empty), result.parts.end());
   return result;
@@ -73,10 +74,10 @@ Model_content read_stl_parts(std::string_view text, const std::string& file)
 {
   const bool is_text = is_text_stl(text);
   if (!is_text && text.size() < header_size)
-    throw Invalid_input(file + ": it cannot be read as an STL model; it is another kind of file or cut off");
+    refuse(file + ": it cannot be read as an STL model: it is another kind of file or cut off", remedy::check_kind);
   Model_content result = is_text ? read_text_stl(text, file) : read_binary_stl(text, file);
   if (result.parts.empty() || result.parts[0].corners.empty())
-    throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
+    throw Invalid_input(file + ": there is no triangle in it; give every part a mesh");
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -13,6 +14,10 @@ void check_exists(const std::string& path);
 
 /// A file, opened for reading. \throw Invalid_input if it is not there, a folder, a pipe, or cannot be opened; names it
 std::ifstream open_input(const std::string& path);
+
+/// The files in a folder and its subfolders, sorted. \throw std::filesystem::filesystem_error if one of these cannot be
+/// read; names it
+std::vector<std::string> files_under(const std::string& folder);
 
 /// Whether a file that `file` names is in the same folder as it, or in one of its sub-folders, also where links lead
 /// to.

@@ -4,6 +4,7 @@
 #include "io/system/run_program.h"
 #include "io/system/Descriptor.h"
 #include "io/system/operating_system.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -27,7 +28,8 @@ using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void fail_to_start(const std::string& program, int reason)
 {
-  throw Invalid_input("the program " + program + " cannot be started (" + std::strerror(reason) + ")");
+  throw Invalid_input("the program " + program + " cannot be started (" + std::strerror(reason) + "); " +
+                      remedy::install_again);
 }
 
 /// `posix_spawn()`, which needs nothing of what other threads may hold, as copying this process would.
@@ -45,8 +47,15 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  posix_spawnattr_t attributes; // it does not wait for signals as this process does
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = 0;
-  const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+  const int error = posix_spawn(&child, program.c_str(), &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) fail_to_start(program, error);
   return child;
