@@ -5,7 +5,9 @@
 #include "abstraction/congruence.h"
 #include "abstraction/deadline.h"
 #include "abstraction/surface_samples.h"
+#include "base/check_number.h"
 #include "base/for_each_index.h"
+#include "shape/check_mesh.h"
 #include "shape/convex_hull.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -29,6 +31,19 @@ constexpr double coordinate_grid = 1e-7;
 constexpr double tiny_part = 1e-4;
 
 constexpr std::size_t surface_points_of_a_part = 256;
+
+void check(const Abstraction_options& options)
+{
+  constexpr double most_points = 1000; // of a curve, and along a side of a sheet
+  if (!options.abstractor) throw Invalid_input("abstract_part: there is no abstractor; give one, or keep the default");
+  check_positive("abstract_part: the edge length", options.edge_length);
+  check_positive("abstract_part: the volume at which the flow stops", options.stop_volume);
+  check_number("abstract_part: the number of triangles", options.triangles, 1);
+  check_number("abstract_part: the number of iterations", options.maximum_iterations, 0);
+  check_number("abstract_part: the time limit", options.time_limit, 0);
+  check_number("abstract_part: the number of points of a curve", options.curve_points, 2, most_points);
+  check_number("abstract_part: the number of points along a side of a sheet", options.sheet_points, 2, most_points);
+}
 
 bool is_valid(const Curve& curve) { return curve.points.cols() >= 2; }
 
@@ -174,6 +189,8 @@ Abstraction_kind Abstraction_options::kind_of(const std::string& part) const
 
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options)
 {
+  check(options);
+  check_mesh(part.name, part.mesh);
   Part_abstraction result = abstract_in_own_frame(part, options);
   if (options.progress) options.progress(1, 1);
   return result;
@@ -183,6 +200,7 @@ template <typename ConcurrencyTag>
 std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const Shape_frame& frame,
                                              const Abstraction_options& options)
 {
+  check(options);
   const std::vector<Part_mesh> meshes = meshes_in_frame(shape, frame);
   const auto same_kind = [&](std::size_t i, std::size_t j) {
     return options.kind_of(shape.parts()[i].name) == options.kind_of(shape.parts()[j].name);
@@ -210,9 +228,18 @@ std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const
   return result;
 }
 
-Points sample_surface(const Part_mesh& mesh, std::size_t n) { return even_surface_points(mesh, n); }
+Points sample_surface(const Part_mesh& mesh, std::size_t n)
+{
+  check_triangles("sample_surface", mesh);
+  if (mesh.triangles.cols() == 0) throw Invalid_input("sample_surface: the mesh has no triangles");
+  return even_surface_points(mesh, n);
+}
 
-double convex_hull_volume(const Points& points) { return convex_hull(points).volume; }
+double convex_hull_volume(const Points& points)
+{
+  if (!points.allFinite()) throw Invalid_input("convex_hull_volume: the points must be finite");
+  return convex_hull(points).volume;
+}
 
 template std::vector<Part_abstraction> abstract_parts<CGAL::Sequential_tag>(const Segmented_shape&, const Shape_frame&,
                                                                             const Abstraction_options&);

@@ -24,6 +24,7 @@ public:
         surface_(triangles_of(solid)),
         hints_(std::size_t(solid.points.cols()), 0),
         edge_length_(edge_length),
+        most_vertices_(mesh_.number_of_vertices() + most_new_vertices),
         thickness_(2 * enclosed_volume(solid) / surface_area(solid)),
         deadline_(&deadline)
   {}
@@ -44,6 +45,10 @@ private:
   // Over the wanted length
   static constexpr double needle_edge = 0.6, short_edge = 4. / 5., long_edge = 4. / 3.;
 
+  // Vertices that splitting adds at most: for 2000 triangles, as are asked for, a thousand times what they need. Edges
+  // that rounding does not let shrink would be split until memory ends
+  static constexpr int most_new_vertices = 1'000'000;
+
   using Entry = std::pair<double, int>; // squared length, halfedge
 
   void split_long_edges()
@@ -57,6 +62,7 @@ private:
       if (is_edge(h)) push(h);
     while (!queue.empty()) {
       deadline_->check();
+      if (mesh_.number_of_vertices() > most_vertices_) throw Flow_failure("its surface cannot be meshed evenly");
       const auto [squared, h] = queue.top();
       queue.pop();
       if (mesh_.squared_length(h) == squared) {
@@ -190,6 +196,7 @@ private:
   contacts::Triangle_tree surface_;
   std::vector<std::size_t> hints_; ///< by vertex, the triangle of the surface that it was on
   double edge_length_;
+  int most_vertices_;
   double thickness_; ///< of a plate
   const Deadline* deadline_;
 };

@@ -3,6 +3,7 @@
 
 #include "blend/schedules.h"
 #include "map/check_model.h"
+#include "matching/check_correspondence.h"
 #include "matching/unlikely_pairs.h"
 #include "shape/has_area.h"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +34,11 @@ void check_options(const Blend_options& options)
     throw Invalid_input("Shape_blend: the contact tolerance must be between 0 and 1");
 }
 
+void check_time(double t)
+{
+  if (std::isnan(t)) throw Invalid_input("Shape_blend: the time is not a number; give one between 0 and 1");
+}
+
 } // namespace
 
 Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape,
@@ -43,6 +50,7 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   const std::array<Blend_input, 2> inputs = {Blend_input{source, source_shape, 0},
                                              Blend_input{target, target_shape, correspondence.target_quarter_turns}};
   check_options(options);
+  check_correspondence("Shape_blend", correspondence, source_shape.parts().size(), target_shape.parts().size());
   Correspondence likely = correspondence;
   remove_unlikely_pairs(likely, options.min_confidence);
   blend_ = std::make_shared<const Blend_structure>(inputs, likely, options);
@@ -68,6 +76,7 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
 
 Segmented_shape Shape_blend::operator()(double t) const
 {
+  check_time(t);
   const auto& [source, target] = blend_->stage.shapes;
   if (t <= 0) return source;
   if (t >= 1) return target;
@@ -84,6 +93,7 @@ Segmented_shape Shape_blend::operator()(double t) const
 
 Blend_check Shape_blend::check(double t) const
 {
+  check_time(t);
   if (t <= 0 || t >= 1) return {};
   return In_between_shape(*blend_, schedules_[0].tasks, t).check();
 }
@@ -106,6 +116,7 @@ std::vector<Blend_surface> Shape_blend::surfaces() const
 
 std::vector<Points> Shape_blend::points(double t) const
 {
+  check_time(t);
   std::vector<Points> result;
   const In_between_shape shape(*blend_, schedules_[0].tasks, t);
   for (std::size_t part = 0; part < blend_->parts.size(); ++part)

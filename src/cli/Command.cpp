@@ -155,6 +155,7 @@ void Command::run(const std::vector<std::string>& arguments)
   if (std::count(inputs.begin(), inputs.end(), "") > 0) throw Usage_error("the name of an input is empty");
   check_number(inputs.size(), least_, most_);
   const Run_report report{common};
+  start_outputs();
   check();
   check_outputs(output_files(), input_files());
   const std::shared_ptr<void> limit = limit_threads(common.threads);

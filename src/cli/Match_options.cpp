@@ -100,6 +100,7 @@ Search_method search_method(const Match_options& match, const Option_table& give
   if (match.method.value_or(Search_method::PARTS) != Search_method::PARTS) return *match.method;
   for (const Option& option : given.options()) {
     if (!option.is_given || option.asked_mode.empty()) continue;
+    if (match.method && option.modes.empty()) continue;
     if (match.method)
       throw Usage_error("--" + option.name + " needs a search for the least energy: --search beam or exact");
     return option.asked_mode == "beam" ? Search_method::BEAM : Search_method::EXACT;
@@ -267,11 +268,11 @@ void add_match_options(Option_table& table, Match_options& match)
       .asks_for("exact")
       .for_pairs()
       .in_python();
-  add("search-time-limit", "SECONDS", &search.exact.time_limit,
-      "time limit of the exact search; it then returns its best result and the gap to its lower bound")
+  add("search-time-limit", "SECONDS", &search.time_limit,
+      "time limit of a match; its best result up to then is written, exact search with the gap to its lower bound, or "
+      "that of --search parts if there is none yet")
       .at_least(0)
       .without_default()
-      .only_for({"exact"})
       .asks_for("exact")
       .for_pairs();
   add("source-parts", "NAMES", &match.source_parts,

@@ -147,7 +147,6 @@ private:
     read_looks();
     const IO::Blend_appearance appearance{source().appearance, target().appearance};
     const bool has_materials = !appearance.source.empty() || !appearance.target.empty();
-    write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr);
     append(warnings, pairs.warnings);
     append(warnings, unlikely);
     warn_of_obstacles(blend, source(), target(), warnings);
@@ -155,7 +154,8 @@ private:
       IO::write_blend_json(out, blend, source().graph, target().graph, inputs[0], inputs[1], output_.path,
                            output_.frames, warnings);
     };
-    write_output(common.json, write_json);
+    write_blend(output_, blend, pairs, output_.colours == "materials" || has_materials ? &appearance : nullptr,
+                [&] { write_output(common.json, write_json); });
     if (output_.is_page()) write_page(blend, pairs, write_json);
     if (!common.prints_table()) return;
     if (common.verbose) {

@@ -10,6 +10,7 @@
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -46,8 +47,9 @@ void check_output(const Blend_output& output);
 Blend_options blend_options(const Blend_output& output);
 
 /// Writes the blend. \param appearance of the models; null: corresponding parts have one colour
+/// \param finish writes what goes with it: before a folder gets its name, so that there is all or nothing, or after a file
 void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
-                 const IO::Blend_appearance* appearance);
+                 const IO::Blend_appearance* appearance, const std::function<void()>& finish);
 
 /// Removes pairs that are less probable than `least`. \return a warning for each of them
 std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,

@@ -4,6 +4,7 @@
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "cli/blend.h"
+#include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/atomic_file.h"
 
@@ -205,25 +206,29 @@ void write_all(const std::string& folder, const Blend_output& output, const std:
 } // namespace
 
 void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
-                 const IO::Blend_appearance* appearance)
+                 const IO::Blend_appearance* appearance, const std::function<void()>& finish)
 {
   const IO::Blend_appearance none, &looks = appearance ? *appearance : none;
-  if (const std::string format = file_format(output); !format.empty())
+  if (!output.is_file())
+    return IO::write_folder_atomically(output.path, [&](const std::string& folder) {
+      if (output.schedule == "all")
+        write_all(folder, output, blend.different_blends(), looks);
+      else
+        write_frames(folder, output, blend, looks);
+      finish();
+    });
+  if (const std::string format = file_format(output); !format.empty()) {
     write_shape(output.path, format, blend, looks, output.at, output.solid);
-  else if (is_glb(output.path))
-    IO::write_atomically(output.path, [&](std::ostream& out) {
+    output_is_whole(output.path);
+  } else if (is_glb(output.path)) {
+    write_output(output.path, [&](std::ostream& out) {
       if (appearance)
         IO::write_blend_glb(out, blend, *appearance, output.frames);
       else
         IO::write_blend_glb(out, blend, correspondence, output.frames);
     });
-  else if (!output.is_page())
-    IO::write_folder_atomically(output.path, [&](const std::string& folder) {
-      if (output.schedule == "all")
-        write_all(folder, output, blend.different_blends(), looks);
-      else
-        write_frames(folder, output, blend, looks);
-    });
+  }
+  finish();
 }
 
 } // namespace CGAL::Shape_correspondence::cli

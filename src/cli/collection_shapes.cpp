@@ -101,7 +101,7 @@ std::string store_graph(const std::string& folder, const Common_options& options
   const std::string file = graph_file(folder, content);
   if (stored_text(folder, content)) return content;
   if (fs::exists(file)) warn(options, file + ": it is damaged; it is made again");
-  IO::write_atomically(file, [&](std::ostream& out) { out << text; });
+  IO::write_entry(file, [&](std::ostream& out) { out << text; });
   return content;
 }
 
@@ -232,13 +232,12 @@ std::vector<std::string> collection_paths(const std::vector<std::string>& inputs
     const fs::path folder = inputs[0];
     IO::check_exists(inputs[0]);
     if (!fs::is_directory(folder))
-      throw Invalid_input(inputs[0] + ": it is one file; a collection is a folder of shapes, or several inputs");
+      throw Invalid_input(inputs[0] + ": it is one file; give a folder of shapes, or several inputs");
     result = shapes_in(inputs[0], left_out);
   }
   if (result.size() < 2)
-    throw Invalid_input(
-        inputs[0] + ": there are " + std::to_string(result.size()) +
-        " shapes in it; a collection has at least two (model files, graphs, or folders of part meshes)");
+    throw Invalid_input(inputs[0] + ": there are " + std::to_string(result.size()) +
+                        " shapes in it; give two or more (model files, graphs, or folders of part meshes)");
   return result;
 }
 
@@ -261,8 +260,9 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
     skipped_.push_back("Left out: " + input.failure);
   }
   if (!failures.empty() && !skip_bad)
-    throw Invalid_input(failures + "\nthe collection needs all of its shapes; --skip-bad leaves these out");
-  if (shapes_.size() < 2) throw Invalid_input(failures + "\nfewer than two shapes are left");
+    throw Invalid_input(failures +
+                        "\nthe collection needs all of its shapes; repair these, or leave them out by --skip-bad");
+  if (shapes_.size() < 2) throw Invalid_input(failures + "\nfewer than two shapes are left; give more of them");
   make_names_unique(shapes_);
 }
 
@@ -273,7 +273,7 @@ Collection_shapes::Collection_shapes(const std::vector<std::pair<std::string, St
     shapes_.back().content = IO::digest(text_of(graph));
     graphs_.push_back(graph);
   }
-  if (shapes_.size() < 2) throw Invalid_input("a collection has at least two shapes");
+  if (shapes_.size() < 2) throw Invalid_input("a collection has at least two shapes; give more of them");
   make_names_unique(shapes_);
 }
 

@@ -169,7 +169,7 @@ void Tile_store::insert(const std::string& name, const std::vector<Rated_map>& p
   if (folder_.empty())
     in_memory_[name] = std::move(bytes);
   else
-    IO::write_checked_file(path(name), title(name), bytes);
+    IO::write_checked_entry(path(name), title(name), bytes);
 }
 
 std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy)

@@ -40,7 +40,7 @@ std::string data_folder()
   const fs::path installed = program.parent_path() / SHAPE_CORRESPONDENCE_INSTALLED_DATA;
   for (const fs::path& folder : {program / "data", installed, fs::path(SHAPE_CORRESPONDENCE_SOURCE_DATA)})
     if (fs::is_directory(folder / source_model, error)) return folder.string();
-  throw Invalid_input(installed.string() + ": the models that come with the program are not there; reinstall it");
+  throw Invalid_input(installed.string() + ": the models that come with the program are not there; install it again");
 }
 
 // What the demo writes

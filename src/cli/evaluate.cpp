@@ -66,12 +66,11 @@ std::vector<std::string> result_files(const std::vector<std::string>& inputs)
       continue;
     }
     const std::size_t before = files.size();
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(input))
-      if (entry.is_regular_file() && !IO::is_hidden(entry.path()) && entry.path().extension() == ".json" &&
-          IO::is_correspondence_json(entry.path().string()))
-        files.push_back(entry.path().string());
-    if (files.size() == before) throw Invalid_input(input + ": there is no result of `match --json` in this folder");
-    std::sort(files.begin() + std::ptrdiff_t(before), files.end());
+    for (const std::string& file : IO::files_under(input))
+      if (fs::path(file).extension() == ".json" && IO::is_correspondence_json(file)) files.push_back(file);
+    if (files.size() == before)
+      throw Invalid_input(input +
+                          ": there is no result of `match --json` in this folder; give the folder that has them");
   }
   return files;
 }
@@ -101,8 +100,7 @@ const IO::Labelled_shape& shape_of(const std::string& path, const std::vector<IO
     if (named.size() != 1) throw complaint("has the name of several labelled shapes; give the labels of one of them");
     return *named[0];
   }
-  throw complaint(
-      "has no labels among those given; a labelled shape is known by the name of the folder of its labels.json");
+  throw complaint("has no labels among those given; give them, in a folder of its name");
 }
 
 std::size_t part_index(const std::string& part, const IO::Labelled_shape& shape, const std::string& result_file)
@@ -110,7 +108,7 @@ std::size_t part_index(const std::string& part, const IO::Labelled_shape& shape,
   const std::size_t index = shape.index(part);
   if (index == shape.parts.size())
     throw Invalid_input(result_file + ": its part '" + part + "' is not in " + shape.file +
-                        "; were the labels made for other parts?");
+                        "; give the labels of these parts");
   return index;
 }
 
@@ -123,7 +121,7 @@ Judged_result judge(const Named_result& judged, const std::vector<IO::Labelled_s
   result.target = &shape_of(named.target, shapes, file);
   if (result.source->category != result.target->category)
     throw Invalid_input(file + ": its source is of category '" + result.source->category + "', its target of '" +
-                        result.target->category + "'; labels of different categories cannot be compared");
+                        result.target->category + "', whose labels cannot be compared; leave this result out");
   for (const IO::Named_part_correspondence& pair : named.pairs)
     result.pairs.emplace_back(part_index(pair.source, *result.source, file),
                               part_index(pair.target, *result.target, file));

@@ -79,7 +79,7 @@ void keep_known(const std::string& path, const std::string& key, const Common_op
   for (const std::string& warning : warnings)
     text += warning + '\n';
   try {
-    IO::write_checked_file(entry(key, common.cache), title_of_entry(key), text);
+    IO::write_checked_entry(entry(key, common.cache), title_of_entry(key), text);
   } catch (const Invalid_input&) { // it is read again the next time
   }
 }

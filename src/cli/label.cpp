@@ -79,7 +79,7 @@ Labelled_model labelled_source(const std::string& path, const Common_options& co
   std::vector<Labelled_model> models = load_labelled_models({path}, common);
   if (models.size() > 1)
     throw Invalid_input(path + ": it has " + std::to_string(models.size()) +
-                        " labelled shapes; --labels-from takes the folder of one");
+                        " labelled shapes; give --labels-from the folder of one");
   return std::move(models[0]);
 }
 

@@ -39,7 +39,7 @@ std::vector<Part_label> labels_by_part(const Structural_graph& graph, const IO::
   for (const Part_abstraction& part : structure(graph).parts) {
     const std::size_t index = labels.index(part.name);
     if (index == labels.parts.size())
-      throw Invalid_input(labels.file + ": there is no label of the part '" + part.name + "'");
+      throw Invalid_input(labels.file + ": there is no label of the part '" + part.name + "'; add one");
     result.push_back(labels.labels[index]);
   }
   return result;

@@ -6,6 +6,7 @@
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/input_file.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
@@ -149,7 +150,7 @@ void rethrow_about(const std::string& path)
   } catch (const Invalid_input& error) {
     throw Invalid_input(message_about(path, error.what()));
   } catch (const std::bad_alloc&) {
-    throw Invalid_input(path + ": it needs more memory than there is; simplify the model");
+    throw Invalid_input(path + ": it needs more memory than there is; " + IO::remedy::make_smaller);
   } catch (const Usage_error&) {
     throw;
   } catch (const fs::filesystem_error&) {

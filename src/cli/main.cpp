@@ -4,6 +4,7 @@
 #include "cli/Command.h"
 #include "io/system/operating_system.h"
 #include "io/system/quoting.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>
@@ -27,7 +28,9 @@ int complain(const std::string& message, Exit_status status)
 int flushed()
 {
   std::cout.flush();
-  return std::cout ? done : complain("standard output: it cannot be written", unusable_input);
+  return std::cout ? done
+                   : complain(std::string("standard output: it cannot be written; ") + IO::remedy::write_elsewhere,
+                              unusable_input);
 }
 
 int run_command(const std::string& name, const std::vector<std::string>& arguments)
@@ -44,11 +47,13 @@ int run_command(const std::string& name, const std::vector<std::string>& argumen
   } catch (const Invalid_input& error) {
     return complain(error.what(), unusable_input);
   } catch (const std::filesystem::filesystem_error& error) {
-    return complain(error.path1().string() + ": it cannot be used (" + error.code().message() +
-                        "); check the path and its permissions",
+    const std::string path = error.path1().string();
+    return complain((path.empty() ? "a folder" : path) + ": it cannot be used (" + error.code().message() + "); " +
+                        IO::remedy::check_permissions,
                     unusable_input);
   } catch (const std::bad_alloc&) {
-    return complain("there is not enough memory for this input", unusable_input);
+    return complain(std::string("there is not enough memory for this input; ") + IO::remedy::make_smaller,
+                    unusable_input);
   } catch (const std::exception& error) {
     return complain("unexpected error: " + std::string(error.what()) +
                         "; this is a mistake of the program: please report it, with the command and its inputs",

@@ -54,16 +54,11 @@ Examples: shape_correspondence parts chair.obj
 
 std::vector<std::string> models_in(const std::string& folder)
 {
-  if (!fs::is_directory(folder)) throw Invalid_input(folder + ": it is not a folder");
+  if (!fs::is_directory(folder)) throw Invalid_input(folder + ": it is not a folder; give one, or leave --all out");
   std::vector<std::string> result;
-  fs::recursive_directory_iterator end, entry(folder);
-  for (; entry != end; ++entry)
-    if (IO::is_hidden(entry->path()))
-      entry.disable_recursion_pending();
-    else if (entry->is_regular_file() && IO::is_model_file(entry->path().string()))
-      result.push_back(entry->path().string());
-  std::sort(result.begin(), result.end());
-  if (result.empty()) throw Invalid_input(folder + ": there is no model file in it");
+  for (const std::string& file : IO::files_under(folder))
+    if (IO::is_model_file(file)) result.push_back(file);
+  if (result.empty()) throw Invalid_input(folder + ": there is no model file in it; give the folder that has them");
   return result;
 }
 

@@ -213,7 +213,7 @@ void evaluate(const std::vector<std::string>& folders, const Roles_options& role
   const std::shared_ptr<const Role_model> model = role_model_of(roles.label.roles);
   const std::vector<Labelled_model> models = load_labelled_models(folders, common);
   const auto pairs = listed_pairs(models, roles.training.most_pairs);
-  if (pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any");
+  if (pairs.empty()) throw Invalid_input(folders[0] + ": it takes two shapes of a category to match any; add some");
   const Evaluated_roles found = evaluated(models, pairs, model, roles.training.options.seed);
   write_output(common.json, [&](std::ostream& out) { evaluation_json(found).write(out); });
   if (common.prints_table()) write_evaluation_table(std::cout, found);

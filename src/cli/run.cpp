@@ -3,13 +3,17 @@
 
 #include "cli/run.h"
 #include "base/for_each_index.h"
+#include "cli/text.h"
 #include "io/system/atomic_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/quoting.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::cli {
 namespace {
@@ -33,12 +37,31 @@ bool is_enabled(const Common_options& options)
   return options.progress == "always" || IO::errors_are_on_terminal();
 }
 
+/// The outputs that the command has written, for the message if another one fails.
+std::vector<std::string>& whole_outputs()
+{
+  static std::vector<std::string> result;
+  return result;
+}
+
 } // namespace
+
+void start_outputs() { whole_outputs().clear(); }
 
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write)
 {
-  if (!file.empty()) IO::write_atomically(file, write);
+  if (file.empty()) return;
+  try {
+    IO::write_atomically(file, write);
+  } catch (const Invalid_input& error) {
+    const std::string whole = listed(whole_outputs());
+    if (whole.empty()) throw;
+    throw Invalid_input(error.what() + ("; what was written before is whole: " + whole));
+  }
+  output_is_whole(file);
 }
+
+void output_is_whole(const std::string& file) { whole_outputs().push_back(file == "-" ? "standard output" : file); }
 
 void warn(const Common_options& options, const std::string& message)
 {

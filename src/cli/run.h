@@ -14,8 +14,15 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Writes an output file, all of it or nothing; none if it is not asked for. \throw Invalid_input if that fails
+/// Forgets the outputs of commands before.
+void start_outputs();
+
+/// Writes an output file, all of it or nothing; none if it is not asked for.
+/// \throw Invalid_input if that fails; names the outputs that were written before it, too
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write);
+
+/// To be called when an output was written in another way.
+void output_is_whole(const std::string& file);
 
 /// Warns on standard error, unless the options are to be quiet.
 void warn(const Common_options& options, const std::string& message);

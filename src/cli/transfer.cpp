@@ -76,7 +76,7 @@ Source_labels source_labels(const Segmented_shape& source, const std::string& fr
   for (const Shape_part& part : source.parts()) {
     const std::size_t index = labelled[0].index(part.name);
     if (index == labelled[0].parts.size())
-      throw Invalid_input(from + ": it has no label of the source's part '" + part.name + "'");
+      throw Invalid_input(from + ": it has no label of the source's part '" + part.name + "'; add one");
     result.add(labelled[0].labels[index].coarse);
   }
   return result;
@@ -208,7 +208,7 @@ Transferred_looks transfer_looks(Loaded_shape& source, Loaded_shape& target, con
     if (source.appearance.empty())
       throw Invalid_input(source.path + ": it has no materials, textures or colours to transfer" +
                           (source.appearance.warnings.empty() ? "" : " (" + source.appearance.warnings[0] + ')') +
-                          "; --labels parts transfers which part is which");
+                          "; use --labels parts to transfer which part is which");
     result.result = transfer_appearance(source.graph, *source.model, source.appearance, target.graph, *target.model,
                                         target.appearance, correspondence, request.options);
   } else {
@@ -218,7 +218,10 @@ Transferred_looks transfer_looks(Loaded_shape& source, Loaded_shape& target, con
         transfer_labels(source.graph, *source.model, labels.of_part, IO::distinct_colours(labels.names.size()),
                         target.graph, *target.model, target.appearance, correspondence, request.options);
   }
-  if (!request.output.empty()) IO::write_transferred_shape(request.output, *target.model, result.result, result.labels);
+  if (!request.output.empty()) {
+    IO::write_transferred_shape(request.output, *target.model, result.result, result.labels);
+    output_is_whole(request.output);
+  }
   return result;
 }
 

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
+
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/part_matrix.h>
@@ -137,8 +139,11 @@ Part_matrix part_matrix(const std::vector<std::size_t>& part_counts, const std::
     throw Invalid_input("co_analysis: the least cycle support must be between 0 and 1");
   Part_matrix result;
   result.first = {0};
-  for (std::size_t count : part_counts)
+  for (std::size_t count : part_counts) {
+    if (count > internal::most_parts)
+      throw Invalid_input("co_analysis: a shape has " + internal::too_many_parts(count));
     result.first.push_back(result.first.back() + count);
+  }
   const Counterparts counterparts(result.first, maps);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t part = 0; part < counterparts.size(); ++part)

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/check_number.h"
 #include "base/for_each_index.h"
 #include "collection/Shared_progress.h"
 
@@ -89,6 +90,9 @@ std::vector<Rated_map> match_pairs(const std::vector<Prepared_shape>& shapes,
                                    const Energy_matrix_options& options)
 {
   check(options);
+  for (const auto& [source, target] : pairs)
+    for (std::size_t shape : {source, target})
+      check_index("match_pairs", "shape", shape, shapes.size());
   std::vector<std::unique_ptr<const Correspondence_finder>> finders(shapes.size());
   for_each_index<ConcurrencyTag>(shapes.size(), [&](std::size_t i) {
     finders[i] = std::make_unique<Correspondence_finder>(shapes[i], options.search);

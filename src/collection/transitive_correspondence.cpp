@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/transitive_correspondence.h>
+#include "base/check_number.h"
 
-#include <CGAL/assertions.h>
+#include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
 #include <algorithm>
 #include <limits>
@@ -58,7 +58,10 @@ constexpr std::size_t no_shape = std::size_t(-1);
 std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>& tree)
 {
   std::vector<std::vector<std::size_t>> neighbours(tree.size() + 1);
+  internal::check_index("tree_path", "shape", root, neighbours.size());
   for (const auto& [a, b] : tree) {
+    for (std::size_t shape : {a, b})
+      internal::check_index("tree_path", "shape", shape, neighbours.size());
     neighbours[a].push_back(b);
     neighbours[b].push_back(a);
   }
@@ -75,7 +78,8 @@ std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>
 
 std::vector<std::size_t> way(std::size_t from, const std::vector<std::size_t>& next)
 {
-  CGAL_precondition(next[from] != no_shape);
+  if (from >= next.size() || next[from] == no_shape)
+    throw Invalid_input("tree_path: the tree does not connect the two shapes");
   std::vector<std::size_t> path{from};
   while (next[path.back()] != path.back())
     path.push_back(next[path.back()]);

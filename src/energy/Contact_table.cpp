@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,10 +24,11 @@ namespace {
 class Contact_table
 {
 public:
-  explicit Contact_table(const Matching_problem& problem)
+  Contact_table(const Matching_problem& problem, const Deadline& deadline)
       : problem_(problem),
         fitted_(problem.fitted()),
-        pair_of_(fitted_.takes_samples() ? fitted_.number_of_lanes() * fitted_.number_of_lanes() : 0, none),
+        deadline_(deadline),
+        pair_of_(number_of_lane_pairs(), none),
         distances_(fitted_.number_of_target_pieces())
   {}
 
@@ -43,12 +46,14 @@ public:
         touching_[side].push_back(problem_.touching(contact, side, label));
     }
     known_.assign(count_[0] * count_[1], none);
-    for (std::size_t a = 0; a < touching_[0].size(); ++a)
+    for (std::size_t a = 0; a < touching_[0].size(); ++a) {
+      deadline_.check();
       for (std::size_t b = 0; b < touching_[1].size(); ++b) {
         const std::size_t before = compared_.size();
         if (groups[0] != groups[1] || a == b) list(touching_[0][a], touching_[1][b]);
         counts_.push_back(std::uint32_t(compared_.size() - before));
       }
+    }
   }
 
   // Whether more is listed than fits in the processor's cache.
@@ -96,6 +101,13 @@ private:
     std::uint32_t first, second; // fitted pieces
     std::uint32_t comparison;    // first of the list
   };
+
+  std::size_t number_of_lane_pairs() const
+  {
+    const std::size_t lanes = fitted_.takes_samples() ? fitted_.number_of_lanes() : 0;
+    check_bytes_of_tables(double(sizeof(std::uint32_t)) * double(lanes) * double(lanes));
+    return lanes * lanes;
+  }
 
   // Lists a pair of clones for each clone: it and the nearest one of the other part.
   void list(const Range& first, const Range& second)
@@ -166,6 +178,7 @@ private:
   void compare()
   {
     for (const Target_pair& pair : pairs_) {
+      deadline_.check();
       const Fitted &first = fitted_[pair.first], &second = fitted_[pair.second];
       rods_.clear();
       for (std::uint32_t i = pair.comparison; i != none; i = comparisons_[i].next)
@@ -196,6 +209,7 @@ private:
 
   const Matching_problem& problem_;
   const Fitted_pieces& fitted_;
+  const Deadline& deadline_;
   std::vector<std::uint32_t> pair_of_;  // by `pair_index()`, in `pairs_`; empty if fitted pieces share no samples
   std::vector<Target_pair> pairs_;      // with comparisons
   std::vector<Comparison> comparisons_; // contact by contact
@@ -220,7 +234,14 @@ private:
 
 } // namespace
 
-void Matching_problem::fill_contact_energies()
+void check_bytes_of_tables(double bytes)
+{
+  if (bytes <= double(most_bytes_of_tables)) return;
+  constexpr double gigabyte = 1 << 30;
+  throw Too_large("take " + std::to_string(std::lround(std::ceil(bytes / gigabyte))) + " GB of memory");
+}
+
+void Matching_problem::fill_contact_energies(const Deadline& deadline)
 {
   std::size_t count = 0;
   for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
@@ -229,7 +250,7 @@ void Matching_problem::fill_contact_energies()
     count += number_of_labels(first) * number_of_labels(second);
   }
   contact_energies_.reserve(count);
-  Contact_table table(*this);
+  Contact_table table(*this, deadline);
   for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
     table.list(contact);
     if (table.is_full()) table.compute(contact_energies_);

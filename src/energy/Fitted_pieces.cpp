@@ -32,7 +32,8 @@ int segment_of_sample(std::size_t sample, int count)
 } // namespace
 
 Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
-                             const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how)
+                             const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how,
+                             const Deadline& deadline)
     : fit_(how), source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
 {
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
@@ -42,6 +43,7 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
     fitted_begin_.push_back(fitted_.size());
     label_begin_.push_back(image_begin_.size());
     for (const Group_label& label : labels[group]) {
+      deadline.check();
       image_begin_.push_back(images_.size());
       for (const Piece_image& image : label.images[member])
         images_.push_back(fit(image));

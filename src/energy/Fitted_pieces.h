@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/deadline.h"
 #include "energy/Deformable_shape.h"
 #include "energy/match_groups.h"
 
@@ -58,9 +59,9 @@ using Fitted_range = boost::iterator_range<const std::uint32_t*>;
 class Fitted_pieces
 {
 public:
-  // \param labels by source group
+  // \param labels by source group \throw Out_of_time
   Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
-                const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how);
+                const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how, const Deadline& deadline);
 
   // Whether a fitted piece has the very samples of its target, so that others that are fitted to it have them, too.
   bool takes_samples() const { return fit_ == Deform_to_fit::SAMPLES; }

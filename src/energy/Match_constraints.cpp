@@ -62,17 +62,20 @@ Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_
 
 Pinned_sets pinned_sets(const std::vector<Part_pair>& pins)
 {
-  std::size_t sources = 0, targets = 0;
-  for (const Part_pair& pin : pins) {
-    sources = std::max(sources, pin.source + 1);
-    targets = std::max(targets, pin.target + 1);
-  }
-  Disjoint_sets joined(sources + targets);
+  // By index of a part, which may be any number yet, its place among those that are pinned
+  std::map<std::size_t, std::size_t> sources, targets;
   for (const Part_pair& pin : pins)
-    joined.unite(pin.source, sources + pin.target);
+    sources[pin.source], targets[pin.target];
+  std::size_t place = 0;
+  for (auto* places : {&sources, &targets})
+    for (auto& part : *places)
+      part.second = place++;
+  Disjoint_sets joined(place);
+  for (const Part_pair& pin : pins)
+    joined.unite(sources[pin.source], targets[pin.target]);
   std::map<std::size_t, std::array<std::set<std::size_t>, 2>> sets;
   for (const Part_pair& pin : pins) {
-    auto& [source, target] = sets[joined[pin.source]];
+    auto& [source, target] = sets[joined[sources[pin.source]]];
     source.insert(pin.source);
     target.insert(pin.target);
   }

@@ -53,7 +53,7 @@ std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t gro
 
 std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
                                          const std::vector<std::size_t>& allowed, const Matching_options& options,
-                                         const Match_constraints& constraints)
+                                         const Match_constraints& constraints, const Deadline& deadline)
 {
   const std::size_t first_part = source.group(group).parts[0];
   const bool is_pinned = !constraints.empty() && !constraints.pinned(first_part).empty();
@@ -64,12 +64,14 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
     const std::vector<std::size_t> matched = candidates(source, group, target, allowed);
     result.reserve(2 * matched.size() + 1);
     for (std::size_t candidate : matched) {
+      deadline.check();
       Group_label label = match_groups(source, group, target, candidate, constraints);
       if (is_allowed(label, constraints)) result.push_back(std::move(label));
     }
   }
   const std::size_t uncut = result.size();
   for (std::size_t l = 0; options.cut_curves && l < uncut; ++l) {
+    deadline.check();
     if (result[l].operation == Operation::MATCH) continue; // one to one
     Group_label cut = cut_curves(source, group, target, result[l]);
     if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) result.push_back(std::move(cut));
@@ -85,22 +87,36 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
   return result;
 }
 
+// The labels. \throw Too_large if the energies of contacts, and what the energy has of them, take too much memory
+std::vector<std::vector<Group_label>> small_enough(const Aligned_shape& source,
+                                                   std::vector<std::vector<Group_label>> labels)
+{
+  double pairs = 0;
+  for (const Aligned_shape::Contact& contact : source.contacts)
+    pairs +=
+        double(labels[source.group_of[contact.parts[0]]].size() * labels[source.group_of[contact.parts[1]]].size());
+  check_bytes_of_tables((sizeof(Rod_energy) + 2 * sizeof(double)) * pairs);
+  return labels;
+}
+
 std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, const Aligned_shape& target,
-                                                 const Matching_options& options, const Group_candidates& allowed)
+                                                 const Matching_options& options, const Group_candidates& allowed,
+                                                 const Deadline& deadline)
 {
   const Match_constraints constraints(source, target, options);
   std::vector<std::vector<Group_label>> result;
   for (std::size_t g = 0; g < source.number_of_groups(); ++g)
     result.push_back(labels_of_group(source, g, target, allowed.empty() ? std::vector<std::size_t>() : allowed[g],
-                                     options, constraints));
+                                     options, constraints, deadline));
   return result;
 }
 
 } // namespace
 
 Matching_problem::Matching_problem(const Shared_shape& source, const Shared_shape& target,
-                                   const Matching_options& options, const Group_candidates& allowed)
-    : Matching_problem(source, target, all_labels(*source, *target, options, allowed), options)
+                                   const Matching_options& options, const Group_candidates& allowed,
+                                   const Deadline& deadline)
+    : Matching_problem(source, target, all_labels(*source, *target, options, allowed, deadline), options, deadline)
 {
   has_shortlists_ = !allowed.empty() || target_->number_of_groups() > maximum_labels;
 }
@@ -111,14 +127,15 @@ Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target, c
 {}
 
 Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
-                                   std::vector<std::vector<Group_label>> labels, const Matching_options& options)
+                                   std::vector<std::vector<Group_label>> labels, const Matching_options& options,
+                                   const Deadline& deadline)
     : source_(std::move(source)),
       target_(std::move(target)),
       options_(options),
-      labels_(std::move(labels)),
-      fitted_(*source_, *target_, labels_, options.fit)
+      labels_(small_enough(*source_, std::move(labels))),
+      fitted_(*source_, *target_, labels_, options.fit, deadline)
 {
-  fill_contact_energies();
+  fill_contact_energies(deadline);
   fill_group_terms();
   add_role_costs();
   add_up_energy();

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/deadline.h"
 #include "energy/Deformable_shape.h"
 #include "energy/Fitted_pieces.h"
 #include "energy/match_groups.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -24,6 +26,20 @@ constexpr std::size_t maximum_labels = 64;
 /// By source group, the target groups that it may be matched to, ascending; empty: all.
 using Group_candidates = std::vector<std::vector<std::size_t>>;
 
+/// Bytes that the tables of a search for the least energy take, and as many again for those of exact search. The tables
+/// of the best search so far are kept, too.
+constexpr std::size_t most_bytes_of_tables = std::size_t(1) << 29;
+
+/// The tables of the energies would take too much memory; the message says how much.
+class Too_large : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// \throw Too_large if `bytes` are more than `most_bytes_of_tables`
+void check_bytes_of_tables(double bytes);
+
 /// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. A part that
 /// is deformed to fit depends on itself and on its target part alone. Once every group has a label, E is therefore a
 /// sum over groups and over pairs of groups in contact of terms that depend on their labels alone; each is computed
@@ -34,14 +50,15 @@ class Matching_problem
 public:
   using Shared_shape = std::shared_ptr<const Deformable_shape>;
 
-  /// \param allowed empty: all groups
+  /// \param allowed empty: all groups \throw Too_large, internal::Out_of_time
   Matching_problem(const Shared_shape& source, const Shared_shape& target, const Matching_options& options = {},
-                   const Group_candidates& allowed = {});
+                   const Group_candidates& allowed = {}, const internal::Deadline& deadline = internal::Deadline());
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
   /// With given labels, by source group: to rate a mapping that was found in another way. Members of a group may have
   /// no image; their contacts cost nothing. \pre at least one label a group, as many lists of images as it has members
+  /// \throw Too_large, internal::Out_of_time
   Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
-                   const Matching_options& options = {});
+                   const Matching_options& options = {}, const internal::Deadline& deadline = internal::Deadline());
 
   const Deformable_shape& source() const { return *source_; }
   const Deformable_shape& target() const { return *target_; }
@@ -95,7 +112,7 @@ public:
   }
 
 private:
-  void fill_contact_energies();
+  void fill_contact_energies(const internal::Deadline& deadline);
   void fill_group_terms();
   void add_cut_energy(std::size_t group, std::size_t label);
   void add_role_costs();

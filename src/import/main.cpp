@@ -266,6 +266,9 @@ Point up_of_fbx(const aiScene& scene, const std::string& file)
   return (sign < 0 ? -1 : 1) * Point::Unit(axis);
 }
 
+constexpr const char* not_readable =
+    "it cannot be read as a model of the format that its extension says: it is damaged, or of another version or kind";
+
 Model_content read_scene(const std::string& file, bool allows_outside)
 {
   const std::string extension = lower_extension(file);
@@ -287,14 +290,13 @@ Model_content read_scene(const std::string& file, bool allows_outside)
   if (!scene || !scene->mRootNode) {
     const std::string why = importer.GetErrorString();
     if (why.find(std::bad_alloc().what()) != std::string::npos) throw std::bad_alloc();
-    throw Invalid_input("it cannot be read as a model of the format that its extension says" +
-                        (why.empty() ? "" : " (" + why + ")"));
+    throw Invalid_input(not_readable);
   }
   Model_content content =
       Scene_reader(*scene, is_gltf ? triangles_of(*scene) : std::filesystem::file_size(file)).read(is_gltf);
   for (Model_part& part : content.parts)
     if (const auto found = names.find(part.name); found != names.end()) part.name = found->second;
-  if (content.parts.empty()) throw Invalid_input("there is no triangle in it; a model needs a mesh for every part");
+  if (content.parts.empty()) throw Invalid_input("there is no triangle in it; give every part a mesh");
   if (extension == ".fbx") content.up = up_of_fbx(*scene, file);
   if (is_3mf) content.up = Point::UnitZ(); // as the format has it
   return content;
@@ -369,8 +371,8 @@ int main(int argc, char* argv[])
       std::cout << IO::has_complaint << error.what();
     } catch (const std::bad_alloc&) {
       throw;
-    } catch (const std::exception& error) {
-      std::cout << IO::has_complaint << "it cannot be read (" << error.what() << ")";
+    } catch (const std::exception&) { // of assimp, whose words are for programmers
+      std::cout << IO::has_complaint << IO::not_readable;
     }
   } catch (const std::bad_alloc&) {
     return IO::out_of_memory_status;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/check_number.h"
 #include "base/clamped.h"
 #include "base/quantized.h"
 #include "map/Surface_pair.h"
@@ -118,6 +119,7 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
 std::vector<Part_parameter> Correspondence_map::operator()(const Part_parameter& place) const
 {
   constexpr double on_border = 1e-9;
+  check_index("Correspondence_map", "part", place.part, pieces_->of_part.size());
   std::vector<Part_parameter> result;
   for (const Pieces::Piece_map& map : pieces_->of_part[place.part]) {
     if (map.closed) {

@@ -3,6 +3,7 @@
 
 #include "map/Surface_pair.h"
 #include "map/check_model.h"
+#include "matching/check_correspondence.h"
 
 #include <CGAL/Shape_correspondence/Surface_map.h>
 
@@ -17,6 +18,7 @@ Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& 
 {
   check_model(source, source_shape);
   check_model(target, target_shape);
+  check_correspondence("Surface_map", correspondence, source_shape.parts().size(), target_shape.parts().size());
   const std::array<const Segmented_shape*, 2> shapes = {&source_shape, &target_shape};
   const std::array<Charted_shape, 2> charted = {
       charted_shape(source, 0, mesh_surfaces(source_shape)),
@@ -53,14 +55,21 @@ Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& 
   }
 }
 
+std::optional<Surface_place> Surface_map::place_of(const Places& places, std::size_t part, Eigen::Index vertex)
+{
+  check_index("Surface_map", "part", part, places.size());
+  check_index("Surface_map", "vertex", std::size_t(vertex), places[part].size());
+  return places[part][std::size_t(vertex)];
+}
+
 std::optional<Surface_place> Surface_map::source_of(std::size_t target_part, Eigen::Index vertex) const
 {
-  return sources_[target_part][std::size_t(vertex)];
+  return place_of(sources_, target_part, vertex);
 }
 
 std::optional<Surface_place> Surface_map::target_of(std::size_t source_part, Eigen::Index vertex) const
 {
-  return targets_[source_part][std::size_t(vertex)];
+  return place_of(targets_, source_part, vertex);
 }
 
 } // namespace CGAL::Shape_correspondence

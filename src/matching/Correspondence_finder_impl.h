@@ -4,6 +4,7 @@
 #pragma once
 
 #include "matching/Alignments.h"
+#include "matching/Search_run.h"
 #include "matching/match_parts.h"
 #include "roles/Shape_roles.h"
 
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -28,6 +30,18 @@ struct Alignment_candidate
   bool by_roles = false;
 };
 
+constexpr const char* search_was_cancelled = "The search was cancelled";
+constexpr const char* time_is_over = "The time limit ended the search";
+
+/// The runs of a search for the least energy, of which the best one is kept.
+struct Search_runs
+{
+  std::unique_ptr<const Search_run> best;
+  std::size_t states = 0, evaluations = 0, done = 0, count = 0;
+  std::string end;       ///< why not all were done; empty: they were
+  std::string too_large; ///< what is said of those that there is no memory for; empty: there are none
+};
+
 /// What `Search_method::PARTS` finds, before the energy rates it.
 struct Part_match_result
 {
@@ -36,6 +50,7 @@ struct Part_match_result
   Alignment_candidate alignment;         ///< of least cost
   Correspondence known;                  ///< roles, category and warnings
   std::size_t tried = 0, candidates = 0; ///< number of alignments
+  std::string end;                       ///< why not all were tried
 };
 
 /// The forest votes for the parts of the source and of the target, by one category.
@@ -72,6 +87,12 @@ private:
 
   // Shared by all methods
 
+  // Whether a shape has no parts.
+  bool has_no_pairs(const Prepared_shape& target) const
+  {
+    return number_of_parts_ == 0 || structure(target.graph()).parts.empty();
+  }
+  Correspondence without_pairs(const Prepared_shape& target) const;
   Shared_shape aligned(const Prepared_shape& target, int quarter_turns) const;
   // Quarter turns of the target to try, the likeliest first.
   std::vector<int> tried_turns(const Prepared_shape& target) const;
@@ -80,11 +101,13 @@ private:
     return Match_constraints(source, target, options_.matching);
   }
   static void take_roles(const Correspondence& known, Correspondence& correspondence);
-  static void mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspondence);
+  Deadline deadline() const { return Deadline(options_.time_limit > 0 ? options_.time_limit : Deadline::never); }
+  // \param end "The search was cancelled" or `time_is_over`
+  static void mark_ended(const std::string& end, std::size_t done, std::size_t runs, Correspondence& correspondence);
 
   // By parts
 
-  Part_match_result matched_parts(const Prepared_shape& target) const;
+  Part_match_result matched_parts(const Prepared_shape& target, const Deadline& limit) const;
   // The alignments to try, the likeliest first. \param category of both shapes, if roles tell one
   std::vector<Alignment_candidate> candidates(const Prepared_shape& target, Pair_category& category) const;
   // The category of both shapes. Where they are of none as they lie, and their fronts are not sure, of which they are
@@ -107,15 +130,20 @@ private:
                                              const Alignment_candidate& alignment, Correspondence& result) const;
   // Drops pairs below `Search_options::min_confidence`.
   Part_match_result without_unsure(Part_match_result found) const;
-  // The result with the energy of deforming the source.
-  Correspondence rated(const Shared_shape& source, const Part_match_result& found) const;
+  // The result with the energy of deforming the source; that of one counterpart of each part where that of all takes
+  // long.
+  Correspondence rated(const Shared_shape& source, const Part_match_result& found, const Deadline& limit) const;
   // The result with the energy of deforming the target. \pre the target is not turned
-  Correspondence rated_backwards(Part_match_result found) const;
+  Correspondence rated_backwards(Part_match_result found, const Deadline& limit) const;
   bool takes_shapes_as_they_are() const;
 
   // By least energy
 
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
+  Search_runs runs(const Prepared_shape& target, const Search_options& options, const Deadline& deadline) const;
+  std::vector<Correspondence> correspondences_of(const Search_runs& runs, const Deadline& deadline) const;
+  // Parts matched by their costs, where there is no time or memory for any run.
+  Correspondence by_costs(const Prepared_shape& target, const Search_runs& runs, const Deadline& limit) const;
   // The options with `Matching_options::role_costs`, as far as roles are asked for and known. \param result as above
   Search_options with_role_costs(const Prepared_shape& target, Correspondence& result) const;
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;

@@ -29,9 +29,18 @@ Search_options backward(Search_options options)
 }
 
 Matching_problem problem_of(const Matching_problem::Shared_shape& source, const Matching_problem::Shared_shape& target,
-                            const Search_options& options)
+                            const Search_options& options, const Deadline& deadline)
 {
-  return {source, target, options.matching, coarse_candidates(source, target, options)};
+  return {source, target, options.matching, coarse_candidates(source, target, options, deadline), deadline};
+}
+
+// \throw Too_large if exact search, which has four tables of the size of those of the energy at a time, cannot have them
+void check_exact_tables(const Pairwise_energy& energy)
+{
+  double values = 0;
+  for (const Pairwise_energy::Edge& edge : energy.edges)
+    values += double(edge.cost.size());
+  check_bytes_of_tables(4 * sizeof(double) * values);
 }
 
 std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::vector<std::size_t>& parts)
@@ -134,27 +143,30 @@ bool merges_into_asymmetric_part(const Search_run& run, const Assignment& assign
 } // namespace
 
 Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
-                       const Search_options& options)
-    : problem(direction == Direction::SOURCE_TO_TARGET ? problem_of(source, target, options)
-                                                       : problem_of(target, source, backward(options))),
+                       const Search_options& options, const Deadline& deadline)
+    : problem(direction == Direction::SOURCE_TO_TARGET ? problem_of(source, target, options, deadline)
+                                                       : problem_of(target, source, backward(options), deadline)),
       direction(direction),
       turns(turns),
       coarse_parts(is_coarse_to_fine(*source, *target, options) ? std::size_t(options.coarse_to_fine) : 0)
 {
   if (options.method == Search_method::EXACT) {
-    Exact_options exact = options.exact;
+    check_exact_tables(problem.energy());
+    deadline.check();
+    Exact_options exact = until(deadline, options.exact);
     exact.solutions = std::size_t(options.solutions);
     result = exact_search(problem.energy(), exact);
   } else {
-    result = beam_search(problem, options.beam);
+    result = beam_search(problem, options.beam, deadline);
   }
   if (result.solutions.size() > std::size_t(options.solutions)) result.solutions.resize(std::size_t(options.solutions));
   result.optimal = result.optimal && !problem.has_shortlists();
 }
 
 Search_run::Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
-                       std::vector<std::vector<Group_label>> labels, const Search_options& options)
-    : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching)),
+                       std::vector<std::vector<Group_label>> labels, const Search_options& options,
+                       const Deadline& deadline)
+    : problem(source, target, std::move(labels), without_cost_of_unmatched(options.matching), deadline),
       direction(Direction::SOURCE_TO_TARGET),
       turns(turns)
 {
@@ -168,6 +180,13 @@ double Search_run::score(bool by_energy) const
 {
   if (by_energy) return result.best().energy;
   return result.best().energy / double(std::max<std::size_t>(1, problem.source().contacts.size()));
+}
+
+Exact_options until(const Deadline& deadline, Exact_options options)
+{
+  const double left = deadline.left();
+  if (left < Deadline::never && (options.time_limit == 0 || left < options.time_limit)) options.time_limit = left;
+  return options;
 }
 
 std::vector<std::size_t> image_parts(const Group_label& label)

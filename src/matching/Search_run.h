@@ -24,16 +24,20 @@ struct Search_run
 
   using Shared_shape = Matching_problem::Shared_shape;
 
+  // \throw Out_of_time, Too_large if there is not the time or the memory for its tables
   Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
-             const Search_options& options);
+             const Search_options& options, const Deadline& deadline);
 
   // The energy of a known mapping, the only label of every group of the source. Unmatched groups cost nothing.
   Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
-             std::vector<std::vector<Group_label>> labels, const Search_options& options);
+             std::vector<std::vector<Group_label>> labels, const Search_options& options, const Deadline& deadline);
 
   // What runs are compared by: the energy, or the energy per pair of connected parts
   double score(bool by_energy) const;
 };
+
+// The options of an exact search until the deadline. \pre the deadline is not over
+Exact_options until(const Deadline& deadline, Exact_options options);
 
 // The distinct target parts of a label, ascending.
 std::vector<std::size_t> image_parts(const Group_label& label);

@@ -168,7 +168,7 @@ bool is_coarse_to_fine(const Aligned_shape& source, const Aligned_shape& target,
 }
 
 Group_candidates coarse_candidates(const Shared_shape& source, const Shared_shape& target,
-                                   const Search_options& options)
+                                   const Search_options& options, const Deadline& deadline)
 {
   if (!is_coarse_to_fine(*source, *target, options)) return {};
   const auto count = std::size_t(options.coarse_to_fine);
@@ -177,7 +177,7 @@ Group_candidates coarse_candidates(const Shared_shape& source, const Shared_shap
   coarse.coarse_to_fine = 0;
   coarse.solutions = 1;
   coarse.matching.pinned = coarse_pins(options.matching.pinned, deformed, other);
-  const Search_run run(deformed.coarse, other.coarse, Direction::SOURCE_TO_TARGET, 0, coarse);
+  const Search_run run(deformed.coarse, other.coarse, Direction::SOURCE_TO_TARGET, 0, coarse, deadline);
 
   const std::vector<Groups> images = images_of(run, deformed, other), near = deformed.near_coarse(),
                             target_near = other.near_coarse();

@@ -18,8 +18,9 @@ bool is_coarse_to_fine(const Aligned_shape& source, const Aligned_shape& target,
 /// groups that are near to the images of these. O(n²) for n groups.
 /// \param source the shape that is deformed
 /// \param options with `matching` for this direction
-/// \return empty unless `is_coarse_to_fine()`
+/// \return empty unless `is_coarse_to_fine()` \throw Out_of_time, Too_large
 Group_candidates coarse_candidates(const Matching_problem::Shared_shape& source,
-                                   const Matching_problem::Shared_shape& target, const Search_options& options);
+                                   const Matching_problem::Shared_shape& target, const Search_options& options,
+                                   const Deadline& deadline = Deadline());
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Disjoint_sets.h"
+#include "base/limits.h"
 #include "base/quantized.h"
 #include "energy/match_groups.h"
+#include "matching/check_correspondence.h"
 
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
@@ -118,6 +120,7 @@ std::string role_of(const Correspondence_block& block, const Correspondence& c)
 
 std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
 {
+  internal::check_correspondence("correspondence_blocks", c, internal::most_parts, internal::most_parts);
   std::size_t sources = 0, targets = 0;
   for (const Part_correspondence& pair : c.pairs) {
     sources = std::max(sources, pair.source + 1);

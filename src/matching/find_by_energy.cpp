@@ -21,6 +21,8 @@ using namespace internal;
 
 namespace {
 
+constexpr double small_time = 1; // seconds for what replaces a search that there is no time for
+
 // Pairs of connected parts, and parts that touch nothing.
 std::size_t number_of_counted_pairs(const Aligned_shape& shape)
 {
@@ -43,6 +45,17 @@ void check_size(const Aligned_shape& deformed, const std::string& name, const Se
                       " at once: match it coarse to fine, match its largest parts only, or use the default method");
 }
 
+// A lower bound of the energy; 0 where its tables take too much memory.
+double least_energy_of(const Matching_problem::Shared_shape& deformed, const Matching_problem::Shared_shape& other,
+                       const Matching_options& options)
+{
+  try {
+    return Matching_problem(deformed, other, options).energy().lower_bound();
+  } catch (const Too_large&) {
+    return 0;
+  }
+}
+
 } // namespace
 
 Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape& target, Correspondence& result) const
@@ -56,55 +69,96 @@ Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape
   return options;
 }
 
-std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
+Search_runs Correspondence_finder::Impl::runs(const Prepared_shape& target, const Search_options& options,
+                                              const Deadline& deadline) const
 {
-  check_size(*source_, structure(prepared_source_.graph()).name, options_);
   const std::vector<int> turns = tried_turns(target);
-  Correspondence known;
-  const Search_options options = with_role_costs(target, known);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
   if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
-
-  std::unique_ptr<const Search_run> best;
-  std::size_t states = 0, evaluations = 0, done = 0;
-  const std::size_t run_count = turns.size() * directions.size();
-  bool cancelled = false;
-  for (std::size_t t = 0; t < turns.size() && !cancelled; ++t) {
-    const Shared_shape shape = aligned(target, turns[t]);
+  Search_runs result;
+  result.count = turns.size() * directions.size();
+  for (int turn : turns) {
+    const Shared_shape shape = aligned(target, turn);
     if (options.both_directions) check_size(*shape, structure(target.graph()).name, options);
     for (Direction direction : directions) {
-      cancelled = cancelled || (options_.progress && !options_.progress(double(done) / double(run_count)));
-      if (cancelled) break;
-      auto run = std::make_unique<Search_run>(source_, shape, direction, turns[t], options);
-      ++done;
-      states += run->result.summary.states;
-      evaluations += run->result.summary.evaluations;
-      const auto score = [&](const Search_run& of) { return quantized(of.score(options.direction_by_energy)); };
-      if (!best || score(*run) < score(*best)) best = std::move(run);
+      if (options_.progress && !options_.progress(double(result.done) / double(result.count))) {
+        result.end = search_was_cancelled;
+        return result;
+      }
+      try {
+        auto run = std::make_unique<Search_run>(source_, shape, direction, turn, options, deadline);
+        ++result.done;
+        result.states += run->result.summary.states;
+        result.evaluations += run->result.summary.evaluations;
+        if (run->result.out_of_time && deadline.is_over()) result.end = time_is_over;
+        const auto score = [&](const Search_run& of) { return quantized(of.score(options.direction_by_energy)); };
+        if (!result.best || score(*run) < score(*result.best)) result.best = std::move(run);
+      } catch (const Out_of_time&) {
+        result.end = time_is_over;
+      } catch (const Too_large& error) {
+        result.too_large = error.what();
+      }
+      if (!result.end.empty()) return result;
     }
   }
+  return result;
+}
 
+std::vector<Correspondence> Correspondence_finder::Impl::correspondences_of(const Search_runs& runs,
+                                                                            const Deadline& deadline) const
+{
+  std::vector<double> min_marginals;
+  if (options_.min_marginals && !deadline.is_over())
+    min_marginals =
+        Exact_search(runs.best->problem.energy(), until(deadline, options_.exact)).min_marginals(runs.best->result);
   std::vector<Correspondence> result;
-  if (best) {
-    std::vector<double> min_marginals;
-    if (options_.min_marginals)
-      min_marginals = Exact_search(best->problem.energy(), options_.exact).min_marginals(best->result);
-    for (const Solution& solution : best->result.solutions)
-      result.push_back(correspondence_of(*best, solution, result.empty() ? min_marginals : std::vector<double>()));
-  } else {
+  for (const Solution& solution : runs.best->result.solutions)
+    result.push_back(correspondence_of(*runs.best, solution, result.empty() ? min_marginals : std::vector<double>()));
+  return result;
+}
+
+Correspondence Correspondence_finder::Impl::by_costs(const Prepared_shape& target, const Search_runs& runs,
+                                                     const Deadline& limit) const
+{
+  const Deadline fast = runs.end.empty() ? limit : Deadline(small_time);
+  Correspondence result = rated(source_, matched_parts(target, fast), fast);
+  result.complete = result.complete && runs.end.empty();
+  result.warnings.push_back((runs.end.empty() ? "The search would " + runs.too_large
+                                              : std::string(time_is_over) + " before it had found anything") +
+                            "; parts were matched by their costs in its place, as --search parts does.");
+  return result;
+}
+
+std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
+{
+  const Deadline limit = deadline();
+  check_size(*source_, structure(prepared_source_.graph()).name, options_);
+  Correspondence known;
+  const Search_runs searched = runs(target, with_role_costs(target, known), limit);
+  std::vector<Correspondence> result;
+  if (searched.best)
+    result = correspondences_of(searched, limit);
+  else if (searched.end == search_was_cancelled)
     result.emplace_back();
-  }
+  else
+    return {by_costs(target, searched, limit)};
   for (Correspondence& correspondence : result) {
-    correspondence.search.states = states;
-    correspondence.search.evaluations = evaluations;
+    correspondence.search.states = searched.states;
+    correspondence.search.evaluations = searched.evaluations;
     take_roles(known, correspondence);
-    if (cancelled) mark_cancelled(done, run_count, correspondence);
+    if (!searched.end.empty()) mark_ended(searched.end, searched.done, searched.count, correspondence);
+    if (!searched.too_large.empty()) {
+      correspondence.optimal = false;
+      correspondence.warnings.push_back("To deform one of the shapes would " + searched.too_large +
+                                        "; only the other one was deformed.");
+    }
   }
   return result;
 }
 
 double Correspondence_finder::Impl::lower_bound(const Prepared_shape& target, double unmatched_energy) const
 {
+  if (has_no_pairs(target)) return 0;
   const bool both_directions = options_.both_directions && options_.method != Search_method::PARTS;
   double bound = std::numeric_limits<double>::infinity();
   for (int turn : tried_turns(target)) {
@@ -121,9 +175,7 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
 {
   const double pairs = double(number_of_counted_pairs(*deformed));
   if (options_.method != Search_method::PARTS)
-    return Matching_problem(deformed, other, deformed == source_ ? options_.matching : reversed(options_.matching))
-               .energy()
-               .lower_bound() /
+    return least_energy_of(deformed, other, deformed == source_ ? options_.matching : reversed(options_.matching)) /
            pairs;
   if (options_.matching.norm == Energy_norm::POOLED) return 0;
   Matching_options matching = options_.matching;
@@ -132,9 +184,10 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
   matching.forbidden.clear();
   matching.role_costs.resize(0, 0);
   matching.unmatched_cost = unmatched_energy;
-  const Matching_problem problem(std::make_shared<Deformable_shape>(deformed->ungrouped()),
-                                 std::make_shared<Deformable_shape>(other->ungrouped()), matching);
-  return problem.has_shortlists() ? 0 : problem.energy().lower_bound() / pairs;
+  if (other->parts.size() > maximum_labels) return 0; // not every part would be a label
+  return least_energy_of(std::make_shared<Deformable_shape>(deformed->ungrouped()),
+                         std::make_shared<Deformable_shape>(other->ungrouped()), matching) /
+         pairs;
 }
 
 } // namespace CGAL::Shape_correspondence

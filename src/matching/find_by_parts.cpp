@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,33 @@ std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligne
   std::vector<std::size_t> result;
   for (std::size_t part : from.original)
     result.push_back(place_of(to, part));
+  return result;
+}
+
+// Whether the energy of a matching is computed fast: counterparts of parts that touch are compared each with each.
+bool is_rated_fast(const Part_matching& matching, const Aligned_shape& source)
+{
+  constexpr double most_comparisons = 2e8; // of which a second has 1e8
+  std::vector<double> counterparts(source.parts.size(), 0);
+  for (const Part_correspondence& pair : matching.pairs)
+    ++counterparts[pair.source];
+  double comparisons = 0;
+  for (const Aligned_shape::Contact& contact : source.contacts)
+    comparisons += counterparts[contact.parts[0]] * counterparts[contact.parts[1]];
+  return comparisons <= most_comparisons;
+}
+
+// With the likeliest counterpart of every source part; of several, the first.
+Part_matching likeliest_only(const Part_matching& matching)
+{
+  std::map<std::size_t, Part_correspondence> best;
+  for (const Part_correspondence& pair : matching.pairs)
+    if (const auto [known, is_new] = best.emplace(pair.source, pair);
+        !is_new && pair.confidence > known->second.confidence)
+      known->second = pair;
+  Part_matching result;
+  for (const auto& [source, pair] : best)
+    result.pairs.push_back(pair);
   return result;
 }
 
@@ -97,7 +125,7 @@ Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& targ
 
 std::string Correspondence_finder::Impl::source_category() const
 {
-  if (!options_.roles || !options_.category.empty()) return options_.category;
+  if (!options_.roles || !options_.category.empty() || number_of_parts_ == 0) return options_.category;
   const std::vector<Category_roles>& known = Role_model_access::data(*options_.roles).categories;
   const std::size_t category = recognised(prepared_source_).index;
   return category < known.size() ? known[category].name : "";
@@ -136,7 +164,7 @@ Part_matching Correspondence_finder::Impl::matched_in(const Prepared_shape& targ
                      constraints(*source_, *shape));
 }
 
-Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shape& target) const
+Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shape& target, const Deadline& limit) const
 {
   Part_match_result found;
   Pair_category category;
@@ -145,7 +173,11 @@ Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shap
   found.candidates = alignments.size();
   double best_cost = std::numeric_limits<double>::infinity();
   for (const Alignment_candidate& alignment : alignments) {
-    if (options_.progress && !options_.progress(double(found.tried) / double(alignments.size()))) break;
+    if (options_.progress && !options_.progress(double(found.tried) / double(alignments.size())))
+      found.end = search_was_cancelled;
+    else if (found.tried > 0 && limit.is_over())
+      found.end = time_is_over;
+    if (!found.end.empty()) break;
     const Shared_shape shape = aligned(target, alignment.turn);
     Part_matching matching = matched_in(target, shape, alignment);
     const double preference = found.tried == 0 ? 1 - options_.parts.clearly_better : 1;
@@ -183,15 +215,31 @@ Part_match_result Correspondence_finder::Impl::without_unsure(Part_match_result 
   return found;
 }
 
-Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Part_match_result& found) const
+Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Part_match_result& found,
+                                                  const Deadline& limit) const
 {
-  const Search_run run(source, found.target, found.alignment.turn, group_labels(found.matching, *source, *found.target),
-                       options_);
-  Correspondence result = correspondence_of(run, run.result.best(), {});
+  const auto rate = [&](const Part_matching& matching, const Deadline& limit) {
+    const Search_run run(source, found.target, found.alignment.turn, group_labels(matching, *source, *found.target),
+                         options_, limit);
+    return correspondence_of(run, run.result.best(), {});
+  };
+  Correspondence result;
+  if (is_rated_fast(found.matching, *source)) {
+    try {
+      result = rate(found.matching, limit);
+    } catch (const Out_of_time&) {
+    }
+  }
+  if (result.search.method.empty()) {
+    result = rate(likeliest_only(found.matching), Deadline());
+    result.warnings.push_back(
+        "Parts have too many counterparts to compute the energy of all of them; it is that of the "
+        "likeliest counterpart of each part.");
+  }
   result.pairs = original_pairs(found.matching, *source, *found.target);
   take_roles(found.known, result);
   if (options_.alignments == 1) warn_of_fronts(found.alignment, result);
-  if (found.tried < found.candidates) mark_cancelled(found.tried, found.candidates, result);
+  if (!found.end.empty()) mark_ended(found.end, found.tried, found.candidates, result);
   return result;
 }
 
@@ -203,7 +251,8 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
   if (labels.size() != number_of_parts_)
     throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
                         std::to_string(number_of_parts_) + " parts of the source");
-  const Part_match_result best = matched_parts(target);
+  if (has_no_pairs(target)) return std::vector<Transferred_label>(structure(target.graph()).parts.size());
+  const Part_match_result best = matched_parts(target, deadline());
   std::vector<Transferred_label> result(structure(target.graph()).parts.size());
   if (best.tried == 0) return result; // it was cancelled
   for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
@@ -213,7 +262,7 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
   return result;
 }
 
-Correspondence Correspondence_finder::Impl::rated_backwards(Part_match_result found) const
+Correspondence Correspondence_finder::Impl::rated_backwards(Part_match_result found, const Deadline& limit) const
 {
   for (Part_correspondence& pair : found.matching.pairs)
     pair = inverse(pair);
@@ -221,7 +270,7 @@ Correspondence Correspondence_finder::Impl::rated_backwards(Part_match_result fo
   std::swap(found.known.source_roles, found.known.target_roles);
   std::swap(found.alignment.source_front, found.alignment.target_front);
   const Shared_shape source = std::exchange(found.target, source_);
-  return rated(source, found);
+  return rated(source, found, limit);
 }
 
 bool Correspondence_finder::Impl::takes_shapes_as_they_are() const
@@ -233,10 +282,11 @@ bool Correspondence_finder::Impl::takes_shapes_as_they_are() const
 
 std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const
 {
-  if (options_.method == Search_method::PARTS && takes_shapes_as_they_are()) {
-    const Part_match_result found = without_unsure(matched_parts(target));
+  if (options_.method == Search_method::PARTS && takes_shapes_as_they_are() && !has_no_pairs(target)) {
+    const Deadline limit = deadline();
+    const Part_match_result found = without_unsure(matched_parts(target, limit));
     if (found.alignment.turn == 0 && found.candidates == 1) {
-      std::array<Correspondence, 2> result{rated(source_, found), rated_backwards(found)};
+      std::array<Correspondence, 2> result{rated(source_, found, limit), rated_backwards(found, limit)};
       const std::size_t of_target = structure(target.graph()).parts.size();
       collect_unmatched(number_of_parts_, of_target, result[0]);
       collect_unmatched(of_target, number_of_parts_, result[1]);

@@ -61,6 +61,8 @@ void check(const Search_options& options)
   if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
     throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");
   if (options.roles && !options.category.empty()) options.roles->roles(options.category); // throws if there is none
+  if (!(options.time_limit >= 0))
+    throw Invalid_input("find_correspondence: the time limit must be a number of seconds, or 0 for none");
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
 }
 
@@ -107,6 +109,7 @@ Correspondence_finder::Impl::Impl(const Prepared_shape& source, const Search_opt
 {
   check(options);
   check_indices(options.matching, &Part_pair::source, number_of_parts_, "source");
+  if (number_of_parts_ == 0) return; // it has no pairs
   source_ = source.alignments_->aligned(0);
   source_ = participating(source_, participants(source_, options.source_parts, options.maximum_parts), pinned_.source);
   if (options.maximum_parts > 0 && !options.coarse_target) options_.both_directions = false;
@@ -116,13 +119,24 @@ std::vector<Correspondence> Correspondence_finder::Impl::ranked(const Prepared_s
 {
   check_indices(options_.matching, &Part_pair::target, structure(target.graph()).parts.size(), "target");
   check_role_costs(options_.matching.role_costs, number_of_parts_, structure(target.graph()).parts.size());
+  if (has_no_pairs(target)) return {without_pairs(target)};
   std::vector<Correspondence> result;
-  if (options_.method == Search_method::PARTS)
-    result.push_back(rated(source_, without_unsure(matched_parts(target))));
-  else
+  if (options_.method == Search_method::PARTS) {
+    const Deadline limit = deadline();
+    result.push_back(rated(source_, without_unsure(matched_parts(target, limit)), limit));
+  } else {
     result = least_energy(target);
+  }
   for (Correspondence& correspondence : result)
     collect_unmatched(number_of_parts_, structure(target.graph()).parts.size(), correspondence);
+  return result;
+}
+
+Correspondence Correspondence_finder::Impl::without_pairs(const Prepared_shape& target) const
+{
+  Correspondence result;
+  result.complete = true;
+  collect_unmatched(number_of_parts_, structure(target.graph()).parts.size(), result);
   return result;
 }
 
@@ -143,11 +157,12 @@ std::vector<int> Correspondence_finder::Impl::tried_turns(const Prepared_shape& 
   return turns;
 }
 
-void Correspondence_finder::Impl::mark_cancelled(std::size_t done, std::size_t runs, Correspondence& correspondence)
+void Correspondence_finder::Impl::mark_ended(const std::string& end, std::size_t done, std::size_t runs,
+                                             Correspondence& correspondence)
 {
   correspondence.complete = correspondence.optimal = false;
-  correspondence.warnings.push_back("The search was cancelled after " + std::to_string(done) + " of " +
-                                    std::to_string(runs) + " runs; this is the best result up to then.");
+  correspondence.warnings.push_back(end + " after " + std::to_string(done) + " of " + std::to_string(runs) +
+                                    " runs; this is the best result up to then.");
 }
 
 void Correspondence_finder::Impl::take_roles(const Correspondence& known, Correspondence& correspondence)

@@ -119,8 +119,8 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
   std::string known;
   for (const Category_roles& category : data.categories)
     known += (known.empty() ? "" : ", ") + category.name;
-  throw Invalid_input("the role model does not have the category '" + name + "'; it has " +
-                      (known.empty() ? "none" : known));
+  throw Invalid_input("the role model does not have the category '" + name + "'; " +
+                      (known.empty() ? "train it" : "use one of these: " + known));
 }
 
 constexpr const char* magic = "shape_correspondence roles 6";

@@ -26,6 +26,7 @@ void check(const std::vector<Labelled_graph>& shapes, const Role_training_option
   if (options.trees < 1 || options.trees > maximum_trees)
     throw Invalid_input("train_role_model: the number of trees must be between 1 and " + std::to_string(maximum_trees));
   for (const Labelled_graph& shape : shapes) {
+    if (!shape.graph) throw Invalid_input("train_role_model: a labelled shape has no graph");
     const std::string name = "train_role_model: the shape '" + structure(*shape.graph).name + "' ";
     if (shape.category.empty()) throw Invalid_input(name + "has no category");
     if (shape.labels.size() != structure(*shape.graph).parts.size())

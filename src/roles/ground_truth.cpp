@@ -25,7 +25,7 @@ std::map<std::string, Labelled_parts> parts_by_coarse_label(const std::vector<Pa
   std::map<std::string, Labelled_parts> result;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].coarse.empty())
-      throw Invalid_input("part " + std::to_string(i) + " has no coarse label; every part needs one");
+      throw Invalid_input("part " + std::to_string(i) + " has no coarse label; give every part one");
     Labelled_parts& labelled = result[labels[i].coarse];
     labelled.parts.push_back(i);
     labelled.fine.insert(labels[i].fine);

@@ -10,8 +10,9 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-Tangents::Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit)
-    : energy_(energy), order_(order), unary_(order.size())
+Tangents::Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit,
+                   const Deadline& deadline)
+    : energy_(energy), order_(order), deadline_(deadline), unary_(order.size())
 {
   std::vector<std::size_t> position(order.size()), labels;
   std::vector<std::vector<std::size_t>> scopes;
@@ -26,7 +27,7 @@ Tangents::Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>
     pairs_.push_back({std::min(a, b), std::max(a, b), {}});
     scopes.push_back({std::min(a, b), std::max(a, b)});
   }
-  buckets_ = std::make_unique<Mini_buckets>(std::move(labels), table_limit, std::move(scopes));
+  buckets_ = std::make_unique<Mini_buckets>(std::move(labels), table_limit, std::move(scopes), deadline);
 }
 
 void Tangents::touch(const std::vector<double>& touched, Tangent_bound& bound)
@@ -50,7 +51,7 @@ void Tangents::touch(const std::vector<double>& touched, Tangent_bound& bound)
         pairs_[e].cost -= slope * term.edge[e];
   }
   constexpr int first_sweeps = 8, next_sweeps = 4;
-  if (!exact()) pass_messages_(unary_, pairs_, pass_messages_.has_messages() ? next_sweeps : first_sweeps);
+  if (!exact()) pass_messages_(unary_, pairs_, pass_messages_.has_messages() ? next_sweeps : first_sweeps, deadline_);
 
   for (std::size_t i = 0; i < unary_.size(); ++i)
     std::copy(unary_[i].begin(), unary_[i].end(), bound.tables.values(i));
@@ -58,7 +59,7 @@ void Tangents::touch(const std::vector<double>& touched, Tangent_bound& bound)
     const Eigen::MatrixXd& cost = pairs_[e].cost;
     Eigen::Map<Eigen::MatrixXd>(bound.tables.values(unary_.size() + e), cost.cols(), cost.rows()) = cost.transpose();
   }
-  bound.tables.run();
+  bound.tables.run(deadline_);
 }
 
 void Tangents::set_cost(std::size_t pair, const Eigen::MatrixXd& cost)
@@ -69,12 +70,12 @@ void Tangents::set_cost(std::size_t pair, const Eigen::MatrixXd& cost)
     pairs_[pair].cost = cost;
 }
 
-std::vector<std::size_t> elimination_order(const Pairwise_energy& energy)
+std::vector<std::size_t> elimination_order(const Pairwise_energy& energy, const Deadline& deadline)
 {
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for (const Pairwise_energy::Edge& edge : energy.edges)
     edges.emplace_back(edge.first, edge.second);
-  return min_fill_order(energy.number_of_variables(), edges);
+  return min_fill_order(energy.number_of_variables(), edges, deadline);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

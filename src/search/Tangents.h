@@ -28,16 +28,20 @@ struct Tangent_bound
 class Tangents
 {
 public:
-  Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit);
+  /// \throw Out_of_time
+  Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit,
+           const Deadline& deadline = Deadline());
 
   // Whether the bounds are exact for the tangents.
   bool exact() const { return buckets_->exact(); }
   // Grows with the number of buckets that are split.
   std::size_t number_of_tables() const { return buckets_->number_of_tables(); }
+  // Entries of the tables of a bound.
+  std::size_t number_of_values() const { return buckets_->number_of_values(); }
 
   Tangent_bound make() const { return {Mini_bucket_bound(*buckets_)}; }
 
-  // Sets the bound whose tangents touch the root terms at the sums `touched`.
+  // Sets the bound whose tangents touch the root terms at the sums `touched`. \throw Out_of_time
   void touch(const std::vector<double>& touched, Tangent_bound& bound);
 
 private:
@@ -45,6 +49,7 @@ private:
 
   const Pairwise_energy& energy_;
   const std::vector<std::size_t>& order_;
+  const Deadline deadline_;
   std::unique_ptr<const Mini_buckets> buckets_;
   std::vector<char> is_turned_; // by edge: its second variable comes first
   std::vector<Eigen::VectorXd> unary_;
@@ -53,6 +58,7 @@ private:
 };
 
 // The search order of the variables; bucket elimination goes through it backwards.
-std::vector<std::size_t> elimination_order(const Pairwise_energy& energy);
+// \throw Out_of_time
+std::vector<std::size_t> elimination_order(const Pairwise_energy& energy, const Deadline& deadline = Deadline());
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -63,7 +63,9 @@ struct Expansion
 class Expander
 {
 public:
-  Expander(Partial_energy& energy, std::size_t count, std::size_t most) : energy_(energy), count_(count), most_(most) {}
+  Expander(Partial_energy& energy, std::size_t count, std::size_t most, const Deadline& deadline)
+      : energy_(energy), count_(count), most_(most), deadline_(deadline)
+  {}
 
   // Frees the ratings of the level before.
   void start_level()
@@ -91,7 +93,7 @@ public:
       // One step above the worst, since energies are rounded
       const double greatest = worst == std::numeric_limits<Steps>::max() ? std::numeric_limits<double>::infinity()
                                                                          : double(worst + 1) * comparison_grid;
-      if (bound > greatest) break;
+      if (bound > greatest || (!level.empty() && deadline_.is_over())) break;
       assignment[group] = label;
       const double energy = energy_(assignment, group, bound, greatest);
       if (energy > greatest) continue;
@@ -128,6 +130,7 @@ private:
 
   Partial_energy& energy_;
   std::size_t count_, most_;
+  const Deadline& deadline_;
   std::vector<std::pair<double, int>> bounds_; // lower bounds and labels
   std::vector<Expansion> sorted_;
   std::vector<Rating> ratings_;    // of the expansions of a level
@@ -142,14 +145,14 @@ struct Partial_solution
 
 } // namespace
 
-Search_result beam_search(const Matching_problem& problem, const Beam_options& options)
+Search_result beam_search(const Matching_problem& problem, const Beam_options& options, const Deadline& deadline)
 {
   if (options.beam_width < 1 || options.expansions < 1)
     throw Invalid_input("beam search: the beam width K and the number of expansions k must be at least 1");
 
   Search_result result;
   Partial_energy partial_energy(problem);
-  Expander expand(partial_energy, std::size_t(options.expansions), std::size_t(options.beam_width));
+  Expander expand(partial_energy, std::size_t(options.expansions), std::size_t(options.beam_width), deadline);
   std::vector<Partial_solution> beam(1), next;
   beam[0] = {Assignment(problem.source().number_of_groups(), unassigned), partial_energy.rating()};
   std::vector<Expansion> level;
@@ -157,6 +160,7 @@ Search_result beam_search(const Matching_problem& problem, const Beam_options& o
     level.clear();
     expand.start_level();
     for (std::size_t parent = 0; parent < beam.size(); ++parent) {
+      if (!level.empty() && (result.out_of_time = result.out_of_time || deadline.is_over())) break;
       partial_energy.set_parent(beam[parent].assignment, beam[parent].rating);
       const int labels = int(problem.number_of_labels(group));
       expand(parent, beam[parent].assignment, group, labels, level);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/deadline.h"
 #include "energy/Matching_problem.h"
 
 #include <CGAL/Shape_correspondence/Beam_options.h>
@@ -16,7 +17,9 @@ namespace CGAL::Shape_correspondence {
 /// A group may take any of its labels at any level, so that the search always ends with complete assignments, of which
 /// up to K are returned.
 ///
+/// When the time is over, only the first expansion of every level is kept.
 /// \throw Invalid_input if the width or the number of expansions is under 1
-Search_result beam_search(const Matching_problem& problem, const Beam_options& options = {});
+Search_result beam_search(const Matching_problem& problem, const Beam_options& options = {},
+                          const internal::Deadline& deadline = internal::Deadline());
 
 } // namespace CGAL::Shape_correspondence

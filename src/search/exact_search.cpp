@@ -1,7 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/deadline.h"
 #include "base/quantized.h"
+#include "energy/Matching_problem.h"
 #include "search/Local_energy.h"
 #include "search/Tangents.h"
 
@@ -9,10 +11,10 @@
 #include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -27,6 +29,32 @@ constexpr std::size_t patience = 1u << 16;       // nodes without a proof before
 constexpr std::size_t table_growth = 16;         // factor of it
 constexpr std::size_t largest_tables = 1u << 20; // entries
 
+// The energy itself is checked, which takes little time: indices out of range would be fatal.
+void check_energy(const Pairwise_energy& energy)
+{
+  const std::size_t n = energy.number_of_variables();
+  const auto fits = [&](std::size_t e, const Eigen::MatrixXd& table) {
+    return table.rows() == energy.unary[energy.edges[e].first].size() &&
+           table.cols() == energy.unary[energy.edges[e].second].size();
+  };
+  for (const Eigen::VectorXd& costs : energy.unary)
+    if (costs.size() == 0) throw Invalid_input("exact search: every variable needs a label at least");
+  for (std::size_t e = 0; e < energy.edges.size(); ++e) {
+    if (energy.edges[e].first >= energy.edges[e].second || energy.edges[e].second >= n)
+      throw Invalid_input("exact search: an edge must name two of the variables, the smaller first");
+    if (!fits(e, energy.edges[e].cost))
+      throw Invalid_input("exact search: the table of an edge must have a row and a column for every label");
+  }
+  for (const Pairwise_energy::Root_term& term : energy.root_terms) {
+    bool is_valid = term.unary.size() == n && (term.edge.empty() || term.edge.size() == energy.edges.size());
+    for (std::size_t v = 0; is_valid && v < n; ++v)
+      is_valid = term.unary[v].size() == energy.unary[v].size();
+    for (std::size_t e = 0; is_valid && e < term.edge.size(); ++e)
+      is_valid = fits(e, term.edge[e]);
+    if (!is_valid) throw Invalid_input("exact search: a root term must have the sizes of the energy");
+  }
+}
+
 } // namespace
 
 class Exact_search::Impl
@@ -36,61 +64,64 @@ public:
       : energy_(energy),
         local_energy_(energy),
         options_(options),
-        order_(elimination_order(energy)),
-        table_limit_(options.table_limit),
-        tangents_(std::make_unique<Tangents>(energy, order_, table_limit_)),
-        tangent_(tangents_->make())
+        deadline_(limit_of(options)),
+        table_limit_(options.table_limit)
   {
     if (options.solutions < 1) throw Invalid_input("exact search: at least one solution must be asked for");
+    check_energy(energy);
     for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
       maximum_labels_ = std::max(maximum_labels_, energy.number_of_labels(v));
-    const std::size_t n = order_.size();
+    const std::size_t n = energy.number_of_variables();
     labels_.assign(n, 0);
     assignment_.assign(n, unassigned);
     costs_.resize(n * maximum_labels_);
     bounds_.resize(n * maximum_labels_);
     children_.resize(n * maximum_labels_);
-    choose_tangent();
+    prepare();
   }
 
   Search_result run()
   {
     wanted_ = options_.solutions;
-    begin_ = std::chrono::steady_clock::now();
     std::size_t nodes = 0;
-    for (bool more = true; more;) {
+    stopped_ = is_late_;
+    for (bool more = !is_late_; more;) {
       const std::size_t left = options_.node_limit - nodes;
       start(can_refine() ? std::min(left, patience) : left);
-      descend(0, tangent_.offset);
+      descend(0, tangent_->offset);
       nodes += nodes_;
-      more = stopped_ && nodes_ >= node_limit_ && nodes < options_.node_limit && !is_late();
+      more = stopped_ && !is_late_ && nodes_ >= node_limit_ && nodes < options_.node_limit;
       if (more) refine();
+      more = more && !is_late_;
     }
     Search_result result;
     result.summary.method = "exact";
     result.solutions = solutions_;
-    result.optimal = !stopped_;
+    result.optimal = !stopped_ && !is_late_;
+    result.out_of_time = is_late_;
     // Roundings of the bound must not put it above the energy
     result.summary.lower_bound =
-        result.optimal ? result.best().energy
-                       : std::min(result.best().energy, std::max(energy_.lower_bound(), tangent_.bound()));
+        result.optimal ? result.best().energy : std::min(result.best().energy, std::max(energy_.lower_bound(), bound_));
     result.summary.states = result.summary.evaluations = nodes;
     return result;
   }
 
   std::vector<double> min_marginals(const Search_result& result)
   {
-    std::vector<double> rises(order_.size(), std::numeric_limits<double>::infinity());
+    check_result(result);
+    std::vector<double> rises(energy_.number_of_variables(), std::numeric_limits<double>::infinity());
     wanted_ = 1;
+    deadline_ = Deadline(limit_of(options_));
+    is_late_ = is_late_ && !tangent_;
+    if (is_late_) return std::vector<double>(rises.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t level = 0; level < order_.size(); ++level) {
       const std::size_t variable = order_[level];
       if (energy_.number_of_labels(variable) < 2) continue;
       forbidden_level_ = level;
       forbidden_label_ = result.best().assignment[variable];
       solutions_.clear();
-      begin_ = std::chrono::steady_clock::now();
       start(options_.node_limit / order_.size());
-      descend(0, tangent_.offset);
+      descend(0, tangent_->offset);
       rises[variable] = std::max(0.0, solutions_.front().energy - result.best().energy);
     }
     forbidden_level_ = order_.size();
@@ -98,6 +129,39 @@ public:
   }
 
 private:
+  static double limit_of(const Exact_options& options)
+  {
+    if (!(options.time_limit >= 0)) throw Invalid_input("exact search: the time limit must be a number of seconds");
+    return options.time_limit > 0 ? options.time_limit : Deadline::never;
+  }
+
+  void check_result(const Search_result& result) const
+  {
+    const std::size_t n = energy_.number_of_variables();
+    bool is_valid = !result.solutions.empty() && result.best().assignment.size() == n;
+    for (std::size_t v = 0; is_valid && v < n; ++v)
+      is_valid =
+          result.best().assignment[v] >= 0 && std::size_t(result.best().assignment[v]) < energy_.number_of_labels(v);
+    if (!is_valid) throw Invalid_input("exact search: min-marginals are asked for of the result of another energy");
+  }
+
+  // Sets up the bound; where the time does not suffice for it, a solution without.
+  void prepare()
+  {
+    try {
+      order_ = elimination_order(energy_, deadline_);
+      tangents_ = std::make_unique<Tangents>(energy_, order_, table_limit_, deadline_);
+      choose_tangent();
+    } catch (const Out_of_time&) {
+      is_late_ = true;
+    }
+    if (!solutions_.empty()) return;
+    for (std::size_t v = 0; v < assignment_.size(); ++v)
+      energy_.unary[v].minCoeff(&assignment_[v]);
+    improve();
+    keep();
+  }
+
   // Each tangent touches at the first solution found with the one before; the first at the greatest sums. Keeps the one
   // with the greatest bound.
   void choose_tangent()
@@ -110,12 +174,16 @@ private:
     Tangent_bound tangent = tangents_->make();
     for (int i = 0; i < maximum_tangents; ++i) {
       tangents_->touch(touched, tangent);
+      bound_ = std::max(bound_, tangent.bound());
       start(options_.node_limit);
       current_ = &tangent.tables;
       first_leaf_only_ = true;
       descend(0, tangent.offset);
       first_leaf_only_ = false;
-      if (i == 0 || tangent.bound() > tangent_.bound()) std::swap(tangent, tangent_);
+      if (i == 0)
+        tangent_ = std::exchange(tangent, tangents_->make());
+      else if (tangent.bound() > tangent_->bound())
+        std::swap(tangent, *tangent_);
       if (!tangents_->exact()) improve();
       keep();
       bool moved = false;
@@ -130,7 +198,7 @@ private:
 
   void start(std::size_t node_limit)
   {
-    current_ = &tangent_.tables;
+    current_ = tangent_ ? &tangent_->tables : nullptr;
     nodes_ = 0;
     node_limit_ = node_limit;
     stopped_ = false;
@@ -143,11 +211,20 @@ private:
   {
     while (can_refine()) {
       table_limit_ *= table_growth;
-      auto finer = std::make_unique<Tangents>(energy_, order_, table_limit_);
-      if (finer->number_of_tables() == tangents_->number_of_tables()) continue;
-      tangents_ = std::move(finer);
-      tangent_ = tangents_->make();
-      return choose_tangent();
+      try {
+        auto finer = std::make_unique<Tangents>(energy_, order_, table_limit_, deadline_);
+        if (finer->number_of_tables() == tangents_->number_of_tables()) continue;
+        if (2 * sizeof(double) * finer->number_of_values() > most_bytes_of_tables) {
+          table_limit_ = largest_tables; // as they are
+          return;
+        }
+        tangent_.reset();
+        tangents_ = std::move(finer);
+        return choose_tangent();
+      } catch (const Out_of_time&) {
+        is_late_ = true;
+        return;
+      }
     }
   }
 
@@ -185,22 +262,16 @@ private:
     if (solutions_.empty() || first_leaf_only_) return;
     constexpr std::size_t interval = 1024; // nodes between two looks at the clock
     stopped_ = stopped_ || nodes_ >= node_limit_;
-    stopped_ = stopped_ || (nodes_ % interval == 0 && is_late());
+    is_late_ = is_late_ || (nodes_ % interval == 0 && deadline_.is_over());
+    stopped_ = stopped_ || is_late_;
   }
 
-  bool is_late() const
-  {
-    if (options_.time_limit <= 0) return false;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    return elapsed.count() > options_.time_limit;
-  }
-
-  // Changes labels one at a time while the energy falls.
+  // Changes labels one at a time while the energy falls and there is time.
   void improve()
   {
     for (bool changed = true; changed;) {
       changed = false;
-      for (std::size_t v = 0; v < assignment_.size(); ++v) {
+      for (std::size_t v = 0; v < assignment_.size() && !deadline_.is_over(); ++v) {
         const std::vector<double> rises = local_energy_.rises(v, assignment_);
         double least = 0;
         for (std::size_t l = 0; l < rises.size(); ++l)
@@ -232,10 +303,13 @@ private:
   const Pairwise_energy& energy_;
   const Local_energy local_energy_;
   const Exact_options options_;
-  const std::vector<std::size_t> order_;
+  Deadline deadline_;
+  bool is_late_ = false;
+  std::vector<std::size_t> order_;
   std::size_t table_limit_;
   std::unique_ptr<Tangents> tangents_;
-  Tangent_bound tangent_; // the best one
+  std::optional<Tangent_bound> tangent_;                    // the best one; none if there was no time for it
+  double bound_ = -std::numeric_limits<double>::infinity(); // the greatest of all tangents
   const Mini_bucket_bound* current_ = nullptr;
 
   std::size_t maximum_labels_ = 0;
@@ -249,7 +323,6 @@ private:
   int forbidden_label_ = unassigned;
   std::size_t nodes_ = 0, node_limit_ = 0;
   bool first_leaf_only_ = false, stopped_ = false;
-  std::chrono::steady_clock::time_point begin_;
 };
 
 Exact_search::Exact_search(const Pairwise_energy& energy, const Exact_options& options)

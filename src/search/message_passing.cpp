@@ -7,16 +7,17 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-void Message_passing::operator()(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps)
+void Message_passing::operator()(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps,
+                                 const Deadline& deadline)
 {
   if (!has_messages()) start(unary, pairs);
   for (std::size_t e = 0; e < pairs.size(); ++e)
     transposed_[e] = pairs[e].cost.transpose();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t v = 0; v < unary.size(); ++v)
-      pass(unary[v], pairs, v, true);
+      deadline.check(), pass(unary[v], pairs, v, true);
     for (std::size_t v = unary.size(); v-- > 0;)
-      pass(unary[v], pairs, v, false);
+      deadline.check(), pass(unary[v], pairs, v, false);
   }
   for (std::size_t e = 0; e < pairs.size(); ++e) {
     unary[pairs[e].first] += to_first_[e];

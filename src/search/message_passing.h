@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/deadline.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -26,7 +28,9 @@ class Message_passing
 public:
   bool has_messages() const { return !pairs_of_.empty(); }
 
-  void operator()(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps);
+  /// \throw Out_of_time
+  void operator()(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps,
+                  const Deadline& deadline = Deadline());
 
 private:
   struct Pairs_of

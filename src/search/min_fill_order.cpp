@@ -7,7 +7,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-std::vector<std::size_t> min_fill_order(std::size_t n, const std::vector<std::pair<std::size_t, std::size_t>>& edges)
+std::vector<std::size_t> min_fill_order(std::size_t n, const std::vector<std::pair<std::size_t, std::size_t>>& edges,
+                                        const Deadline& deadline)
 {
   std::vector<char> adjacent(n * n, 0);
   std::vector<std::vector<std::size_t>> neighbours(n); // not yet eliminated
@@ -20,6 +21,7 @@ std::vector<std::size_t> min_fill_order(std::size_t n, const std::vector<std::pa
   for (const auto& edge : edges)
     connect(edge.first, edge.second);
   const auto fill_of = [&](std::size_t v) {
+    deadline.check();
     std::size_t fill = 0;
     for (std::size_t i = 0; i < neighbours[v].size(); ++i)
       for (std::size_t j = 0; j < i; ++j)

@@ -22,7 +22,7 @@ std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::ve
 } // namespace
 
 Mini_buckets::Mini_buckets(std::vector<std::size_t> labels, std::size_t table_limit,
-                           std::vector<std::vector<std::size_t>> scopes)
+                           std::vector<std::vector<std::size_t>> scopes, const Deadline& deadline)
     : labels_(std::move(labels)), table_limit_(table_limit), levels_(labels_.size())
 {
   std::vector<std::vector<std::size_t>> buckets(labels_.size()); // tables by last variable
@@ -32,6 +32,7 @@ Mini_buckets::Mini_buckets(std::vector<std::size_t> labels, std::size_t table_li
     add(std::move(scope));
   }
   for (std::size_t v = buckets.size(); v-- > 0;) {
+    deadline.check();
     const auto minis = mini_buckets(buckets[v]);
     exact_ = exact_ && minis.size() <= 1;
     for (const std::vector<std::size_t>& mini : minis) {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "base/deadline.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -31,11 +33,13 @@ class Mini_buckets
 {
 public:
   // Tables over `scopes`, for variables with `labels` labels; messages have at most `table_limit` entries jointly with
-  // their variable.
-  Mini_buckets(std::vector<std::size_t> labels, std::size_t table_limit, std::vector<std::vector<std::size_t>> scopes);
+  // their variable. \throw Out_of_time
+  Mini_buckets(std::vector<std::size_t> labels, std::size_t table_limit, std::vector<std::vector<std::size_t>> scopes,
+               const Deadline& deadline = Deadline());
 
   bool exact() const { return exact_; }
   std::size_t number_of_tables() const { return tables_.size(); }
+  std::size_t number_of_values() const { return values_; }
 
 private:
   friend class Mini_bucket_bound;
@@ -81,12 +85,14 @@ public:
   // The values of a given table, to be set before run().
   double* values(std::size_t table) { return values_.data() + buckets_->tables_[table].begin; }
 
-  // Eliminates all variables from the last to the first.
-  void run()
+  // Eliminates all variables from the last to the first. \throw Out_of_time
+  void run(const Deadline& deadline = Deadline())
   {
     bound_ = 0;
-    for (const Mini_buckets::Elimination& elimination : buckets_->eliminations_)
+    for (const Mini_buckets::Elimination& elimination : buckets_->eliminations_) {
+      deadline.check();
       eliminate(elimination);
+    }
   }
 
   // Lower bound on the sum of all tables over all assignments.

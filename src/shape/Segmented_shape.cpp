@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
+#include "shape/check_mesh.h"
 #include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -60,18 +61,23 @@ void check_triangles_of_vertices(const std::string& name, const Part_mesh& mesh)
                                                "; divide its faces in another way, or simplify the part"));
 }
 
-void check_mesh(const std::string& name, const Part_mesh& mesh)
+} // namespace
+
+void internal::check_triangles(const std::string& part, const Part_mesh& mesh)
 {
-  if (mesh.triangles.cols() == 0)
-    throw Invalid_input(part_message(name, "no triangles; remove the part or give it a surface"));
-  check_coordinates(name, mesh.points);
-  check_indices(name, mesh);
-  check_triangles_of_vertices(name, mesh);
-  if (!has_area(mesh))
-    throw Invalid_input(part_message(name, "all triangles have zero area; remove the part or give it a surface"));
+  check_coordinates(part, mesh.points);
+  check_indices(part, mesh);
+  if (mesh.points.cols() > 0) check_triangles_of_vertices(part, mesh);
 }
 
-} // namespace
+void internal::check_mesh(const std::string& part, const Part_mesh& mesh)
+{
+  if (mesh.triangles.cols() == 0)
+    throw Invalid_input(part_message(part, "no triangles; remove the part or give it a surface"));
+  check_triangles(part, mesh);
+  if (!has_area(mesh))
+    throw Invalid_input(part_message(part, "all triangles have zero area; remove the part or give it a surface"));
+}
 
 Segmented_shape::Segmented_shape(std::string name, const Point& up) : name_(std::move(name)) { set_up(up); }
 

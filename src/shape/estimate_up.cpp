@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
+#include "base/check_number.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
 #include "shape/all_vertices.h"
@@ -9,8 +10,6 @@
 #include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/estimate_up.h>
-
-#include <CGAL/assertions.h>
 
 #include <Eigen/Geometry>
 
@@ -166,11 +165,17 @@ Logits known_logits(const Point& up)
   return result;
 }
 
+void check_has_parts(const Segmented_shape& shape)
+{
+  if (shape.parts().empty()) throw Invalid_input("shape '" + shape.name() + "': has no part; give it a surface");
+}
+
 } // namespace
 
 Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y)
 {
-  CGAL_precondition(!shape.parts().empty());
+  check_positive("estimate_up: the odds of y", odds_of_y);
+  check_has_parts(shape);
   const Logits logits = logits_of(summary_of_surface(shape), odds_of_y);
   std::size_t best = axes_in_order[0];
   for (std::size_t axis : axes_in_order)
@@ -185,10 +190,11 @@ std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, co
                                                const std::array<bool, 2>& is_known, double odds_of_y)
 {
   const std::array<const Segmented_shape*, 2> shapes{&source, &target};
+  check_positive("estimate_up_of_pair: the odds of y", odds_of_y);
   std::array<Surface_summary, 2> surfaces;
   std::array<Logits, 2> logits;
   for (std::size_t i = 0; i < 2; ++i) {
-    CGAL_precondition(!shapes[i]->parts().empty());
+    check_has_parts(*shapes[i]);
     surfaces[i] = summary_of_surface(*shapes[i]);
     logits[i] = is_known[i] ? known_logits(shapes[i]->up()) : logits_of(surfaces[i], odds_of_y);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/library_call.h"
+#include "shape/check_mesh.h"
 #include "shape/convex_segments.h"
 #include "shape/has_area.h"
 #include "shape/meshes.h"
@@ -63,6 +64,7 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
   if (options.patches < 1) throw Invalid_input("the number of patches of a segmentation is 0; give at least 1");
   if (!(options.probability > 0 && options.probability < 1) || !(options.least_area >= 0 && options.least_area <= 1))
     throw Invalid_input("the probability and the least area of a segmentation must be between 0 and 1");
+  check_triangles(name, mesh);
   std::vector<Halfedge_mesh> components = components_of(mesh);
   double total_area = 0;
   std::vector<double> areas;
@@ -83,7 +85,8 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
     if (CGAL::is_closed(component)) {
       // So many that the time, which is quadratic in them, does not grow with the number of components
       const double patches = std::ceil(double(options.patches) * std::sqrt(areas[i] / total_area));
-      segments = segments_of(component, std::size_t(std::max(patches, 1.)), options);
+      const double most = double(component.number_of_faces());
+      segments = segments_of(component, std::size_t(std::clamp(patches, 1., most)), options);
       if (segments.empty()) ++result.pieces_kept_whole;
     }
     segments.resize(component.number_of_faces(), 0);

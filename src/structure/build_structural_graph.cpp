@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/check_number.h"
 #include "base/limits.h"
 #include "structure/frame_of_shape.h"
 
@@ -25,7 +26,7 @@ void check_number_of_parts(const std::string& name, std::size_t parts)
 {
   if (parts < 2)
     throw Invalid_input("shape '" + name + "': has " + (parts == 0 ? "no part" : "only one part") +
-                        "; correspondences need a shape that is segmented into two parts or more");
+                        "; give a shape that is segmented into two parts or more");
   if (parts > most_parts) throw Invalid_input("shape '" + name + "': has " + too_many_parts(parts));
 }
 
@@ -48,6 +49,25 @@ void check_numbers(const Shape_structure& shape)
   for (const Contact& contact : shape.contacts)
     if (std::max(contact.parts[0], contact.parts[1]) >= shape.parts.size() || contact.parts[0] == contact.parts[1])
       fail("a contact does not name two of its parts");
+}
+
+/// Checks options; those of the abstraction are checked where they are used.
+void check_options(const Structure_options& options)
+{
+  check_number("build_structural_graph: the tolerance of symmetry", options.symmetry.tolerance, 0, 1);
+  check_number("build_structural_graph: the tolerance of contacts", options.contacts.tolerance, 0, 1);
+}
+
+/// Groups come from the caller, too.
+void check_groups(const std::vector<Part_group>& groups, std::size_t parts)
+{
+  std::vector<char> is_in_group(parts, 0);
+  for (const Part_group& group : groups)
+    for (std::size_t part : group.parts) {
+      check_index("complete_structural_graph", "part", part, parts);
+      if (std::exchange(is_in_group[part], 1) != 0)
+        throw Invalid_input("complete_structural_graph: part number " + std::to_string(part) + " is in two groups");
+    }
 }
 
 /// Names the parts that are abstracted by their bounding box.
@@ -89,6 +109,7 @@ template <typename ConcurrencyTag>
 Structural_graph build_structural_graph(const Segmented_shape& given, const Structure_options& options,
                                         Structure_times* times)
 {
+  check_options(options);
   check_number_of_parts(given.name(), given.parts().size());
   CGAL::Real_timer timer;
   timer.start();
@@ -112,8 +133,10 @@ Structural_graph build_structural_graph(const Segmented_shape& given, const Stru
 Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Part_group> groups,
                                            const Structure_options& options)
 {
+  check_options(options);
   check_number_of_parts(shape.name, shape.parts.size());
   check_numbers(shape);
+  check_groups(groups, shape.parts.size());
   if (shape.contacts.empty())
     shape.contacts = detect_contacts(shape.parts, shape.frame, options.contacts, shape.warnings);
   return assemble(std::move(shape), std::move(groups), options);

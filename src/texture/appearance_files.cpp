@@ -147,7 +147,7 @@ void write_transferred_shape(const std::string& path, const Segmented_shape& sha
       write_textured_obj(out, shape, transferred.appearance, library.filename().string());
     });
   } else
-    throw Invalid_input(path + ": a shape with textures is written as .glb, .obj or .ply");
+    throw Invalid_input(path + ": a shape with textures is written as .glb, .obj or .ply; name such a file");
 }
 
 } // namespace CGAL::Shape_correspondence::IO

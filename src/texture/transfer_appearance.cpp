@@ -189,7 +189,8 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
                                            const Correspondence& correspondence, const Transfer_options& options)
 {
   if (source_appearance.empty())
-    throw Invalid_input(source_shape.name() + ": it has no materials, textures or colours to transfer");
+    throw Invalid_input(source_shape.name() +
+                        ": it has no materials, textures or colours to transfer; give it some, or transfer labels");
   Transfer transfer(source, source_shape, target, target_shape, target_appearance, correspondence, options);
   const Looks_sampler looks(source_appearance, options.neutral);
   transfer.take_from_sources(source_shape, structure(source).frame, looks);

@@ -196,7 +196,6 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "match " + a + " " + a + " --paper --min-confidence .5",
                                           "match " + a + " " + a + " --search exact --roles none",
                                           "match " + a + " " + a + " --search exact --beam-width 5",
-                                          "match " + a + " " + a + " --search beam --search-time-limit 2",
                                           "match " + a + " " + a + " --direction forward",
                                           "match " + a + " " + a + " --max-parts-of source",
                                           "match " + a + " " + a + " --roles none --category chair",

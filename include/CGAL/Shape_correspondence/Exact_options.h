@@ -24,8 +24,9 @@ struct Exact_options
   /// with larger tables, up to a million entries.
   std::size_t table_limit = 1u << 12;
   std::size_t node_limit =
-      2'000'000;             ///< maximum of nodes of the search tree; then the best solution so far is returned
-  double time_limit = 0;     ///< in seconds, with the same effect; 0: none, so that results do not depend on speed
+      2'000'000; ///< maximum of nodes of the search tree; then the best solution so far is returned
+  /// In seconds from the construction on, with the same effect; 0: none, so that results do not depend on speed.
+  double time_limit = 0;
   std::size_t solutions = 1; ///< number of best assignments to return, at least 1
 };
 

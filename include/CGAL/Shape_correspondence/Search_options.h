@@ -74,6 +74,10 @@ struct Search_options
   bool front_is_sure = false;
   int solutions = 1;          ///< largest number of results of `find_correspondences()`, at least 1
   bool min_marginals = false; ///< compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`
+  /// Time limit of a match, in seconds; 0: none, so that results do not depend on speed. The best result up to then is
+  /// returned, `Correspondence::complete` and `optimal` are false, and a warning says so. If there is none yet, parts
+  /// are matched by their costs, as by `Search_method::PARTS`, of which one alignment at least is tried.
+  double time_limit = 0;
   /// Called before every direction of every alignment with the completed share, in [0, 1]; `false` ends the search.
   std::function<bool(double)> progress;
 };

@@ -15,6 +15,8 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
@@ -51,6 +53,7 @@ public:
               const Segmented_shape& target_shape, const Correspondence& correspondence);
 
   /// The place on the source's surface of a vertex of the target; none if its part has no counterpart.
+  /// \throw Invalid_input if there is no such part or vertex, as `target_of()` does
   std::optional<Surface_place> source_of(std::size_t target_part, Eigen::Index vertex) const;
   /// The place on the surface of the target of a vertex of the part `source_part` of the source.
   std::optional<Surface_place> target_of(std::size_t source_part, Eigen::Index vertex) const;
@@ -59,12 +62,15 @@ public:
   /// enumerated types) are taken from the nearest corner.
   /// \param values by source part and vertex
   /// \param none where there is no counterpart
-  /// \pre values other than labels can be added and multiplied by a number
+  /// \pre values other than labels can be added and multiplied by a number; there is one for every vertex of every source
+  /// part
   template <typename Value>
   std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
 
 private:
   using Places = std::vector<std::vector<std::optional<Surface_place>>>; ///< by part and vertex
+
+  static std::optional<Surface_place> place_of(const Places& places, std::size_t part, Eigen::Index vertex);
 
   Places sources_, targets_;
   std::vector<Eigen::Matrix3Xi> triangles_; ///< of the source's parts
@@ -101,6 +107,9 @@ template <typename Value>
 std::vector<std::vector<Value>> Surface_map::transferred(const std::vector<std::vector<Value>>& values,
                                                          const Value& none) const
 {
+  CGAL_precondition(values.size() == targets_.size());
+  for (std::size_t part = 0; part < targets_.size(); ++part)
+    CGAL_precondition(values[part].size() == targets_[part].size());
   std::vector<std::vector<Value>> result;
   for (const auto& places : sources_) {
     result.emplace_back();

@@ -88,8 +88,8 @@ struct Abstraction_options
   /// Seconds for one part; parts that need more get their bounding box, which the report states. Default: no limit, so
   /// that results do not depend on the speed of the machine.
   double time_limit = std::numeric_limits<double>::infinity();
-  int curve_points = 16; ///< control points of a curve, at least 2; this number again for each full turn
-  int sheet_points = 8;  ///< control points along each side of a sheet, at least 2
+  int curve_points = 16; ///< control points of a curve, from 2 to 1000; this number again for each full turn
+  int sheet_points = 8;  ///< control points along each side of a sheet, from 2 to 1000
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;
 
@@ -102,7 +102,7 @@ struct Abstraction_options
 /// abstractors of this package succeed on every part that `Segmented_shape` accepts. Deterministic.
 /// \param part the part
 /// \param options of the abstraction
-/// \throw Invalid_input if the abstractor returns an invalid curve or sheet
+/// \throw Invalid_input if an option, the mesh or what the abstractor returns is invalid; what it throws is passed on
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
@@ -113,17 +113,17 @@ Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options
 /// \param shape the shape
 /// \param frame its frame
 /// \param options of the abstraction
-/// \throw Invalid_input if the abstractor returns an invalid curve or sheet
+/// \throw Invalid_input if an option or what the abstractor returns is invalid; what it throws is passed on
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const Shape_frame& frame,
                                              const Abstraction_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// `n` points spread evenly over the surface of a mesh. Deterministic.
+/// `n` points spread evenly over a surface. Deterministic. \throw Invalid_input if it is empty or a number is invalid
 Points sample_surface(const Part_mesh& mesh, std::size_t n);
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Volume of the convex hull of points; 0 if they are flat.
+/// Volume of the convex hull of points; 0 if they are flat. \throw Invalid_input if a coordinate is not finite
 double convex_hull_volume(const Points& points);
 
 } // namespace Shape_correspondence

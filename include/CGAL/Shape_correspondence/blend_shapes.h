@@ -98,8 +98,9 @@ public:
               const Segmented_shape& target_shape, const Correspondence& correspondence,
               const Blend_options& options = {});
 
-  /// The shape at `t` in [0, 1], on the stage: the source at 0 and the target at 1, of the sizes that
-  /// `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All motions are even.
+  /// The shape at `t` in [0, 1] (earlier and later, that at the ends), on the stage: the source at 0 and the target at
+  /// 1, of the sizes that `Blend_options::size` asks for; in between, its parts are the surfaces that exist at `t`. All
+  /// motions are even.
   Segmented_shape operator()(double t) const;
 
   /// The schedules, the best first, which is the one of the blend.

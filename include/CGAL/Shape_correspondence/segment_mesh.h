@@ -44,7 +44,7 @@ struct Mesh_segmentation
 /// border is not concave, and if they are equally thick; how likely was fitted to labelled shapes. Pieces without area
 /// are left out, and counted. Part names are `segment_0`, `segment_1`, … `up` is the upright direction of the result.
 /// O(n log n) in the number of triangles, and O(patches² log n).
-/// \throw Invalid_input if the mesh cannot be used, or `patches` is 0
+/// \throw Invalid_input if a coordinate or an index of the mesh is invalid, or an option is out of its range
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point(0, 1, 0));
 

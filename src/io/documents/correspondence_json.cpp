@@ -4,6 +4,7 @@
 #include "io/read/Json_field.h"
 #include "io/write/Json.h"
 #include "matching/Search_run.h"
+#include "matching/check_correspondence.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -142,6 +143,9 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
                                 const std::string& source_file, const std::string& target_file,
                                 const Match_seconds& seconds)
 {
+  for (const Correspondence& of_graphs : ranked)
+    internal::check_correspondence("write_correspondence_json", of_graphs, structure(source).parts.size(),
+                                   structure(target).parts.size());
   const Correspondence& c = ranked.front();
   const bool forward = c.direction == Direction::SOURCE_TO_TARGET;
   Json result;

@@ -37,9 +37,8 @@ Part_split split_parts_by_json(const Segmented_shape& objects, const std::string
 {
   const Json_field document = read_json_file(path);
   if (!document.has("format", parts_format))
-    throw Invalid_input(path +
-                        ": it is not a list of pieces and their parts; `shape_correspondence graph --parts-json` "
-                        "writes one");
+    throw Invalid_input(path + ": it is not a list of pieces and their parts; make one by `shape_correspondence graph "
+                               "--parts-json`");
   if (document["version"].integer() != parts_version) document["version"].fail("is of another version");
   std::map<std::string, std::string> part_of_piece;
   for (const Json_field& entry : document["pieces"].elements())

@@ -115,7 +115,7 @@ void Structural_graph_cache::insert(const Structural_graph& graph) const
   if (shape.content.empty() || std::any_of(shape.parts.begin(), shape.parts.end(), reached_limit)) return;
   std::ostringstream text;
   write_structural_graph_json(text, graph);
-  write_checked_file(path(shape.content), title(shape.content), text.str());
+  write_checked_entry(path(shape.content), title(shape.content), text.str());
 }
 
 } // namespace CGAL::Shape_correspondence::IO

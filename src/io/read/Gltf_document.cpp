@@ -5,6 +5,7 @@
 #include "base/limits.h"
 #include "io/read/text_words.h"
 #include "io/system/little_endian.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -93,7 +94,9 @@ void Gltf_document::split_glb()
 {
   constexpr std::size_t header = 12, chunk_header = 8;
   constexpr std::uint32_t json = 0x4E4F534A, binary = 0x004E4942;
-  const auto cut_off = [&] { return Invalid_input(file_ + ": it cannot be read as GLB: it is cut off, or damaged"); };
+  const auto cut_off = [&] {
+    return Invalid_input(file_ + ": it cannot be read as GLB: it is cut off, or damaged; " + remedy::save_again);
+  };
   if (text_.size() < header + chunk_header) throw cut_off();
   const std::uint32_t version = number_in<std::uint32_t>(text_.data() + 4);
   if (version == 1) throw Needs_import{version_1};
@@ -218,7 +221,7 @@ std::string_view Gltf_document::buffer(std::size_t index)
   const std::size_t length = number_at(field, "byteLength", data.size());
   if (length > data.size())
     field.fail("has " + std::to_string(length) + " bytes by its byteLength, but only " + std::to_string(data.size()) +
-               " are there; it is cut off or damaged");
+               " are there: it is cut off or damaged; " + remedy::save_again);
   return data.substr(0, length);
 }
 

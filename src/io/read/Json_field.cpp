@@ -5,6 +5,7 @@
 #include "base/limits.h"
 #include "io/read/document.h"
 #include "io/system/input_file.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -52,7 +53,7 @@ void check_memory(std::string_view text, const std::string& file)
 
 void Json_field::fail(const std::string& what) const
 {
-  throw Invalid_input(*file_ + ": " + (place_.empty() ? "the document" : place_) + " " + what);
+  refuse(*file_ + ": " + (place_.empty() ? "the document" : place_) + " " + what, remedy::correct_text);
 }
 
 bool Json_field::has(const std::string& key) const
@@ -196,7 +197,7 @@ Points Json_field::points(std::size_t size, const char* meaning) const
 
 Json_field parse_json(std::string_view text, const std::string& file)
 {
-  if (text.empty()) throw Invalid_input(file + ": the file is empty");
+  if (text.empty()) refuse(file + ": the file is empty", remedy::save_again);
   check_json_depth(text, file);
   check_memory(text, file);
   try {
@@ -204,7 +205,7 @@ Json_field parse_json(std::string_view text, const std::string& file)
             std::make_shared<const std::string>(file), ""};
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what(); // after the name of the exception, in brackets
-    throw Invalid_input(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")");
+    refuse(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")", remedy::correct_text);
   }
 }
 

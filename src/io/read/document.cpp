@@ -5,6 +5,7 @@
 #include "base/limits.h"
 #include "io/read/text_words.h"
 #include "io/system/input_file.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -17,7 +18,8 @@ namespace {
 void check_depth(std::size_t depth, const std::string& file)
 {
   if (depth > internal::deepest_document)
-    throw Invalid_input(file + ": it is nested deeper than " + std::to_string(internal::deepest_document) + " levels");
+    refuse(file + ": it is nested deeper than " + std::to_string(internal::deepest_document) + " levels",
+           remedy::check_kind);
 }
 
 void skip_past(std::string_view end, std::string_view& text)
@@ -55,7 +57,8 @@ std::string read_document(std::istream& in, const std::string& file)
     in.read(buffer.data(), std::streamsize(buffer.size()));
     text.append(buffer, 0, std::size_t(in.gcount()));
     if (text.size() > internal::largest_document)
-      throw Invalid_input(file + ": it is longer than " + std::to_string(internal::largest_document >> 20) + " MB");
+      refuse(file + ": it is longer than " + std::to_string(internal::largest_document >> 20) + " MB",
+             remedy::make_smaller);
   }
   check_is_not_wide(text, file);
   return text;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/read/model_stream.h"
+#include "io/system/remedies.h"
 #include "io/system/run_program.h"
 
 #include <csignal>
@@ -32,19 +33,19 @@ Model_content import_parts(const std::string& file, const Reading_options& optio
     const Program_run run =
         run_program(program, {file, options.allow_outside_files ? "outside" : "inside"}, longest_import);
     if (const std::string how = ending(run); !how.empty())
-      throw Invalid_input("it " + how + "; it is damaged, or too large");
+      refuse("it " + how + ": it is damaged, or too large", remedy::save_as_other_format);
     std::string_view text = run.output;
     if (text.substr(0, import_mark.size()) != import_mark)
       throw Invalid_input("the program " + program + " is of another version; install the package anew");
     text.remove_prefix(import_mark.size());
-    if (text.empty()) throw Invalid_input("what its reader sends is damaged");
+    if (text.empty()) refuse("what its reader sends is damaged", remedy::install_again);
     if (text[0] == has_complaint) throw Invalid_input(std::string(text.substr(1)));
     Content_reader reader(text.substr(1));
     Model_content content;
     exchange(reader, content);
     return content;
   } catch (const Invalid_input& error) {
-    throw Invalid_input(file + ": " + error.what());
+    refuse(file + ": " + error.what(), remedy::save_as_other_format);
   }
 }
 

@@ -81,8 +81,7 @@ public:
     for (const Json_field& material : document_.list("materials"))
       add_material(material);
     visit_nodes();
-    if (content_.parts.empty())
-      throw Invalid_input(file + ": there is no triangle in it; a model needs a mesh for every part");
+    if (content_.parts.empty()) throw Invalid_input(file + ": there is no triangle in it; give every part a mesh");
     name_parts_by_tree(tree_, node_of_part_, meshes_, content_.parts);
     content_.warnings_of_looks = document_.warnings_of_looks();
     return std::move(content_);

@@ -346,7 +346,8 @@ private:
     result.materials_are_names = true;
     result.libraries = libraries_;
     if (result.parts.empty())
-      throw Invalid_input(file_ + ": there is no face in it; it is not a Wavefront OBJ model, or an empty one");
+      throw Invalid_input(
+          file_ + ": there is no face in it: it is not a Wavefront OBJ model, or an empty one; give every part a mesh");
     return result;
   }
 

@@ -28,15 +28,17 @@ public:
   {
     line_ = next_line_of_words();
     read_keyword();
-    if (trimmed(line_) == "BINARY") fail("is binary; only OFF as text is read: convert it, or write PLY or OBJ");
-    if (has_dimension_ && number_in_any_line<int>() != 3) fail("is not three-dimensional");
+    if (trimmed(line_) == "BINARY") fail("is binary, and only OFF as text is read; convert it, or write PLY or OBJ");
+    if (has_dimension_ && number_in_any_line<int>() != 3)
+      fail("is not three-dimensional", remedy::save_as_other_format);
     const auto vertices = number_in_any_line<std::size_t>(), faces = number_in_any_line<std::size_t>();
     skip_number_of_edges();
     constexpr std::size_t least_vertex = 6, least_face = 2; // bytes of a line
     if (vertices > lines_.rest().size() / least_vertex || faces > lines_.rest().size() / least_face)
       fail("says that it has " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
-           " faces, which is more than the file holds; it is cut off or damaged");
-    if (faces == 0) throw Invalid_input(file_ + ": there is no face in it; a model needs a mesh for every part");
+               " faces, which is more than the file holds: it is cut off or damaged",
+           remedy::save_again);
+    if (faces == 0) throw Invalid_input(file_ + ": there is no face in it; give every part a mesh");
     for (std::size_t i = 0; i < vertices; ++i)
       read_vertex();
     Model_content result;
@@ -54,9 +56,9 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const
+  [[noreturn]] void fail(const std::string& what, const char* remedy = remedy::correct_text) const
   {
-    lines_.fail("it cannot be read as an OFF model: it " + what);
+    lines_.fail("it cannot be read as an OFF model: it " + what, remedy);
   }
 
   /// The next line that is more than blanks and a comment.
@@ -67,7 +69,7 @@ private:
       const std::string_view words = trimmed(line.substr(0, line.find('#')));
       if (!words.empty()) return words;
     }
-    fail("ends before all of its vertices and faces are there; the file is cut off");
+    fail("ends before all of its vertices and faces are there: the file is cut off", remedy::save_again);
   }
 
   /// The keyword says what follows the coordinates; the numbers may follow it without a blank, or it may be missing.
@@ -79,11 +81,11 @@ private:
     const std::size_t at = std::min(word.find("OFF"), word.find("off"));
     const std::string_view letters = word.substr(0, at);
     if (at == std::string_view::npos || letters.find_first_not_of("STCN4nstc") != std::string_view::npos)
-      fail("does not begin with the word OFF");
+      fail("does not begin with the word OFF", remedy::check_kind);
     line_.remove_prefix(std::size_t(word.data() - line_.data()) + at + 3);
     has_weights_ = letters.find('4') != std::string_view::npos;
     has_dimension_ = letters.find('n') != std::string_view::npos && word[at] == 'O';
-    if (has_weights_ && has_dimension_) fail("is not three-dimensional");
+    if (has_weights_ && has_dimension_) fail("is not three-dimensional", remedy::save_as_other_format);
     const std::size_t colour = letters.find_first_of("Cc"), normal = letters.find_first_of("Nn");
     vertices_have_colours_ = colour != std::string_view::npos;
     normals_come_first_ = !has_dimension_ && normal != std::string_view::npos &&
@@ -94,7 +96,8 @@ private:
   void skip_number_of_edges()
   {
     const bool is_there = !next_word(line_).empty();
-    if (has_weights_ && !trimmed(line_).empty()) fail("is not three-dimensional"); // cells are counted, too
+    if (has_weights_ && !trimmed(line_).empty())
+      fail("is not three-dimensional", remedy::save_as_other_format); // cells are counted, too
     std::string_view rest = lines_.rest();
     if (std::size_t edges = 0; !is_there && parse(trimmed(next_line(rest)), edges)) next_line_of_words();
   }

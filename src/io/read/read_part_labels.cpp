@@ -24,7 +24,7 @@ constexpr int deepest = 2;
 Part_label read_label(const Json_field& part)
 {
   Part_label label{part["coarse"].text(), part.has("fine") && !part["fine"].is_null() ? part["fine"].text() : ""};
-  if (label.coarse.empty()) part["coarse"].fail("is empty; every part needs a coarse label");
+  if (label.coarse.empty()) part["coarse"].fail("is empty; give every part a coarse label");
   return label;
 }
 
@@ -76,7 +76,8 @@ std::vector<Labelled_shape> read_part_labels(const std::string& path)
     files.push_back(path);
   if (files.empty())
     throw Invalid_input(path + ": there is no " + labels_name +
-                        " in it, in its folders (shapes), or in the folders of these (shapes of categories)");
+                        " in it, in its folders (shapes), or in the folders of these (shapes of categories); give the "
+                        "folder that has them");
   std::sort(files.begin(), files.end());
   std::vector<Labelled_shape> shapes;
   for (const fs::path& file : files)

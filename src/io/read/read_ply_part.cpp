@@ -99,8 +99,7 @@ public:
     read_header();
     for (const Ply_element& element : elements_)
       read_element(element);
-    if (faces_.empty() && result_.faces_left_out == 0)
-      fail("there is no face in it; a model needs a mesh for every part");
+    if (faces_.empty() && result_.faces_left_out == 0) fail("there is no face in it; give every part a mesh");
     Model_part part;
     std::vector<Point> polygon;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -123,7 +122,10 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const { throw Invalid_input(file_ + ": " + what); }
+  [[noreturn]] void fail(const std::string& what, const char* remedy = remedy::correct_text) const
+  {
+    refuse(file_ + ": " + what, remedy);
+  }
 
   /// What is used of an element.
   struct Values
@@ -225,9 +227,10 @@ private:
     // A header of CR alone may be followed by a byte that is LF
     const std::size_t end = text_.find_first_of("\r\n");
     const bool has_cr_alone = end != std::string_view::npos && text_[end] == '\r' && text_.substr(end, 2) != "\r\n";
-    if (trimmed(next_line(text_)) != "ply") fail("it cannot be read as a PLY model: it does not begin with 'ply'");
+    if (trimmed(next_line(text_)) != "ply")
+      fail("it cannot be read as a PLY model: it does not begin with 'ply'", remedy::check_kind);
     for (;;) {
-      if (text_.empty()) fail("its PLY header has no end; the file is cut off");
+      if (text_.empty()) fail("its PLY header has no end: the file is cut off", remedy::save_again);
       std::string_view line = next_line(text_);
       const std::string_view keyword = next_word(line);
       if (keyword == "end_header") {
@@ -326,7 +329,8 @@ private:
     // The last word of a text needs no blank after it
     if (element.count > (text_.size() + 1) / least)
       fail("its header says " + std::to_string(element.count) + " of '" + element.name +
-           "', but the rest of the file is too short for them; it is cut off or damaged");
+               "', but the rest of the file is too short for them: it is cut off or damaged",
+           remedy::save_again);
     for (std::size_t i = 0; i < element.count; ++i) {
       Values values;
       bool is_face = false;
@@ -362,7 +366,8 @@ private:
     if (!(count >= 0) || count * double(least_size(*property.type)) > double(text_.size() + 1) ||
         count != std::floor(count))
       fail("it has a list of " + internal::number_text(count) +
-           " numbers, which is more than the rest of the file holds; it is cut off or damaged");
+               " numbers, which is more than the rest of the file holds: it is cut off or damaged",
+           remedy::save_again);
     std::vector<double> list(static_cast<std::size_t>(count));
     for (double& number : list)
       number = next(*property.type);
@@ -415,11 +420,12 @@ private:
     if (encoding_ == Ply_encoding::ASCII) {
       const std::string_view word = next_word(text_);
       double number = 0;
-      if (word.empty()) fail("it ends before all of its elements are there; the file is cut off");
+      if (word.empty()) fail("it ends before all of its elements are there: the file is cut off", remedy::save_again);
       if (!parse(word, number)) fail("it has " + cited(word) + " where a number is expected");
       return number;
     }
-    if (text_.size() < type.size) fail("it ends before all of its elements are there; the file is cut off");
+    if (text_.size() < type.size)
+      fail("it ends before all of its elements are there: the file is cut off", remedy::save_again);
     const char* const bytes = text_.data();
     text_.remove_prefix(type.size);
     return encoding_ == Ply_encoding::LITTLE_ENDIAN_BYTES ? type.in_little_endian(bytes) : type.in_big_endian(bytes);

@@ -6,6 +6,7 @@
 #include "io/system/checked_file.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
+#include "io/system/remedies.h"
 #include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -52,7 +53,7 @@ std::string content_of(const std::string& file)
   std::ifstream in = open_input(file);
   if (!fs::is_regular_file(file)) throw Invalid_input(file + ": it is a device; copy the model into a file");
   const std::uintmax_t size = fs::file_size(file);
-  if (size == 0) throw Invalid_input(file + ": the file is empty");
+  if (size == 0) refuse(file + ": the file is empty", remedy::save_again);
   if (size > largest_model)
     throw Invalid_input(file + ": it is larger than " + std::to_string(largest_model >> 30) +
                         " GB; simplify the model, or cut it into parts");
@@ -114,7 +115,8 @@ Model_content read_parts(const std::string& file, bool are_parts, const std::str
   const Text_reader reader = text_reader_of(extension);
   if (!reader && !is_gltf(extension) && !is_read_by_assimp(extension) && !is_urdf(extension))
     throw Invalid_input(file + ": models are read from files of type " + known_formats +
-                        (extension.empty() ? ", and this one has no extension" : ", not '" + extension + "'"));
+                        (extension.empty() ? ", and this one has no extension" : ", not '" + extension + "'") + "; " +
+                        remedy::save_as_other_format);
   const std::string text = content_of(file);
   // A binary STL file may begin with any bytes
   if (extension != ".stl" || text.substr(0, 4).find('\0') != std::string::npos) check_is_not_wide(text, file);
@@ -184,7 +186,8 @@ std::vector<fs::path> model_files(const fs::path& folder, bool is_of_robots = fa
   std::vector<fs::path> files;
   std::error_code error;
   fs::directory_iterator entries(folder, error);
-  if (error) throw Invalid_input(folder.string() + ": the folder cannot be read (" + error.message() + ")");
+  if (error)
+    refuse(folder.string() + ": the folder cannot be read (" + error.message() + ")", remedy::check_permissions);
   for (const fs::directory_entry& entry : entries) {
     const std::string file = entry.path().string();
     const bool is_part = is_model_file(file) && !is_hidden(entry.path());
@@ -236,7 +239,7 @@ std::vector<fs::path> files_of(const std::string& path)
   const fs::path folder = folder_of_parts(path);
   std::vector<fs::path> files = model_files(folder);
   if (files.empty())
-    throw Invalid_input(folder.string() + ": there is no part in the folder; it needs a mesh file for every part (" +
+    throw Invalid_input(folder.string() + ": there is no part in the folder; give it a mesh file for every part (" +
                         known_formats + ")");
   check_number_of_parts(folder.string(), files.size());
   return files;

@@ -71,8 +71,7 @@ public:
     name_binary_parts();
     const auto is_empty = [](const Model_part& part) { return part.corners.empty(); };
     result_.parts.erase(std::remove_if(result_.parts.begin(), result_.parts.end(), is_empty), result_.parts.end());
-    if (result_.parts.empty())
-      throw Invalid_input(file_ + ": there is no triangle in it; a model needs a mesh for every part");
+    if (result_.parts.empty()) throw Invalid_input(file_ + ": there is no triangle in it; give every part a mesh");
     if (rest_.find_first_not_of(std::string_view(" \t\r\n\0\x1A", 6)) != std::string_view::npos)
       warn("What follows after the last triangle is no STL and was left out: " + std::to_string(rest_.size()) +
            " bytes.");
@@ -87,7 +86,8 @@ private:
   void read_binary()
   {
     if (rest_.size() < header_size)
-      throw Invalid_input(file_ + ": it cannot be read as an STL model; it is another kind of file or cut off");
+      throw Invalid_input(file_ + ": it cannot be read as an STL model: it is another kind of file, or cut off; " +
+                          remedy::check_kind);
     const std::size_t given = count_in(rest_), room = (rest_.size() - header_size) / triangle_size;
     const bool fills_file = (rest_.size() - header_size) % triangle_size == 0;
     std::size_t count = given;
@@ -95,7 +95,8 @@ private:
     if (fills_file && (given == 0 || given == std::numeric_limits<std::uint32_t>::max())) count = room;
     if (count > room)
       throw Invalid_input(file_ + ": it cannot be read as an STL model: it says that it has " + std::to_string(count) +
-                          " triangles, which is more than the file holds; it is cut off or damaged");
+                          " triangles, which is more than the file holds: it is cut off or damaged; " +
+                          remedy::save_again);
     const char* triangle = rest_.data() + header_size;
     if (fills_file && count < room && is_triangle(triangle + count * triangle_size)) count = room;
     if (count != given)
@@ -145,7 +146,8 @@ private:
         }
       }
     }
-    if (corners_of_face % 3 != 0) lines.fail("the file ends in the middle of a facet; it is cut off");
+    if (corners_of_face % 3 != 0)
+      lines.fail("the file ends in the middle of a facet: it is cut off", remedy::save_again);
     rest_ = lines.rest();
   }
 

@@ -175,7 +175,7 @@ Part_group read_group(const Json_field& field, const std::vector<Part_abstractio
   if (group.parts.empty()) field["parts"].fail("is empty");
   group.symmetry = read_symmetry(field);
   const bool is_of_one = group.symmetry.type == Symmetry_type::NONE || group.symmetry.type == Symmetry_type::SELF;
-  if (is_of_one && group.parts.size() > 1) field.fail("has several parts; their symmetry cannot be \"self\"");
+  if (is_of_one && group.parts.size() > 1) field.fail("has several parts, whose symmetry cannot be \"self\"");
   if (field.has("volume"))
     group.volume = field["volume"].number_at_least_0();
   else
@@ -260,7 +260,7 @@ void check_format(const Json_field& document)
     document["format"].fail("is \"" + document["format"].text() + "\" instead of \"shape_correspondence/graph\"");
   if (document["version"].integer() != 1)
     document["version"].fail("is " + std::to_string(document["version"].integer()) +
-                             "; this program reads version 1 only");
+                             ", and this program reads version 1 only");
 }
 
 Structural_graph read_graph(const Json_field& document, const Structure_options& options)
@@ -270,8 +270,7 @@ Structural_graph read_graph(const Json_field& document, const Structure_options&
   Part_indices indices;
   shape.name = document.has("name") ? document["name"].text() : "shape";
   shape.parts = read_parts(document["parts"], indices);
-  if (shape.parts.size() < 2)
-    document["parts"].fail("has fewer than two parts; a correspondence needs a shape of two or more");
+  if (shape.parts.size() < 2) document["parts"].fail("has fewer than two parts; describe a shape of two or more");
   const Point up = document.has("up") ? document["up"].unit_vector() : Point::UnitY();
   shape.frame = document.has("frame") ? read_frame(document["frame"], up) : frame_of_abstractions(shape.parts, up);
   std::vector<Part_group> groups;

@@ -74,7 +74,7 @@ class Xml_reader
 public:
   Xml_reader(const Tree& tree, std::string place) : tree_(tree), place_(std::move(place)) {}
 
-  [[noreturn]] void fail(const std::string& what) const { throw Invalid_input(place_ + " " + what); }
+  [[noreturn]] void fail(const std::string& what) const { refuse(place_ + " " + what, remedy::correct_text); }
 
   std::vector<Xml_reader> children(const std::string& key) const
   {
@@ -297,9 +297,10 @@ std::vector<Spline_part> read_parts(const Tree& document, const std::string& fil
     if (!indices.emplace(parts.back().part.name, indices.size()).second) node.fail("has the <id> of an earlier one");
     if (parts.size() > internal::most_parts)
       throw Invalid_input(file + ": it has more than " + std::to_string(internal::most_parts) +
-                          " <node>s, the most that a shape may have");
+                          " <node>s, the most that a shape may have; join some of them");
   }
-  if (parts.size() < 2) throw Invalid_input(file + ": it has fewer than two <node>s; a structure graph has more");
+  if (parts.size() < 2)
+    throw Invalid_input(file + ": it has fewer than two <node>s; describe a shape of two parts or more");
   return parts;
 }
 
@@ -343,7 +344,8 @@ Structural_graph read_structural_graph_xml(std::istream& in, const std::string& 
   const Tree tree = parse_xml(read_document(in, file_name), file_name);
   const auto document = tree.find("document");
   if (document == tree.not_found())
-    throw Invalid_input(file_name + ": it has no <document>; a structure graph in XML is one");
+    throw Invalid_input(file_name +
+                        ": it has no <document>, as a structure graph in XML has; check that it is the right file");
   Shape_structure shape;
   Indices indices;
   shape.name = file_name;

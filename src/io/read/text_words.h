@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/number_text.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Points.h>
@@ -90,7 +91,7 @@ inline std::string cited(std::string_view word, std::size_t longest = 40)
 inline std::string cited_file(std::string_view name)
 {
   constexpr std::size_t longest_path = 255;
-  return cited(name, longest_path);
+  return name.empty() ? "without a name" : cited(name, longest_path);
 }
 
 /// The lines of a model file that is text; complaints name the file and the line.
@@ -107,9 +108,9 @@ public:
     return next_line(rest_);
   }
 
-  [[noreturn]] void fail(const std::string& what) const
+  [[noreturn]] void fail(const std::string& what, const char* remedy = remedy::correct_text) const
   {
-    throw Invalid_input(file_ + ", line " + std::to_string(number_) + ": " + what);
+    refuse(file_ + ", line " + std::to_string(number_) + ": " + what, remedy);
   }
 
   /// The vertex that the words of a line are.
@@ -118,7 +119,7 @@ public:
     Point result;
     for (double& coordinate : result) {
       const std::string_view word = next_word(words);
-      if (!parse(word, coordinate)) fail("a vertex needs three numbers; " + cited(word) + " is none");
+      if (!parse(word, coordinate)) fail("a vertex needs three numbers, and " + cited(word) + " is none");
     }
     return result;
   }

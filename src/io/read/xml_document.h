@@ -4,6 +4,7 @@
 #pragma once
 
 #include "io/read/document.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -23,8 +24,8 @@ inline boost::property_tree::ptree parse_xml(const std::string& text, const std:
   try {
     boost::property_tree::read_xml(in, result);
   } catch (const boost::property_tree::xml_parser_error& error) {
-    throw Invalid_input(file + ": it is not an XML document (line " + std::to_string(error.line()) + ": " +
-                        error.message() + ")");
+    refuse(file + ": it is not an XML document (line " + std::to_string(error.line()) + ": " + error.message() + ")",
+           remedy::correct_text);
   }
   return result;
 }

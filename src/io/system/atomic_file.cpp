@@ -3,6 +3,7 @@
 
 #include "io/system/atomic_file.h"
 #include "io/system/operating_system.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -16,6 +17,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <mutex>
+#include <set>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -25,7 +28,7 @@ namespace fs = std::filesystem;
 [[noreturn]] void fail(const std::string& path, const std::string& why)
 {
   const std::string name = path == "-" ? "standard output" : path;
-  throw Invalid_input(name + ": it cannot be written (" + why + "); choose another place for the output");
+  throw Invalid_input(name + ": it cannot be written (" + why + "); " + remedy::write_elsewhere);
 }
 
 bool is_device(const fs::path& file)
@@ -76,6 +79,19 @@ void fail_if(const std::error_code& error, const std::string& path)
   if (error) fail(path, error.message());
 }
 
+/// What has a temporary name now. Never destroyed, since a signal may come at the end of the program.
+struct Temporaries
+{
+  std::mutex mutex;
+  std::set<std::string> names;
+};
+
+Temporaries& temporaries()
+{
+  static Temporaries* const all = new Temporaries;
+  return *all;
+}
+
 /// What is made under a temporary name, for `path`; removed again unless it is renamed.
 class Temporary
 {
@@ -84,16 +100,21 @@ public:
   Temporary(const std::string& path, const fs::path& place, std::error_code (*make)(const fs::path&)) : path_(path)
   {
     std::error_code error;
-    do {
-      name_ = temporary_name(place);
-      error = make(name_);
-    } while (error == std::errc::file_exists);
+    {
+      const std::lock_guard<std::mutex> lock(temporaries().mutex);
+      do {
+        name_ = temporary_name(place);
+        error = make(name_);
+      } while (error == std::errc::file_exists);
+      if (!error) temporaries().names.insert(name_);
+    }
     fail_if(error, path);
   }
   ~Temporary()
   {
     std::error_code error;
     if (!renamed_) fs::remove_all(name_, error);
+    forget();
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -108,10 +129,17 @@ public:
     fail_if(synchronize(name_), path_);
     fail_if(replace(name_, place), path_);
     renamed_ = true;
+    forget();
     fail_if(synchronize(parent_of(place)), path_);
   }
 
 private:
+  void forget() const
+  {
+    const std::lock_guard<std::mutex> lock(temporaries().mutex);
+    temporaries().names.erase(name_);
+  }
+
   std::string path_, name_;
   bool renamed_ = false;
 };
@@ -187,6 +215,13 @@ void write_atomically(const std::string& path, const std::function<void(std::ost
   temporary.rename_to(file);
 }
 
+void write_entry(const std::string& path, const std::function<void(std::ostream&)>& write)
+{
+  std::error_code error;
+  if (is_device(path)) fs::remove(path, error);
+  write_atomically(path, write);
+}
+
 void check_new_folder(const std::string& path)
 {
   const fs::path folder = folder_path(path);
@@ -207,6 +242,16 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
     throw Invalid_input(boost::replace_all_copy(std::string(error.what()), temporary.name(), folder.string()));
   }
   temporary.rename_to(folder);
+}
+
+void remove_temporaries()
+{
+  temporaries().mutex.lock(); // and never unlocked
+  constexpr int attempts = 2; // other threads may be writing into a folder
+  std::error_code error;
+  for (int i = 0; i < attempts; ++i)
+    for (const std::string& name : temporaries().names)
+      fs::remove_all(name, error);
 }
 
 void remove_leftovers(const std::string& folder, const std::string& beginning)

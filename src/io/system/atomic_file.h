@@ -24,6 +24,9 @@ void check_writable(const std::string& path);
 /// \throw Invalid_input if that fails; names the file
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
 
+/// The same for a file of a cache or store: what is in its place and no file, such as a pipe, is removed first.
+void write_entry(const std::string& path, const std::function<void(std::ostream&)>& write);
+
 /// Throws `Invalid_input` if the folder `path` cannot be made: where there is anything of that name but an empty
 /// folder.
 void check_new_folder(const std::string& path);
@@ -31,6 +34,9 @@ void check_new_folder(const std::string& path);
 /// Calls `write` with a folder of a temporary name beside `path`, which is then renamed to `path`: all of it or
 /// nothing. \throw Invalid_input if that fails; names the folder
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write);
+
+/// Removes the temporary files and folders of this process, which is about to end: it makes none any more.
+void remove_temporaries();
 
 /// Removes temporary files and folders that processes of this machine left in a folder when they were killed.
 /// \param beginning of their names: of the file or folder that they were for

@@ -30,6 +30,8 @@ std::string digest(const std::string& bytes)
 
 std::string bytes_of_file(const std::string& path)
 {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return ""; // a pipe would wait for a writer
   std::ifstream in(std::filesystem::path(path), std::ios::binary);
   std::ostringstream bytes;
   bytes << in.rdbuf();
@@ -39,6 +41,11 @@ std::string bytes_of_file(const std::string& path)
 void write_checked_file(const std::string& path, const std::string& title, const std::string& content)
 {
   write_atomically(path, [&](std::ostream& out) { out << heading(title, content) << content; });
+}
+
+void write_checked_entry(const std::string& path, const std::string& title, const std::string& content)
+{
+  write_entry(path, [&](std::ostream& out) { out << heading(title, content) << content; });
 }
 
 std::optional<std::string> checked_content(const std::string& file, const std::string& title)

@@ -11,7 +11,7 @@ namespace CGAL::Shape_correspondence::IO {
 /// A digest (SHA-1) of bytes.
 std::string digest(const std::string& bytes);
 
-/// All bytes of a file; none if it cannot be read.
+/// All bytes of a file; none if it cannot be read, or is a pipe or a device.
 std::string bytes_of_file(const std::string& path);
 
 /// A file that is kept for later: its first line is a title, which says what it is, and a digest of the rest. Many
@@ -19,6 +19,9 @@ std::string bytes_of_file(const std::string& path);
 
 /// Writes such a file, all of it or nothing. \throw Invalid_input if that fails
 void write_checked_file(const std::string& path, const std::string& title, const std::string& content);
+
+/// The same for an entry of a cache or store, see `write_entry()`.
+void write_checked_entry(const std::string& path, const std::string& title, const std::string& content);
 
 /// The content of such a file, given all of its text; none if it is damaged or has another title.
 std::optional<std::string> checked_content(const std::string& file, const std::string& title);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/input_file.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -18,8 +19,8 @@ void check_exists(const std::string& path)
 {
   std::error_code error; // is none where nothing has the name
   if (fs::exists(path, error)) return;
-  throw Invalid_input(path +
-                      (error ? ": it cannot be used (" + error.message() + ")" : ": there is no such file or folder"));
+  if (error) refuse(path + ": it cannot be used (" + error.message() + ")", remedy::check_permissions);
+  refuse(path + ": there is no such file or folder", remedy::check_name);
 }
 
 std::ifstream open_input(const std::string& path)
@@ -49,6 +50,23 @@ bool is_wide_text(std::string_view text)
 void check_is_not_wide(std::string_view text, const std::string& file)
 {
   if (is_wide_text(text)) throw Invalid_input(file + ": it is text in UTF-16; save it as UTF-8");
+}
+
+std::vector<std::string> files_under(const std::string& folder)
+{
+  std::vector<std::string> result;
+  // By calls of itself: the recursive iterator does not say which folder it cannot read
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (is_hidden(entry.path())) continue;
+    if (entry.is_directory() && !entry.is_symlink()) {
+      const std::vector<std::string> files = files_under(entry.path().string());
+      result.insert(result.end(), files.begin(), files.end());
+    } else if (entry.is_regular_file()) {
+      result.push_back(entry.path().string());
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 bool is_in_folder_of(const std::string& file, const std::string& named)

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -24,6 +25,10 @@ bool is_wide_text(std::string_view text);
 
 /// Throws `Invalid_input` if it does; names `file`.
 void check_is_not_wide(std::string_view text, const std::string& file);
+
+/// The files in a folder and its subfolders that are not hidden, sorted. \throw std::filesystem::filesystem_error if
+/// one of these cannot be read; names it
+std::vector<std::string> files_under(const std::string& folder);
 
 /// Whether a file that `file` names is in the same folder as it, or in one of its sub-folders, also where links lead
 /// to.

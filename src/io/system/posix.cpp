@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/Descriptor.h"
+#include "io/system/atomic_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/posix_systems.h"
 
@@ -14,6 +15,8 @@
 #endif
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -30,6 +33,31 @@ void reserve_standard_streams()
 {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+/// Ends the program at the signals that ask for it only after its temporary files are gone. A thread waits for them,
+/// since a handler may not remove folders; all others, which are started later, leave them to it.
+void remove_temporaries_at_signals()
+{
+#ifndef __EMSCRIPTEN__
+  static sigset_t signals;
+  sigemptyset(&signals);
+  for (int signal : {SIGTERM, SIGHUP, SIGINT}) {
+    struct sigaction present = {};
+    if (sigaction(signal, nullptr, &present) == 0 && present.sa_handler == SIG_DFL) sigaddset(&signals, signal);
+  }
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  try {
+    std::thread([] {
+      int signal = 0;
+      if (sigwait(&signals, &signal) == 0) remove_temporaries();
+      pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+      raise(signal);
+    }).detach();
+  } catch (const std::system_error&) { // there is no room for a thread
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  }
+#endif
 }
 
 /// Lets the allocator keep what is freed, in place of giving it back to the system and asking for it again, which takes
@@ -66,6 +94,7 @@ std::vector<std::string> start_program(int argc, char* argv[])
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow any more is an error of writing
   reserve_standard_streams();
   keep_freed_memory();
+  remove_temporaries_at_signals();
   return {argv + 1, argv + argc};
 }
 

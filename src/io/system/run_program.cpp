@@ -5,6 +5,7 @@
 #include "io/system/Descriptor.h"
 #include "io/system/operating_system.h"
 #include "io/system/posix_systems.h"
+#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -28,7 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void fail_to_start(const std::string& program, int reason)
 {
-  throw Invalid_input("the program " + program + " cannot be started (" + std::strerror(reason) + ")");
+  throw Invalid_input("the program " + program + " cannot be started (" + std::strerror(reason) + "); " +
+                      remedy::install_again);
 }
 
 /// `posix_spawn()`, which needs nothing of what other threads may hold, as copying this process would.
@@ -47,6 +49,12 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  posix_spawnattr_t attributes; // it does not wait for signals as this process does
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = 0;
   const int error = posix_spawn(&child, program.c_str(), &actions, &attributes, argv.data(), environment());
   posix_spawnattr_destroy(&attributes);

@@ -70,6 +70,13 @@ std::string utf8_of(const wchar_t* text)
   return result;
 }
 
+/// Called when the program is asked to end, as by Ctrl+C; it then ends.
+BOOL WINAPI remove_temporaries_at_end(DWORD)
+{
+  remove_temporaries();
+  return FALSE;
+}
+
 /// A file that is gone when its handle is closed, also if the program is killed.
 HANDLE make_scratch_file(const fs::path& folder)
 {
@@ -86,6 +93,7 @@ std::vector<std::string> start_program(int, char*[])
     _setmode(stream, _O_BINARY); // the same bytes as elsewhere
   write_utf8();
   set_utf8_paths();
+  SetConsoleCtrlHandler(remove_temporaries_at_end, TRUE);
   int count = 0;
   const std::unique_ptr<LPWSTR, decltype(&LocalFree)> words(CommandLineToArgvW(GetCommandLineW(), &count), &LocalFree);
   std::vector<std::string> arguments;

@@ -51,7 +51,8 @@ Json Json::of_text(std::string json)
 std::string Json::text_of_real(double number)
 {
   if (!std::isfinite(number))
-    throw Invalid_input("a number of the result is not finite: the input is too degenerate to be computed with");
+    throw Invalid_input(
+        "a number of the result is not finite: the input is too degenerate to be computed with; repair it");
   return nlohmann::json(number).dump();
 }
 

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <string>
+
+namespace CGAL::Shape_correspondence::IO {
+
+/// What to do about kinds of faults. Every message about a file says what is wrong, and then one of these, after a
+/// semicolon; a message that has a remedy of its own keeps it.
+namespace remedy {
+
+constexpr const char* correct_text = "correct that place, or save the file again";
+constexpr const char* save_again = "copy the file again, or save it again in the program that made it";
+constexpr const char* check_kind = "check that it is the right file, and that its extension says what it is";
+constexpr const char* check_name = "check its name";
+constexpr const char* check_permissions = "check the path and its permissions";
+constexpr const char* make_smaller = "simplify it, or divide it";
+constexpr const char* save_as_other_format = "save it in another format, such as OBJ, PLY or GLB";
+constexpr const char* install_again = "install the program again";
+constexpr const char* write_elsewhere = "choose another place for the output";
+
+} // namespace remedy
+
+/// Whether a message has a semicolon that is in no quotes: it says what to do.
+inline bool has_remedy(const std::string& message)
+{
+  bool is_quoted = false;
+  for (std::size_t i = 0; i + 1 < message.size(); ++i) {
+    if (message[i] == '\'') is_quoted = !is_quoted;
+    if (!is_quoted && message[i] == ';' && message[i + 1] == ' ') return true;
+  }
+  return false;
+}
+
+/// A message that says what to do.
+inline std::string with_remedy(const std::string& message, const char* remedy)
+{
+  return has_remedy(message) ? message : message + "; " + remedy;
+}
+
+/// \throw Invalid_input
+[[noreturn]] inline void refuse(const std::string& message, const char* remedy)
+{
+  throw Invalid_input(with_remedy(message, remedy));
+}
+
+} // namespace CGAL::Shape_correspondence::IO

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <string>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// \throw Invalid_input if a coordinate is not finite or beyond 1e15, an index names no vertex, or a vertex has too many
+/// triangles; names the part
+void check_triangles(const std::string& part, const Part_mesh& mesh);
+
+/// \throw Invalid_input, too, if the mesh has no area
+void check_mesh(const std::string& part, const Part_mesh& mesh);
+
+} // namespace CGAL::Shape_correspondence::internal
