@@ -192,7 +192,7 @@ struct Model_keywords : Keywords
         "whether parts touch at a closest pair of points, as in the paper, not in the middle of all that is nearly as "
         "close");
     add("parts_from", common.parts_from,
-        "a list of pieces and their parts, as `graph --parts-json` of the program writes it");
+        "a list of pieces and their parts, as `graph --parts-json` of the program writes it, or of labels of faces");
   }
 };
 

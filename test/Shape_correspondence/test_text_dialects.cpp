@@ -10,6 +10,8 @@
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 
+#include <Eigen/Geometry>
+
 #include <catch2/catch.hpp>
 
 #include <cstdint>

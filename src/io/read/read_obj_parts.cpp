@@ -72,11 +72,11 @@ private:
     std::string_view line = lines_.next();
     if (begins_with(line, painted_vertices)) read_painted_vertices(line.substr(painted_vertices.size()));
     line = trimmed(without_comment(line));
-    if (!is_continued(line) || !has_numbers(line)) return line;
+    if (line.empty() || line.back() != '\\' || !has_numbers(line)) return line;
     joined_.clear();
     for (; is_continued(line); line = trimmed(without_comment(lines_.next())))
       joined_.append(line, 0, line.size() - 1).append(1, ' ');
-    return joined_.append(line);
+    return joined_.append(line, 0, line.find_last_not_of('\\') + 1);
   }
 
   /// Whether the line ends in a backslash and the next one begins with a number.

@@ -15,9 +15,16 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 // A channel of a colour beyond it says that white is 255, not 1.
-constexpr float brightest_channel = 1.5f;
+constexpr double brightest_channel = 1.5;
 
-const Eigen::Vector3f no_colour = Eigen::Vector3f::Constant(-1);
+/// A colour as it is written; white if there is none.
+struct Off_colour
+{
+  enum Scale { UNIT, OF_FILE }; ///< white is 1, or what it is for the whole file
+
+  Eigen::Vector3d channels = Eigen::Vector3d::Ones();
+  Scale scale = UNIT;
+};
 
 class Off_reader
 {
@@ -46,12 +53,8 @@ public:
     result.number_of_faces = faces;
     for (std::size_t i = 0; i < faces; ++i)
       read_face(i, result);
-    std::vector<Eigen::Vector3f>& colours = result.parts[0].appearance.colours;
-    if (!has_colours_) colours.clear();
-    for (Eigen::Vector3f& colour : colours) {
-      if (colour == no_colour) colour = Eigen::Vector3f::Constant(white_);
-      colour = linear_colour((colour / white_).cast<double>()).cast<float>();
-    }
+    for (const Off_colour& colour : colours_of_corners_)
+      if (has_colours_) result.parts[0].appearance.colours.push_back(linear(colour));
     return result;
   }
 
@@ -102,15 +105,27 @@ private:
     if (std::size_t edges = 0; !is_there && parse(trimmed(next_line(rest)), edges)) next_line_of_words();
   }
 
-  /// The colour at the beginning of the rest of a line, as it is written; `no_colour` if there is none.
-  Eigen::Vector3f colour(std::string_view line)
+  /// The colour at the beginning of the rest of a line.
+  Off_colour colour(std::string_view line)
   {
-    Eigen::Vector3f result;
-    for (float& value : result)
-      if (!parse(next_word(line), value)) return no_colour;
+    Off_colour result;
+    bool is_whole = true;
+    for (double& value : result.channels) {
+      const std::string_view word = next_word(line);
+      if (!parse(word, value)) return {};
+      is_whole = is_whole && word.find('.') == std::string_view::npos;
+    }
     has_colours_ = true;
-    if (result.maxCoeff() > brightest_channel) white_ = 255;
+    const bool is_bright = result.channels.maxCoeff() > brightest_channel;
+    result.scale = is_whole || is_bright ? Off_colour::OF_FILE : Off_colour::UNIT;
+    if (is_bright) white_ = 255;
     return result;
+  }
+
+  Eigen::Vector3f linear(const Off_colour& colour) const
+  {
+    const double white = colour.scale == Off_colour::OF_FILE ? white_ : 1;
+    return linear_colour(colour.channels / white).cast<float>();
   }
 
   /// Whether the rest of a line is three or four whole numbers up to 255, which are a colour that no keyword announces.
@@ -151,7 +166,7 @@ private:
     if (!vertices_have_colours_) return;
     for (int i = 0; normals_come_first_ && i < 3; ++i)
       next_word(line);
-    colours_.resize(points_.size(), no_colour);
+    colours_.resize(points_.size());
     colours_.back() = colour(line);
   }
 
@@ -171,11 +186,11 @@ private:
       vertices.push_back(index);
     }
     if (corners < 3) ++result.faces_left_out;
-    const Eigen::Vector3f of_face = vertices_have_colours_ ? no_colour : colour(line);
+    const Off_colour of_face = vertices_have_colours_ ? Off_colour() : colour(line);
     Model_part& part = result.parts[0];
     for (std::size_t corner : triangles_of_polygon(polygon_)) {
       part.corners.push_back(polygon_[corner]);
-      part.appearance.colours.push_back(vertices_have_colours_ ? colours_[vertices[corner]] : of_face);
+      colours_of_corners_.push_back(vertices_have_colours_ ? colours_[vertices[corner]] : of_face);
     }
     part.faces.resize(part.corners.size() / 3, face);
   }
@@ -183,9 +198,9 @@ private:
   Model_lines lines_;
   const std::string& file_;
   std::vector<Point> points_, polygon_;
-  std::string_view line_;                ///< what is not read of a line of the header
-  std::vector<Eigen::Vector3f> colours_; ///< of vertices, as they are written
-  float white_ = 1;                      ///< a full channel of colours
+  std::string_view line_;                                ///< what is not read of a line of the header
+  std::vector<Off_colour> colours_, colours_of_corners_; ///< of vertices, and of the corners of triangles
+  double white_ = 1;                                     ///< a full channel of `Off_colour::OF_FILE`
   bool has_weights_ = false, has_dimension_ = false, normals_come_first_ = false;
   bool vertices_have_colours_ = false, has_colours_ = false;
 };

@@ -161,7 +161,11 @@ bool add_part(const std::string& file, const Model_part& part, Model_objects& ob
   std::vector<std::size_t> kept;
   Part_mesh mesh = weld(part.corners, &kept);
   if (mesh.triangles.cols() == 0 || !internal::has_area(mesh)) return false;
-  objects.shape.add_part(part.name, std::move(mesh));
+  try {
+    objects.shape.add_part(part.name, std::move(mesh));
+  } catch (const Invalid_input& error) {
+    throw Invalid_input(file + ": " + error.what());
+  }
   objects.appearance.parts.push_back(looks_of(part.appearance, kept));
   if (part.faces.empty()) return true;
   for (std::size_t& triangle : kept)
