@@ -7,7 +7,7 @@
 #include "io/read/model_parts.h"
 #include "io/system/input_file.h"
 #include "roles/up_by_roles.h"
-#include "structure/frame_of_shape.h"
+#include "shape/Shape_in_frame.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>

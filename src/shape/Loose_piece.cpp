@@ -154,15 +154,15 @@ Loose_piece loose_piece(std::size_t object, Part_mesh mesh, double tolerance)
   result.object = object;
   result.surface = canonical_surface(mesh, tolerance);
   result.mesh = std::move(mesh);
-  Point middle = Point::Zero();
   for (Eigen::Index t = 0; t < result.surface.triangles.cols(); ++t) {
     const contacts::Triangle corners = triangle_of(result.surface, t);
     const double twice = contacts::area_vector(corners).norm();
     result.area += twice / 2;
-    middle += twice / 6 * (corners[0] + corners[1] + corners[2]);
+    result.middle += twice / 6 * (corners[0] + corners[1] + corners[2]);
   }
   const Points& points = result.surface.points;
-  result.size = size_of(points, result.area > 0 ? Point(middle / result.area) : Point(points.rowwise().mean()));
+  result.middle = result.area > 0 ? Point(result.middle / result.area) : Point(points.rowwise().mean());
+  result.size = size_of(points, result.middle);
   result.closed = is_closed(result.surface);
   return result;
 }

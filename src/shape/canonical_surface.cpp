@@ -131,11 +131,7 @@ private:
       if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
         triangles_.push_back(lowest_first(corners));
     }
-    std::sort(triangles_.begin(), triangles_.end(),
-              [](const Corners& a, const Corners& b) { return std::pair(sorted(a), a) < std::pair(sorted(b), b); });
-    triangles_.erase(std::unique(triangles_.begin(), triangles_.end(),
-                                 [](const Corners& a, const Corners& b) { return sorted(a) == sorted(b); }),
-                     triangles_.end());
+    std::sort(triangles_.begin(), triangles_.end());
   }
 
   void find_sides()
@@ -151,11 +147,31 @@ private:
     });
     neighbours_.assign(triangles_.size(), {no_number, no_number, no_number});
     for_each_edge([&](std::size_t begin, std::size_t end) {
-      if (end - begin != 2 || sides_[begin].along == sides_[begin + 1].along) return;
-      for (std::size_t i : {begin, begin + 1})
-        neighbours_[std::size_t(sides_[i].triangle)][std::size_t(sides_[i].number)] =
-            sides_[2 * begin + 1 - i].triangle;
+      if (end - begin == 2 || end - begin == 4) join_sides(begin, end);
     });
+  }
+
+  int& neighbour_at(const Side_of_triangle& side)
+  {
+    return neighbours_[std::size_t(side.triangle)][std::size_t(side.number)];
+  }
+
+  /// Makes neighbours of triangles that are turned alike; where a sheet has a back, of those of one side.
+  void join_sides(std::size_t begin, std::size_t end)
+  {
+    const auto normal = [&](std::size_t i) {
+      return area_vector_of(triangles_[std::size_t(sides_[i].triangle)]).normalized();
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!sides_[i].along) continue;
+      std::pair best(-2., end);
+      for (std::size_t j = begin; j < end; ++j)
+        if (!sides_[j].along && neighbour_at(sides_[j]) == no_number)
+          best = std::max(best, std::pair(end - begin == 2 ? 1 : normal(i).dot(normal(j)), j));
+      if (best.second == end) continue;
+      neighbour_at(sides_[i]) = sides_[best.second].triangle;
+      neighbour_at(sides_[best.second]) = sides_[i].triangle;
+    }
   }
 
   template <typename Function>
@@ -221,9 +237,12 @@ private:
 
   bool is_within_face(std::size_t begin, std::size_t end, const std::vector<char>& is_whole) const
   {
-    if (end - begin != 2 || sides_[begin].along == sides_[begin + 1].along) return false;
-    const int face = face_[std::size_t(sides_[begin].triangle)];
-    return face == face_[std::size_t(sides_[begin + 1].triangle)] && !is_whole[std::size_t(face)];
+    return std::all_of(sides_.begin() + std::ptrdiff_t(begin), sides_.begin() + std::ptrdiff_t(end),
+                       [&](const Side_of_triangle& side) {
+                         const int next = neighbours_[std::size_t(side.triangle)][std::size_t(side.number)];
+                         const int face = face_[std::size_t(side.triangle)];
+                         return next != no_number && face_[std::size_t(next)] == face && !is_whole[std::size_t(face)];
+                       });
   }
 
   Outline outline_of(const std::vector<char>& is_whole) const
@@ -508,9 +527,15 @@ private:
   std::vector<std::vector<int>> members_; ///< triangles of the faces
 };
 
-/// Points and triangles, sorted by their places along a direction.
+/// Points and triangles, each once, sorted by their places along a direction.
 Part_mesh sorted_mesh(const std::vector<Point>& points, std::vector<Corners> triangles, const Point& direction)
 {
+  for (Corners& corners : triangles)
+    corners = lowest_first(corners);
+  std::sort(triangles.begin(), triangles.end(),
+            [](const Corners& a, const Corners& b) { return std::pair(sorted(a), a) < std::pair(sorted(b), b); });
+  const auto is_same = [](const Corners& a, const Corners& b) { return sorted(a) == sorted(b); };
+  triangles.erase(std::unique(triangles.begin(), triangles.end(), is_same), triangles.end());
   std::vector<int> order;
   for (const Corners& corners : triangles)
     order.insert(order.end(), corners.begin(), corners.end());
@@ -549,12 +574,17 @@ Part_mesh sorted_mesh(const std::vector<Point>& points, std::vector<Corners> tri
 Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance, const Eigen::Matrix3d& axes)
 {
   const double stretch = 0.15; // enough to settle ties, little enough for round triangles
+  const double exact = 2e-4;   // over the tolerance
   const Point direction = axes * generic_direction();
-  const Flat_faces faces(mesh, tolerance);
-  const Part_mesh result =
-      sorted_mesh(faces.points(),
-                  faces.divided(Eigen::Matrix3d::Identity() + stretch * direction * direction.transpose()), direction);
-  return result.triangles.cols() > 0 && has_area(result) ? result : mesh;
+  const Eigen::Matrix3d stretched = Eigen::Matrix3d::Identity() + stretch * direction * direction.transpose();
+  Part_mesh result = mesh;
+  // What is exactly flat first, since which of nearly flat triangles make a face depends on the triangles
+  for (const double flat : {exact * tolerance, tolerance}) {
+    const Flat_faces faces(result, flat);
+    result = sorted_mesh(faces.points(), faces.divided(stretched), direction);
+    if (result.triangles.cols() == 0 || !has_area(result)) return mesh;
+  }
+  return result;
 }
 
 Segmented_shape canonical_shape(const Segmented_shape& shape, const Eigen::Matrix3d& axes)

@@ -1,8 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/generic_direction.h"
 #include "base/limits.h"
+#include "base/quantized.h"
 #include "shape/Loose_piece.h"
+#include "shape/Shape_in_frame.h"
 #include "shape/all_vertices.h"
 #include "shape/canonical_surface.h"
 #include "shape/group_pieces.h"
@@ -14,6 +17,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -73,6 +77,7 @@ public:
       for (Loose_piece& piece : loose_pieces(i, objects_[i].mesh, flatness_tolerance(size_),
                                              materials.empty() ? std::vector<int>() : materials[i], divide))
         add_piece(std::move(piece));
+    sort_pieces(objects);
     name_pieces();
   }
 
@@ -165,6 +170,26 @@ private:
       pieces_.push_back(std::move(piece));
     else
       ++result_.pieces_left_out;
+  }
+
+  /// Sorts the pieces of each object by their place along a direction of the shape's frame, as names should not depend
+  /// on the order of triangles.
+  void sort_pieces(const Segmented_shape& objects)
+  {
+    if (pieces_.size() <= objects_.size()) return;
+    const Shape_frame frame = Shape_in_frame(objects).frame;
+    const auto key = [&](const Loose_piece& piece) {
+      const double place = generic_direction().dot(Point(frame.to_frame(piece.middle)));
+      return std::tuple(piece.object, quantized(place), -quantized(piece.area / (size_ * size_)));
+    };
+    std::vector<std::pair<decltype(key(pieces_[0])), std::size_t>> order;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      order.emplace_back(key(pieces_[i]), i);
+    std::sort(order.begin(), order.end());
+    std::vector<Loose_piece> sorted;
+    for (const auto& [place, i] : order)
+      sorted.push_back(std::move(pieces_[i]));
+    pieces_.swap(sorted);
   }
 
   void name_pieces()

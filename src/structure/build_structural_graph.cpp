@@ -3,7 +3,7 @@
 
 #include "base/check_number.h"
 #include "base/limits.h"
-#include "structure/frame_of_shape.h"
+#include "shape/Shape_in_frame.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "structure/outline_graph.h"
+#include "shape/Shape_in_frame.h"
 #include "structure/align_shapes.h"
-#include "structure/frame_of_shape.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Shape_correspondence/detect_contacts.h>

@@ -6,7 +6,7 @@
 #include "box_shapes.h"
 #include "generated_shapes.h"
 #include "roles/up_by_roles.h"
-#include "structure/frame_of_shape.h"
+#include "shape/Shape_in_frame.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "structure/frame_of_shape.h"
+#include "shape/Shape_in_frame.h"
 #include "base/directions.h"
 #include "base/generic_direction.h"
 #include "shape/all_vertices.h"
