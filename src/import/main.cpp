@@ -279,9 +279,6 @@ Model_content read_scene(const std::string& file, bool allows_outside)
   importer.SetIOHandler(files);
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // they would be nodes of their own
-#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION, true); // older ones turn nothing
-#endif
   const aiScene* const scene =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_TransformUVCoords);
   if ((!scene || !scene->mRootNode) && !files->missing().empty())
@@ -292,6 +289,7 @@ Model_content read_scene(const std::string& file, bool allows_outside)
     if (why.find(std::bad_alloc().what()) != std::string::npos) throw std::bad_alloc();
     throw Invalid_input(not_readable);
   }
+  if (extension == ".fbx") scene->mRootNode->mTransformation = aiMatrix4x4(); // newer ones turn it to y up
   Model_content content =
       Scene_reader(*scene, is_gltf ? triangles_of(*scene) : std::filesystem::file_size(file)).read(is_gltf);
   for (Model_part& part : content.parts)

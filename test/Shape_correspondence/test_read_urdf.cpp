@@ -110,11 +110,14 @@ TEST_CASE("Visuals of a link are one part, of meshes that many links may use, wi
   // A folder with one robot is that robot
   CHECK(IO::read_segmented_shape(folder.path("")).parts().size() == 2);
   // Above the file only if that is allowed
-  const std::string below = folder.write("robots/r.urdf", text);
+  std::string packaged = text;
+  const std::string plain = "\"meshes/";
+  packaged.replace(packaged.find(plain), plain.size(), "\"model://any/meshes/");
+  const std::string below = folder.write("robots/r.urdf", packaged);
   CHECK_THAT(complaint([&] { IO::read_segmented_shape(below); }),
              Contains("link 'base'") && Contains("cube.obj") && Contains("--allow-outside-files"));
   folder.write("package/meshes/cube.obj", obj_box("o cube", 0, 0, 0, 0, 1, 1, 1));
-  const std::string in_package = folder.write("package/urdf/r.urdf", text);
+  const std::string in_package = folder.write("package/urdf/r.urdf", packaged);
   CHECK_FALSE(complaint([&] { IO::read_segmented_shape(in_package); }).empty());
   CHECK(IO::read_segmented_shape(folder.path("package")).parts().size() == 2);
   CHECK_THAT(run("parts " + quoted(folder.path("package"))).out, Contains("2 parts; z up"));

@@ -49,8 +49,9 @@ std::optional<std::string> from_base64(std::string_view text)
 /// Whether the extension is known here, and nothing need be said of it.
 bool is_known(const std::string& extension)
 {
-  const auto names = {draco_extension,         meshopt_extensions[0],     meshopt_extensions[1],
-                      "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_texture_transform"};
+  const auto names = {
+      draco_extension,           meshopt_extensions[0],   meshopt_extensions[1], "KHR_mesh_quantization",
+      "EXT_mesh_gpu_instancing", "KHR_texture_transform", "KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"};
   return std::find(names.begin(), names.end(), extension) != names.end();
 }
 

@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 using Element = boost::property_tree::ptree;
 using Transform = Eigen::Affine3d;
 
-constexpr double full_turn = 2 * 3.14159265358979323846; // radians
-constexpr int round_sides = 32;                          // of a cylinder or a sphere
-constexpr double largest_value = 1e9;                    // metres; robots are smaller
+constexpr int round_sides = 32;                                      // of a cylinder or a sphere
+constexpr double angle_of_side = double(2 * EIGEN_PI) / round_sides; // radians
+constexpr double largest_value = 1e9;                                // metres; robots are smaller
 
 std::string attribute(const Element& element, const std::string& name)
 {
@@ -108,7 +108,7 @@ std::vector<Point> box(const Point& size)
 std::vector<Point> turned(const std::vector<Eigen::Vector2d>& line)
 {
   const auto at = [&](std::size_t i, int side) {
-    const double angle = full_turn * (side % round_sides) / round_sides;
+    const double angle = angle_of_side * (side % round_sides);
     return Point(line[i][0] * std::cos(angle), line[i][0] * std::sin(angle), line[i][1]);
   };
   std::vector<Point> result;
@@ -124,7 +124,7 @@ std::vector<Point> sphere(double radius)
 {
   std::vector<Eigen::Vector2d> line{{0, -radius}};
   for (int i = 1; i < round_sides / 2; ++i) {
-    const double angle = full_turn * i / round_sides;
+    const double angle = angle_of_side * i;
     line.emplace_back(radius * std::sin(angle), -radius * std::cos(angle));
   }
   line.emplace_back(0, radius);
