@@ -223,19 +223,19 @@ Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, co
                          options_, limit);
     return correspondence_of(run, run.result.best(), {});
   };
-  Correspondence result;
-  if (is_rated_fast(found.matching, *source)) {
+  const auto rate_all = [&]() -> std::optional<Correspondence> {
+    if (!is_rated_fast(found.matching, *source)) return std::nullopt;
     try {
-      result = rate(found.matching, limit);
+      return rate(found.matching, limit);
     } catch (const Out_of_time&) {
+      return std::nullopt;
     }
-  }
-  if (result.search.method.empty()) {
-    result = rate(likeliest_only(found.matching), Deadline());
-    result.warnings.push_back(
-        "Parts have too many counterparts to compute the energy of all of them; it is that of the "
-        "likeliest counterpart of each part.");
-  }
+  };
+  const std::optional<Correspondence> of_all = rate_all();
+  Correspondence result = of_all ? *of_all : rate(likeliest_only(found.matching), Deadline());
+  if (!of_all)
+    result.warnings.push_back("There is no time to compute the energy of all counterparts; it is that of the likeliest "
+                              "counterpart of each part.");
   result.pairs = original_pairs(found.matching, *source, *found.target);
   take_roles(found.known, result);
   if (options_.alignments == 1) warn_of_fronts(found.alignment, result);

@@ -29,8 +29,8 @@ constexpr std::size_t patience = 1u << 16;       // nodes without a proof before
 constexpr std::size_t table_growth = 16;         // factor of it
 constexpr std::size_t largest_tables = 1u << 20; // entries
 
-// The energy itself is checked, which takes little time: indices out of range would be fatal.
-void check_energy(const Pairwise_energy& energy)
+// The energy, checked: indices out of range would be fatal.
+const Pairwise_energy& checked(const Pairwise_energy& energy)
 {
   const std::size_t n = energy.number_of_variables();
   const auto fits = [&](std::size_t e, const Eigen::MatrixXd& table) {
@@ -53,6 +53,7 @@ void check_energy(const Pairwise_energy& energy)
       is_valid = fits(e, term.edge[e]);
     if (!is_valid) throw Invalid_input("exact search: a root term must have the sizes of the energy");
   }
+  return energy;
 }
 
 } // namespace
@@ -61,14 +62,13 @@ class Exact_search::Impl
 {
 public:
   Impl(const Pairwise_energy& energy, const Exact_options& options)
-      : energy_(energy),
+      : energy_(checked(energy)),
         local_energy_(energy),
         options_(options),
         deadline_(limit_of(options)),
         table_limit_(options.table_limit)
   {
     if (options.solutions < 1) throw Invalid_input("exact search: at least one solution must be asked for");
-    check_energy(energy);
     for (std::size_t v = 0; v < energy.number_of_variables(); ++v)
       maximum_labels_ = std::max(maximum_labels_, energy.number_of_labels(v));
     const std::size_t n = energy.number_of_variables();
