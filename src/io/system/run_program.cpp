@@ -42,9 +42,6 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   close_other_files(actions);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, spawn_flags);
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
@@ -54,7 +51,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   sigset_t none;
   sigemptyset(&none);
   posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setflags(&attributes, short(spawn_flags | POSIX_SPAWN_SETSIGMASK));
   pid_t child = 0;
   const int error = posix_spawn(&child, program.c_str(), &actions, &attributes, argv.data(), environment());
   posix_spawnattr_destroy(&attributes);
