@@ -120,7 +120,10 @@ std::string role_of(const Correspondence_block& block, const Correspondence& c)
 
 std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
 {
-  internal::check_correspondence("correspondence_blocks", c, internal::most_parts, internal::most_parts);
+  const auto parts = [](const std::vector<std::string>& roles) {
+    return roles.empty() ? internal::most_parts : roles.size();
+  };
+  internal::check_correspondence("correspondence_blocks", c, parts(c.source_roles), parts(c.target_roles));
   std::size_t sources = 0, targets = 0;
   for (const Part_correspondence& pair : c.pairs) {
     sources = std::max(sources, pair.source + 1);
