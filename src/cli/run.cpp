@@ -54,9 +54,8 @@ void write_output(const std::string& file, const std::function<void(std::ostream
   try {
     IO::write_atomically(file, write);
   } catch (const Invalid_input& error) {
-    const std::string whole = listed(whole_outputs());
-    if (whole.empty()) throw;
-    throw Invalid_input(error.what() + ("; what was written before is whole: " + whole));
+    if (whole_outputs().empty()) throw;
+    throw Invalid_input(error.what() + ("; what was written before is whole: " + listed(whole_outputs())));
   }
   output_is_whole(file);
 }
