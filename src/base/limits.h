@@ -24,8 +24,8 @@ constexpr std::size_t most_parts = 2000;
 
 inline std::string too_many_parts(std::size_t parts)
 {
-  return std::to_string(parts) + " parts; a shape may have at most " + std::to_string(most_parts) +
-         ": join small parts, or leave them out";
+  return std::to_string(parts) + " parts, of at most " + std::to_string(most_parts) +
+         "; join small parts, or leave them out";
 }
 
 /// Pairs of parts of a shape that touch.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Disjoint_sets.h"
+#include "base/check_number.h"
 #include "base/limits.h"
 #include "base/quantized.h"
 #include "energy/match_groups.h"
-#include "matching/check_correspondence.h"
 
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
@@ -120,15 +120,15 @@ std::string role_of(const Correspondence_block& block, const Correspondence& c)
 
 std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
 {
-  const auto parts = [](const std::vector<std::string>& roles) {
-    return roles.empty() ? internal::most_parts : roles.size();
-  };
-  internal::check_correspondence("correspondence_blocks", c, parts(c.source_roles), parts(c.target_roles));
   std::size_t sources = 0, targets = 0;
   for (const Part_correspondence& pair : c.pairs) {
     sources = std::max(sources, pair.source + 1);
     targets = std::max(targets, pair.target + 1);
+    for (std::size_t part : {pair.source, pair.target})
+      internal::check_index("correspondence_blocks", "part", part, internal::most_parts);
   }
+  if (!c.source_roles.empty() && (c.source_roles.size() < sources || c.target_roles.size() < targets))
+    throw Invalid_input("correspondence_blocks: there is not a role for every part");
   Part_sets sets(c, sources, targets);
   while (sets.unite_closest()) {
   }

@@ -67,6 +67,7 @@ struct Blend_surface
 /// mixed shape between them, is the best one, unless parts come apart in it, most of what is to stand is missing
 /// (`Blend_quality::apart`, `support`); if no mixed shape is good, both are the same. All schedules are rated by
 /// `Blend_quality`. `check()` returns which tolerances are exceeded. Deterministic.
+/// \pre for all members: the blend was not moved from
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
