@@ -25,7 +25,8 @@ struct Run
   std::string error;
 };
 
-inline std::string quoted(const std::string& word) { return "'" + word + "'"; }
+/// By value, so that it is chosen before std::quoted().
+inline std::string quoted(std::string word) { return "'" + word + "'"; }
 
 /// Runs the program. \param arguments as a shell takes them
 inline Run run(const std::string& arguments)

@@ -53,7 +53,7 @@ struct Blend_files
   Blend_files()
   {
     const std::string table = folder.write("table.obj", obj_table());
-    inputs = "blend " + ::quoted(table) + " " + ::quoted(table) + " --abstraction boxes --quiet -o " + ::quoted(output);
+    inputs = "blend " + quoted(table) + " " + quoted(table) + " --abstraction boxes --quiet -o " + quoted(output);
   }
 };
 
