@@ -5,9 +5,8 @@
 #include "base/directions.h"
 #include "base/eigen_system.h"
 #include "base/planar_hull.h"
+#include "shape/Shape_in_frame.h"
 #include "shape/oriented_box.h"
-
-#include <CGAL/Shape_correspondence/Shape_frame.h>
 
 #include <CGAL/assertions.h>
 
@@ -35,12 +34,17 @@ struct Mirror_plane
 class Mirror_plane_finder
 {
 public:
-  explicit Mirror_plane_finder(const Points& points) : points_(points), nearest_(points), queries_(thinned(points))
+  /// \param corners points among which are the outermost ones of the surface
+  Mirror_plane_finder(const Points& points, const Points& corners)
+      : points_(points),
+        nearest_(points),
+        queries_(thinned(points)),
+        footprint_(seen_from_above(points)),
+        hull_(planar_hull(seen_from_above(corners))),
+        extent_(diagonal(corners))
   {
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-      footprint_.emplace_back(points(0, i), points(2, i));
-    hull_ = planar_hull(footprint_);
-    extent_ = diagonal(points);
+    for (const Eigen::Vector2d& p : footprint_)
+      centroid_ += p / double(footprint_.size());
     for (Eigen::Index i = 0; i < queries_.size(); ++i)
       spacing_ += nearest_.distance(points.col(queries_[i]), queries_[i]) / double(queries_.size());
   }
@@ -78,17 +82,24 @@ private:
   /// residual is not below the limit, it may be said to be infinite.
   Mirror_plane score(const Eigen::Vector2d& normal, double limit = std::numeric_limits<double>::infinity()) const
   {
-    double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
-    for (const Eigen::Vector2d& p : footprint_) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Eigen::Vector2d& p : hull_) {
       const double x = normal.dot(p);
       low = std::min(low, x);
       high = std::max(high, x);
-      sum += x;
     }
     Mirror_plane middle = scored({normal, 0.5 * (low + high)}, limit);
-    const Mirror_plane centroid = scored({normal, sum / double(footprint_.size())}, limit);
+    const Mirror_plane centroid = scored({normal, normal.dot(centroid_)}, limit);
     if (std::isinf(middle.residual) && std::isfinite(centroid.residual)) middle = scored(middle);
     return centroid.residual < 0.8 * middle.residual ? centroid : middle;
+  }
+
+  static Planar_points seen_from_above(const Points& points)
+  {
+    Planar_points result;
+    for (const auto& p : points.colwise())
+      result.emplace_back(p.x(), p.z());
+    return result;
   }
 
   static std::vector<Eigen::Index> sorted_indices(Eigen::Index n, Eigen::Index limit)
@@ -131,12 +142,9 @@ private:
   std::vector<Eigen::Vector2d> candidate_normals() const
   {
     std::vector<Eigen::Vector2d> result{rectangle_direction(), quarter_turn(rectangle_direction())};
-    Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
-    for (const Eigen::Vector2d& p : footprint_)
-      centroid += p / double(footprint_.size());
     Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
     for (const Eigen::Vector2d& p : footprint_)
-      moments += (p - centroid) * (p - centroid).transpose();
+      moments += (p - centroid_) * (p - centroid_).transpose();
     const Eigen::Matrix2d axes = eigenvectors(moments);
     result.push_back(axes.col(1));
     result.push_back(axes.col(0));
@@ -224,7 +232,8 @@ private:
   Nearest_points nearest_;
   Eigen::Array<Eigen::Index, Eigen::Dynamic, 1> queries_;
   Planar_points footprint_;
-  Planar_points hull_;
+  Planar_points hull_; ///< of the corners
+  Eigen::Vector2d centroid_ = Eigen::Vector2d::Zero();
   double extent_ = 0;
   double spacing_ = 0;
 };
@@ -264,9 +273,9 @@ Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
 }
 
 /// Sets the axes and mirror flags; y is up.
-void orient(Shape_frame& frame, const Points& points, Eigen::Vector2d& offset_along_mirror)
+void orient(Shape_frame& frame, const Points& points, const Points& corners, Eigen::Vector2d& offset_along_mirror)
 {
-  const Mirror_plane_finder finder(points);
+  const Mirror_plane_finder finder(points, corners);
   const Mirror_plane best = finder.best();
   const Mirror_plane crossing = finder.crossing(best);
   Eigen::Vector2d side;
@@ -291,10 +300,10 @@ void orient(Shape_frame& frame, const Points& points, Eigen::Vector2d& offset_al
 }
 
 /// Puts the origin on the ground, on mirror planes or in the middle of the extent, and takes the height.
-void place(Shape_frame& frame, const Points& points, const Eigen::Vector2d& offset_along_mirror)
+void place(Shape_frame& frame, const Points& corners, const Eigen::Vector2d& offset_along_mirror)
 {
   const double flattest = 1e-3;
-  const Points turned = frame.axes.transpose() * points;
+  const Points turned = frame.axes.transpose() * corners;
   const Point low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
   Point origin(0.5 * (low.x() + high.x()), low.y(), 0.5 * (low.z() + high.z()));
   for (Eigen::Index k = 0; k < 2; ++k)
@@ -317,14 +326,19 @@ Points Shape_frame::to_world(const Points& local) const { return (axes * local *
 Shape_frame compute_shape_frame(const Points& surface, const Point& up)
 {
   CGAL_precondition(surface.cols() > 0);
+  return internal::frame_of_samples(surface, surface, up);
+}
+
+Shape_frame internal::frame_of_samples(const Points& surface, const Points& vertices, const Point& up)
+{
   const Eigen::Matrix3d upright = upright_rotation(up);
   // About the middle, so that the distance from the world's origin costs no digits.
-  const Point middle = 0.5 * (surface.rowwise().minCoeff() + surface.rowwise().maxCoeff());
-  const Points points = upright * (surface.colwise() - middle);
+  const Point middle = 0.5 * (vertices.rowwise().minCoeff() + vertices.rowwise().maxCoeff());
+  const Points points = upright * (surface.colwise() - middle), corners = upright * (vertices.colwise() - middle);
   Shape_frame result;
   Eigen::Vector2d offset_along_mirror;
-  orient(result, points, offset_along_mirror);
-  place(result, points, offset_along_mirror);
+  orient(result, points, corners, offset_along_mirror);
+  place(result, corners, offset_along_mirror);
   result.axes = upright.transpose() * result.axes;
   result.origin = upright.transpose() * result.origin + middle;
   return result;

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -74,18 +73,18 @@ Shape_in_frame::Shape_in_frame(const Segmented_shape& given)
 {
   const Eigen::Matrix3d axes = upright_axes(given.up());
   shape = canonical_shape(given, axes);
-  const Shape_frame first = compute_shape_frame(sample_shape(shape, axes), shape.up());
+  const Shape_frame first = frame_of_samples(sample_shape(shape, axes), all_vertices(shape), shape.up());
   // Again with the axes found, so that the same triangles and samples are taken of a shape that was turned
   shape = canonical_shape(given, first.axes);
-  frame = compute_shape_frame(sample_shape(shape, first.axes), shape.up());
+  frame = frame_of_samples(sample_shape(shape, first.axes), all_vertices(shape), shape.up());
 }
 
 std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& given)
 {
   const Segmented_shape shape = canonical_shape(given);
-  const Points samples = sample_shape(shape, Eigen::Matrix3d::Identity());
-  return {compute_shape_frame(samples, Point::UnitX()), compute_shape_frame(samples, Point::UnitY()),
-          compute_shape_frame(samples, Point::UnitZ())};
+  const Points samples = sample_shape(shape, Eigen::Matrix3d::Identity()), vertices = all_vertices(shape);
+  return {frame_of_samples(samples, vertices, Point::UnitX()), frame_of_samples(samples, vertices, Point::UnitY()),
+          frame_of_samples(samples, vertices, Point::UnitZ())};
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -20,6 +20,9 @@ struct Shape_in_frame
   Shape_frame frame;
 };
 
+/// The frame of points sampled on a surface by area, and its vertices, which have its exact extents.
+Shape_frame frame_of_samples(const Points& surface, const Points& vertices, const Point& up);
+
 /// The frames of a shape if x, y or z is up.
 std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& shape);
 
