@@ -30,14 +30,18 @@ void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<in
                         const std::vector<std::string>& meshes, std::vector<Model_part>& parts)
 {
   std::vector<std::size_t> parts_in(tree.size()); // a node or those below it
-  for (int part_node : node_of_part)
-    for (int node = part_node; node >= 0; node = tree[std::size_t(node)].parent)
-      ++parts_in[std::size_t(node)];
+  for (int node : node_of_part)
+    ++parts_in[std::size_t(node)];
+  for (std::size_t i = tree.size(); i-- > 0;)
+    if (tree[i].parent >= 0) parts_in[std::size_t(tree[i].parent)] += parts_in[i];
+  std::vector<int> telling(tree.size()); // the node itself or the nearest one above whose name does not only count
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const int parent = tree[i].parent;
+    telling[i] = !only_counts(tree[i].name) ? int(i) : parent < 0 ? -1 : telling[std::size_t(parent)];
+  }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!only_counts(parts[i].name)) continue;
-    int node = tree[std::size_t(node_of_part[i])].parent;
-    while (node >= 0 && only_counts(tree[std::size_t(node)].name))
-      node = tree[std::size_t(node)].parent;
+    const int node = telling[std::size_t(node_of_part[i])];
     if (node >= 0 && parts_in[std::size_t(node)] < parts.size())
       parts[i].name = tree[std::size_t(node)].name;
     else if (!only_counts(meshes[i]) || parts[i].name.empty())

@@ -214,28 +214,34 @@ private:
   {
     const std::vector<Json_field>& nodes = document_.list("nodes");
     std::vector<bool> added(nodes.size());
-    tree_.resize(nodes.size());
-    std::vector<std::pair<std::size_t, Transform>> open;
+    struct Open_node
+    {
+      std::size_t index;
+      int parent; // in the tree
+      Transform of_parent;
+    };
+    std::vector<Open_node> open;
     const auto add = [&](const std::vector<std::size_t>& indices, int parent, const Transform& transform) {
       for (auto i = indices.rbegin(); i != indices.rend(); ++i) {
         if (added[*i]) nodes[*i].fail("is in the tree of nodes twice, or in itself");
         added[*i] = true;
-        tree_[*i] = {parent, nodes[*i].has("name") ? nodes[*i]["name"].text() : ""};
-        open.emplace_back(*i, transform);
+        open.push_back({*i, parent, transform});
       }
     };
     add(roots(), -1, Transform::Identity());
     while (!open.empty()) {
-      const auto [index, parent] = open.back();
+      const Open_node next = open.back();
       open.pop_back();
-      const Json_field& node = nodes[index];
-      const Transform to_world = parent * transform_of(node);
+      const Json_field& node = nodes[next.index];
+      const Transform to_world = next.of_parent * transform_of(node);
+      const int number = int(tree_.size());
+      tree_.push_back({next.parent, node.has("name") ? node["name"].text() : ""});
       if (node.has("mesh"))
         for (const Transform& instance : instances_of(node)) {
           add_part(node, to_world * instance);
-          node_of_part_.resize(content_.parts.size(), int(index));
+          node_of_part_.resize(content_.parts.size(), number);
         }
-      add(children(node, "children"), int(index), to_world);
+      add(children(node, "children"), number, to_world);
     }
     if (!document_.list("scenes").empty()) return; // nodes may be in no scene
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -355,7 +361,7 @@ private:
   Gltf_document& document_;
   Model_content content_;
   std::vector<Place> places_;   ///< by material
-  std::vector<Tree_node> tree_; ///< as the nodes of the document
+  std::vector<Tree_node> tree_; ///< each node after its parent
   std::vector<int> node_of_part_;
   std::vector<std::string> meshes_;                                             ///< the names of those of the parts
   std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image
