@@ -27,14 +27,6 @@ double target_edge_length(const Part_mesh& solid, const Abstraction_options& opt
   return std::max(options.edge_length * diagonal(solid.points), std::sqrt(triangle_area * 4 / std::sqrt(3.)));
 }
 
-/// Whether a part is a straight thread. A wrap of it is a tube of the wrap's own thickness, whose skeleton depends on
-/// rounding.
-bool is_thread(const Oriented_box& box)
-{
-  constexpr double greatest_thickness = 1e-3; // over the length; wraps keep a distance of 1/600 of it
-  return box.extents[1] < greatest_thickness * box.extents[0];
-}
-
 } // namespace
 
 Solid_abstractor::Solid_abstractor(const Shape_part& part, const Abstraction_options& options)
@@ -73,10 +65,6 @@ void Solid_abstractor::try_to_run()
   result_.volume = repaired.volume;
   report().phases.repair = watch_.lap();
   if (!repaired.several_components && find_geometry_from_faces(repaired)) return;
-  if (repaired.repair == Abstraction_report::Repair::WRAP && wanted_kind_ != Abstraction_kind::SHEET) {
-    const Oriented_box box = oriented_box(mesh().points);
-    if (is_thread(box)) return use_thread(medial_curve(box, options_.curve_points));
-  }
   edge_length_ = target_edge_length(repaired.mesh, options_);
   const Part_mesh solid = remeshed(repaired.mesh, edge_length_, deadline_);
   report().phases.remesh = watch_.lap();
@@ -136,12 +124,6 @@ void Solid_abstractor::use_axis(const Curve& axis)
   report().method = Method::AXIS;
   report().blob = !report().tube;
   report().phases.fit += watch_.lap();
-}
-
-void Solid_abstractor::use_thread(const Curve& axis)
-{
-  use_axis(axis);
-  report().blob = false;
 }
 
 void Solid_abstractor::use_sheet(const Fitted_sheet& fitted, Method method)

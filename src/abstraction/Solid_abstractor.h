@@ -61,7 +61,6 @@ private:
   void try_to_run();
   /// The share of points that are inside a solid or near its surface
   double share_in_part(const Points& points, const Part_mesh& solid) const;
-  void use_thread(const Curve& axis);
   /// \param failure why the bounding box stands in
   Part_abstraction bounding_box(const std::string& failure, bool time_limit) const;
 

@@ -64,7 +64,7 @@ struct Abstraction_report
     SKELETON,      ///< the curve skeleton, by mean curvature flow until convergence
     MESO_SKELETON, ///< the meso-skeleton, by mean curvature flow until little of the enclosed volume is left
     MEDIAL_AXIS,   ///< the medial axis
-    AXIS,          ///< none: the axis of a body of revolution, of a block, or of a thread
+    AXIS,          ///< none: the axis of a body of revolution or of a block
     PRISM,         ///< none: the axis or the middle layer of a prism whose faces show it, such as a box or a cylinder
     BOUNDING_BOX,  ///< the bounding box
     COPY,          ///< none: the abstraction of a congruent part, moved
