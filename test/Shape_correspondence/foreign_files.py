@@ -453,7 +453,7 @@ def _(r):
     r.write("copies.obj", obj(boxes))
     match = r.match("copies.obj", "copies.obj")
     same = all(a == b for a, b in match["pairs"])
-    return f"{len(match['pairs'])} pairs, {'the same' if same else 'others'}, {match.get('energy')}", "12 pairs, the same, 0"
+    return f"{len(match['pairs'])} pairs, {'the same' if same else 'others'}, {match.get('energy', -1):g}", "12 pairs, the same, 0"
 
 
 @kind("far and tiny parts")
