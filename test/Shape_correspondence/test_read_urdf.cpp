@@ -131,7 +131,7 @@ TEST_CASE("What is wrong in a URDF file is refused by its link, and what to do i
   CHECK_THAT(refused(""), Contains("no link") && Contains("add <visual>"));
   CHECK_THAT(refused(link_of("a", box) + link_of("a", box)), Contains("link 'a' is there twice"));
   CHECK_THAT(refused(link_of("a", box) + link_of("b", box)),
-             Contains("link 'b' is joined neither") && Contains("add a joint"));
+             Contains("link 'b' is not joined") && Contains("add a joint"));
   CHECK_THAT(refused(link_of("a", box) + joint("a", "b", "")),
              Contains("joint 'to_b' has the child 'b', which is no link"));
   CHECK_THAT(refused(link_of("a", box) + link_of("b", box) + joint("a", "b", "") + joint("b", "a", "")),

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/limits.h"
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
 #include "io/read/xml_document.h"
@@ -16,7 +17,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <optional>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -229,21 +229,27 @@ private:
   }
 
   /// Where a link is while all joints are at 0.
-  Transform place_of(const std::string& link) const
+  const Transform& place_of(const std::string& link)
   {
-    Transform result = Transform::Identity();
+    std::vector<std::string> chain; // to the first one above whose place is known
     std::string at = link;
-    for (std::size_t steps = 0;; ++steps) {
+    while (places_.count(at) == 0) {
       const auto joint = joints_.find(at);
-      if (joint == joints_.end()) break;
-      if (steps > joints_.size()) fail_at(link, "is the child of itself, by joints in a circle; remove one of them");
-      result = joint->second.origin * result;
+      if (joint == joints_.end()) {
+        if (!places_.empty()) fail_at(link, "is not joined to all other links; add a joint");
+        places_[at] = Transform::Identity();
+        break;
+      }
+      chain.push_back(at);
+      if (chain.size() > joints_.size())
+        fail_at(link, "is the child of itself, by joints in a circle; remove one of them");
       at = joint->second.parent;
     }
-    if (root_.value_or(at) != at)
-      fail_at(link, "is joined neither to " + cited(*root_) + " nor to what is joined to it; add a joint");
-    root_ = at;
-    return result;
+    for (auto of_chain = chain.rbegin(); of_chain != chain.rend(); ++of_chain) {
+      const Joint& joint = joints_.at(*of_chain);
+      places_[*of_chain] = places_.at(joint.parent) * joint.origin;
+    }
+    return places_.at(link);
   }
 
   /// The number of a material, which may be named only, and is then one of the robot; -1: none.
@@ -351,7 +357,7 @@ private:
   std::map<std::string, Joint> joints_; ///< by their child
   std::map<std::string, int> materials_;
   std::map<std::string, std::vector<Model_part>> meshes_; ///< by path
-  mutable std::optional<std::string> root_;               ///< the link that all others are joined to
+  std::map<std::string, Transform> places_;               ///< of links
 };
 
 } // namespace
@@ -359,6 +365,9 @@ private:
 Model_content read_urdf_parts(const std::string& text, const std::string& file, const std::string& folder,
                               const Reading_options& options, const Mesh_reader& read)
 {
+  if (text.size() > internal::largest_document)
+    throw Invalid_input(file + ": it is longer than " + std::to_string(internal::largest_document >> 20) +
+                        " MB; remove the links that are not needed");
   const Element document = parse_xml(text, file);
   const Element* const robot = child(document, "robot");
   if (!robot) throw Invalid_input(file + ": it has no <robot>; give a URDF file");
