@@ -11,6 +11,10 @@
 
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
+#include <CGAL/Shape_correspondence/exact_search.h>
+#include <CGAL/Shape_correspondence/train_role_model.h>
 
 #include <catch2/catch.hpp>
 
@@ -22,7 +26,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t largest = std::numeric_limits<std::size_t>::max();
 
 template <typename Change>
@@ -54,7 +58,7 @@ Pairwise_energy two_variables()
 
 TEST_CASE("Numbers that are out of range, or none, are refused where graphs are built")
 {
-  for (double x : {nan, -1.}) {
+  for (double x : {not_a_number, -1.}) {
     check_refused([&](auto& options) { options.abstraction.edge_length = x; });
     check_refused([&](auto& options) { options.abstraction.stop_volume = x; });
     check_refused([&](auto& options) { options.abstraction.time_limit = x; });
@@ -76,7 +80,7 @@ TEST_CASE("Pinned and forbidden parts that there are not are refused before they
     check_search_refused([&](auto& options) { options.matching.pinned = {{0, part}}; });
     check_search_refused([&](auto& options) { options.matching.forbidden = {{part, part}}; });
   }
-  for (double limit : {nan, -1.})
+  for (double limit : {not_a_number, -1.})
     check_search_refused([&](auto& options) { options.time_limit = limit; });
 }
 
@@ -103,7 +107,7 @@ TEST_CASE("Meshes with indices of no vertex, or coordinates that are no numbers,
 {
   Part_mesh bad_index = box_shapes::box(Point::Zero(), Point::Ones()), bad_point = bad_index;
   bad_index.triangles(0, 0) = 999;
-  bad_point.points(0, 0) = nan;
+  bad_point.points(0, 0) = not_a_number;
   for (const Part_mesh& mesh : {bad_index, bad_point}) {
     CHECK_THROWS_AS(segment_mesh(mesh), Invalid_input);
     CHECK_THROWS_AS(abstract_part({"part", mesh}), Invalid_input);
@@ -123,7 +127,7 @@ TEST_CASE("The upright axis of nothing, or with odds that are none, is refused")
   const Segmented_shape table = box_shapes::table();
   CHECK_THROWS_AS(estimate_up(Segmented_shape()), Invalid_input);
   CHECK_THROWS_AS(estimate_up_of_pair(table, Segmented_shape(), {false, false}), Invalid_input);
-  for (double odds : {nan, 0., -1., std::numeric_limits<double>::infinity()})
+  for (double odds : {not_a_number, 0., -1., std::numeric_limits<double>::infinity()})
     CHECK_THROWS_AS(estimate_up(table, odds), Invalid_input);
 }
 
@@ -141,9 +145,9 @@ TEST_CASE("Correspondences of other shapes are refused")
   CHECK_THROWS_AS(correspondence_blocks(other), Invalid_input);
 
   const Shape_blend blend(of_table, table, of_table, table, boxed_graphs::identity(table));
-  CHECK_THROWS_AS(blend(nan), Invalid_input);
-  CHECK_THROWS_AS(blend.check(nan), Invalid_input);
-  CHECK_THROWS_AS(blend.points(nan), Invalid_input);
+  CHECK_THROWS_AS(blend(not_a_number), Invalid_input);
+  CHECK_THROWS_AS(blend.check(not_a_number), Invalid_input);
+  CHECK_THROWS_AS(blend.points(not_a_number), Invalid_input);
   const Surface_map map(of_table, table, of_table, table, boxed_graphs::identity(table));
   CHECK_THROWS_AS(map.source_of(99, 0), Invalid_input);
   CHECK_THROWS_AS(map.target_of(0, 1'000'000), Invalid_input);

@@ -13,6 +13,7 @@
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 
 #include <catch2/catch.hpp>
 
