@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -67,9 +68,10 @@ Corners sorted(Corners corners)
 class Flat_faces
 {
 public:
-  Flat_faces(const Part_mesh& mesh, double tolerance) : tolerance_(tolerance)
+  /// \param direction along which vertices are sorted
+  Flat_faces(const Part_mesh& mesh, const Point& direction, double tolerance) : tolerance_(tolerance)
   {
-    take_vertices(mesh);
+    take_vertices(mesh, direction);
     find_sides();
     grow_faces();
   }
@@ -114,9 +116,13 @@ private:
   }
 
   /// Vertices and triangles, equal ones once, sorted.
-  void take_vertices(const Part_mesh& mesh)
+  void take_vertices(const Part_mesh& mesh, const Point& direction)
   {
-    const auto place = [&](int v) { return std::tuple(mesh.points(0, v), mesh.points(1, v), mesh.points(2, v)); };
+    const Point low = mesh.points.rowwise().minCoeff();
+    const auto place = [&](int v) {
+      const Point p = mesh.points.col(v);
+      return std::tuple(direction.dot(p - low), p.x(), p.y(), p.z());
+    };
     std::vector<int> used(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size());
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -187,9 +193,12 @@ private:
   /// Joins triangles to flat faces, from the largest triangle on.
   void grow_faces()
   {
+    const double steps = 3; // of logarithms, so that rounding does not decide between equal areas
     std::vector<double> areas;
-    for (const Corners& corners : triangles_)
-      areas.push_back(area_vector_of(corners).norm());
+    for (const Corners& corners : triangles_) {
+      const double area = area_vector_of(corners).norm();
+      areas.push_back(area > 0 ? std::round(steps * std::log(area)) : std::numeric_limits<double>::lowest());
+    }
     std::vector<std::size_t> order(triangles_.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
@@ -580,7 +589,7 @@ Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance, const Eigen
   Part_mesh result = mesh;
   // What is exactly flat first, since which of nearly flat triangles make a face depends on the triangles
   for (const double flat : {exact * tolerance, tolerance}) {
-    const Flat_faces faces(result, flat);
+    const Flat_faces faces(result, direction, flat);
     result = sorted_mesh(faces.points(), faces.divided(stretched), direction);
     if (result.triangles.cols() == 0 || !has_area(result)) return mesh;
   }
@@ -589,7 +598,7 @@ Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance, const Eigen
 
 Segmented_shape canonical_shape(const Segmented_shape& shape, const Eigen::Matrix3d& axes)
 {
-  const double size = diagonal(all_vertices(shape));
+  const double size = diagonal(axes.transpose() * all_vertices(shape)); // turns do not change it
   Segmented_shape result(shape.name(), shape.up());
   for (const Shape_part& part : shape.parts())
     result.add_part(part.name, canonical_surface(part.mesh, flatness_tolerance(size), axes));

@@ -136,6 +136,8 @@ Logits logits_of(const Surface_summary& surface, double odds_of_y)
   return result;
 }
 
+constexpr double clearly = 0.25; // of logits: a lesser difference is that of samples
+
 // Ties go to the first of y, z, x
 constexpr std::array<std::size_t, 3> axes_in_order{1, 2, 0};
 
@@ -179,7 +181,7 @@ Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y)
   const Logits logits = logits_of(summary_of_surface(shape), odds_of_y);
   std::size_t best = axes_in_order[0];
   for (std::size_t axis : axes_in_order)
-    if (logits[axis] > logits[best]) best = axis;
+    if (logits[axis] > logits[best] + clearly) best = axis;
   double sum = 0;
   for (double logit : logits)
     sum += std::exp(logit - logits[best]);
@@ -205,7 +207,7 @@ std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, co
   std::array<std::size_t, 2> best{axes_in_order[0], axes_in_order[0]};
   for (std::size_t a : axes_in_order)
     for (std::size_t b : axes_in_order)
-      if (logit(a, b) > logit(best[0], best[1])) best = {a, b};
+      if (logit(a, b) > logit(best[0], best[1]) + clearly) best = {a, b};
   double all = 0;
   std::array<double, 2> same{0, 0};
   for (std::size_t a = 0; a < 3; ++a)
