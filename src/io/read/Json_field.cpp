@@ -9,6 +9,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -204,7 +205,8 @@ Json_field parse_json(std::string_view text, const std::string& file)
     return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text.begin(), text.end())),
             std::make_shared<const std::string>(file), ""};
   } catch (const nlohmann::json::exception& error) {
-    const std::string what = error.what(); // after the name of the exception, in brackets
+    std::string what = error.what(); // after the name of the exception, in brackets
+    boost::algorithm::replace_all(what, "; ", ", ");
     refuse(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")", remedy::correct_text);
   }
 }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <cctype>
 #include <string>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -30,7 +31,9 @@ inline bool has_remedy(const std::string& message)
 {
   bool is_quoted = false;
   for (std::size_t i = 0; i + 1 < message.size(); ++i) {
-    if (message[i] == '\'') is_quoted = !is_quoted;
+    if (message[i] == '\'') // and no apostrophe, which is between letters
+      is_quoted = is_quoted ? std::isalnum(static_cast<unsigned char>(message[i + 1])) != 0
+                            : i > 0 && !std::isalnum(static_cast<unsigned char>(message[i - 1]));
     if (!is_quoted && message[i] == ';' && message[i + 1] == ' ') return true;
   }
   return false;
