@@ -108,17 +108,17 @@ TEST_CASE("Where CGAL fails, a fallback tells of itself")
   SECTION("repair of a surface")
   {
     const Failing_calls failing("repair");
-    CHECK_THAT(outcome("graph", {table}), Contains("bounding box"));
+    CHECK_THAT(outcome("graph", {table, "-v"}), Contains("bounding box"));
   }
   SECTION("mean curvature flow")
   {
     const Failing_calls failing("flow");
-    CHECK_THAT(outcome("graph", {table, "--abstraction", "flow"}), Contains("bounding box"));
+    CHECK_THAT(outcome("graph", {table, "-v", "--abstraction", "flow"}), Contains("bounding box"));
   }
   SECTION("a convex hull")
   {
     const Failing_calls failing("convex hull");
-    CHECK_THAT(outcome("graph", {table}), Contains("its convex hull could not be computed"));
+    CHECK_THAT(outcome("graph", {table, "-v"}), Contains("its convex hull could not be computed"));
   }
   SECTION("segmentation of a piece")
   {
