@@ -64,10 +64,10 @@ TEST_CASE("The signals that end the program leave no temporary file")
   for (const char* signal : {"TERM", "HUP", "INT"}) {
     INFO(signal);
     const Blend_files blend;
-    // A shell lets what it runs in the background ignore INT, unless it is told to control jobs
-    const int status =
-        shell("set -m; " + program + " " + blend.inputs + " --frames 10000 & while ! ls " + quoted(blend.output) +
-              ".tmp-*/*000* && kill -0 $!; do sleep 0.02; done; kill -" + signal + " $!; wait $!");
+    // A shell lets what it runs in the background ignore INT
+    const int status = shell("env --default-signal=INT " + program + " " + blend.inputs +
+                             " --frames 10000 & while ! ls " + quoted(blend.output) +
+                             ".tmp-*/*000* && kill -0 $!; do sleep 0.02; done; kill -" + signal + " $!; wait $!");
     CHECK(status == 128 + (signal == std::string("TERM") ? 15 : signal == std::string("HUP") ? 1 : 2));
     CHECK(blend.folder.number_of_files() == 1);
     CHECK(std::distance(fs::directory_iterator(blend.folder.path("")), {}) == 1);
@@ -121,7 +121,8 @@ TEST_CASE("A pipe in place of an entry of a cache or a store is not waited for; 
   CHECK(shell("timeout 60 " + program + " " + graph) == 0);
   CHECK(fs::is_regular_file(entry));
 
-  folder.write("shapes/a/a.obj", obj_table());
+  folder.write("shapes/a/top.obj", obj_box("o top", 0, -0.5, 0, -0.5, 1, 0.1, 1));
+  folder.write("shapes/a/leg.obj", obj_box("o leg", 0, -0.05, -0.5, -0.05, 0.1, 0.5, 0.1));
   const std::string of_folder =
       "graph " + quoted(folder.path("shapes/a")) + " --abstraction boxes --cache " + quoted(cache);
   REQUIRE(run(of_folder).status == 0);
