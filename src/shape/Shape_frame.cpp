@@ -263,12 +263,12 @@ Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
   return result;
 }
 
-/// Of two opposite sides the one that has the front towards positive z.
+/// Of two opposite sides the one that has the front towards positive z or, if it is across to that, positive x.
 Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
 {
-  const double front = axes_of_side(direction)(2, 2);
-  const double clearly = 1e-6;
-  const bool keep = std::abs(front) > clearly ? front > 0 : direction.x() > 0;
+  const double clearly = 0.01; // more than the error of a mirror plane's normal
+  const Point front = axes_of_side(direction).col(2);
+  const bool keep = std::abs(front.z()) > clearly ? front.z() > 0 : front.x() > 0;
   return keep ? direction : Eigen::Vector2d(-direction);
 }
 

@@ -4,6 +4,7 @@
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
 
 #include <catch2/catch.hpp>
 
@@ -421,7 +422,8 @@ TEST_CASE("Mid-lines and mid-surfaces of the models are found")
     const std::string folder = std::string(SHAPE_CORRESPONDENCE_DATA_DIR) + "/" + model;
     const Segmented_shape shape = IO::read_segmented_shape(folder + "/parts");
     const std::map<std::string, Part_abstraction> stated = benchmark::stated_abstractions(folder);
-    const std::vector<Part_abstraction> found = abstract_parts<CGAL::Parallel_if_available_tag>(shape, {});
+    const Structural_graph graph = build_structural_graph<CGAL::Parallel_if_available_tag>(shape);
+    const std::vector<Part_abstraction>& found = structure(graph).parts;
     REQUIRE(found.size() == stated.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
       INFO(model << ", " << found[i].name);

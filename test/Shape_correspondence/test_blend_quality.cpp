@@ -314,9 +314,9 @@ TEST_CASE("All motions are even, by any schedule")
 TEST_CASE("A schedule may be chosen; blends by different ones differ, and the best one is that of all")
 {
   std::vector<Named_box> with_lamp = stand(), with_pot = stand();
-  with_lamp.push_back({"lamp", {0.2, 1.2, 0}, {0.3, 0.4, 0.3}});
+  with_lamp.push_back({"lamp", {0.3, 1.2, 0}, {0.3, 0.4, 0.3}});
   with_lamp.push_back({"shelf", {0, 0.5, 0.2}, {0.3, 0.05, 0.3}});
-  with_pot.push_back({"pot", {0.2, 1.2, 0}, {0.1, 0.4, 0.1}});
+  with_pot.push_back({"pot", {0.3, 1.2, 0}, {0.1, 0.4, 0.1}});
   with_pot.push_back({"ring", {0, 0.5, 0.2}, {0.1, 0.2, 0.3}});
   const Box_model source = model_of(with_lamp), target = model_of(with_pot);
   Blend_options options;

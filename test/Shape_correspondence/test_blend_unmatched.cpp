@@ -134,7 +134,7 @@ TEST_CASE("An unmatched part goes with the place that it touches")
   const auto stand = [](double beam) {
     Segmented_shape result("stand");
     result.add_part("base", box({0, 0.1, 0}, {1.6, 0.2, 0.6}));
-    result.add_part("mast", box({-0.7, 0.6, 0}, {0.1, 0.8, 0.1}));
+    result.add_part("mast", box({-0.7, 0.6, 0}, {0.1, 0.8, 0.4})); // clearly not symmetric from side to side
     result.add_part("beam", box({beam, 0.5, 0}, {0.8, 0.6, 0.3}));
     return result;
   };

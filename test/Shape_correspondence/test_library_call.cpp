@@ -124,7 +124,7 @@ TEST_CASE("Where CGAL fails, a fallback tells of itself")
   {
     for (const char* call : {"components", "segments"}) {
       const Failing_calls failing(call);
-      CHECK_THAT(outcome("parts", {table, "--parts", "segments"}), Contains("were not divided into segments"));
+      CHECK_THAT(outcome("parts", {table, "-v", "--parts", "segments"}), Contains("were not divided into segments"));
     }
   }
 }

@@ -194,7 +194,6 @@ TEST_CASE("Every error of the program says what to do")
            "graph " + quoted(table) + " --parts-from " + file("parts.json", "{}"),
            "graph " + quoted(table) + " -o " + none,
            "graph " + quoted(table) + " --json /dev/full",
-           "graph " + quoted(table) + " --cache " + quoted(table),
            "match " + quoted(graph) + " " + quoted(graph) + " --pin a=b",
            "match " + quoted(graph) + " " + quoted(graph) + " --search paths",
            "match " + quoted(graph) + " " + quoted(graph) + " --roles " + file("roles", "x"),
