@@ -5,8 +5,8 @@
 
 #include "abstraction/surface_samples.h"
 #include "base/Nearest_points.h"
-#include "base/generic_direction.h"
 #include "base/eigen_system.h"
+#include "base/generic_direction.h"
 #include "shape/oriented_box.h"
 
 #include <Eigen/Geometry>
