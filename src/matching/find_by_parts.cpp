@@ -34,7 +34,7 @@ std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligne
 // Whether the energy of a matching is computed fast: counterparts of parts that touch are compared each with each.
 bool is_rated_fast(const Part_matching& matching, const Aligned_shape& source)
 {
-  constexpr double most_comparisons = 2e8; // of which a second has 1e8
+  constexpr double most_comparisons = 2e8; // of counterparts; they take about two seconds
   std::vector<double> counterparts(source.parts.size(), 0);
   for (const Part_correspondence& pair : matching.pairs)
     ++counterparts[pair.source];

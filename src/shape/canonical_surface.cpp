@@ -193,7 +193,7 @@ private:
   /// Joins triangles to flat faces, from the largest triangle on.
   void grow_faces()
   {
-    const double steps = 3; // of logarithms, so that rounding does not decide between equal areas
+    const double steps = 3; // per unit of the logarithm of an area: rounding does not decide between equal areas
     std::vector<double> areas;
     for (const Corners& corners : triangles_) {
       const double area = area_vector_of(corners).norm();
@@ -583,7 +583,7 @@ Part_mesh sorted_mesh(const std::vector<Point>& points, std::vector<Corners> tri
 Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance, const Eigen::Matrix3d& axes)
 {
   const double stretch = 0.15; // enough to settle ties, little enough for round triangles
-  const double exact = 2e-4;   // over the tolerance
+  const double exact = 2e-4;   // flatness of what is exactly flat, as a fraction of the tolerance
   const Point direction = axes * generic_direction();
   const Eigen::Matrix3d stretched = Eigen::Matrix3d::Identity() + stretch * direction * direction.transpose();
   Part_mesh result = mesh;

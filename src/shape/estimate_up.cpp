@@ -136,7 +136,7 @@ Logits logits_of(const Surface_summary& surface, double odds_of_y)
   return result;
 }
 
-constexpr double clearly = 0.25; // of logits: a lesser difference is that of samples
+constexpr double clearly = 0.25; // difference of logits; a smaller one is sampling error
 
 // Ties go to the first of y, z, x
 constexpr std::array<std::size_t, 3> axes_in_order{1, 2, 0};

@@ -252,8 +252,8 @@ using Grid_point = std::array<Steps, 3>;
 
 Grid_point grid_point(const Point& p) { return {quantized(p.y()), quantized(p.x()), quantized(p.z())}; }
 
-// Parts are ordered by the place of the centroid along a direction: first by height, of parts at about one height by
-// the side, and last by the front. It leads through hardly any two of them, so that rounding does not change the order.
+// Parts are ordered by how far their centroids are along this direction: by height, then from side to side, then from
+// back to front. Two centroids are hardly ever equally far, so that rounding does not change the order.
 const Point direction_of_order(0.03, 1, 0.001);
 
 // The place along that direction, and the extent of a part.

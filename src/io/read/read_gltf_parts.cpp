@@ -31,7 +31,9 @@ Eigen::Affine2d place_of_texture(const Json_field& transform)
   };
   const double angle = transform.has("rotation") ? transform["rotation"].number() : 0;
   Eigen::Affine2d result = Eigen::Affine2d::Identity();
-  result.translate(pair("offset", 0)).rotate(-angle).scale(pair("scale", 1)); // against the clock, as v is downwards
+  result.translate(pair("offset", 0))
+      .rotate(-angle)
+      .scale(pair("scale", 1)); // the angle is counterclockwise, and v points down
   return result;
 }
 

@@ -231,7 +231,7 @@ private:
   /// Where a link is while all joints are at 0.
   const Transform& place_of(const std::string& link)
   {
-    std::vector<std::string> chain; // to the first one above whose place is known
+    std::vector<std::string> chain; // links from this one up to the first whose pose is known
     std::string at = link;
     while (places_.count(at) == 0) {
       const auto joint = joints_.find(at);

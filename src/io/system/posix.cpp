@@ -54,7 +54,7 @@ void remove_temporaries_at_signals()
       pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
       raise(signal);
     }).detach();
-  } catch (const std::system_error&) { // there is no room for a thread
+  } catch (const std::system_error&) { // the system cannot start another thread
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   }
 #endif

@@ -31,7 +31,7 @@ inline bool has_remedy(const std::string& message)
 {
   bool is_quoted = false;
   for (std::size_t i = 0; i + 1 < message.size(); ++i) {
-    if (message[i] == '\'') // and no apostrophe, which is between letters
+    if (message[i] == '\'') // a quotation mark; an apostrophe stands between letters
       is_quoted = is_quoted ? std::isalnum(static_cast<unsigned char>(message[i + 1])) != 0
                             : i > 0 && !std::isalnum(static_cast<unsigned char>(message[i - 1]));
     if (!is_quoted && message[i] == ';' && message[i + 1] == ' ') return true;

@@ -46,7 +46,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  posix_spawnattr_t attributes; // it does not wait for signals as this process does
+  posix_spawnattr_t attributes; // the child gets signals at once; this process blocks them
   posix_spawnattr_init(&attributes);
   sigset_t none;
   sigemptyset(&none);
