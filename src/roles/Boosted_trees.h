@@ -1,0 +1,65 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "roles/Stored_bytes.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <iosfwd>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// Rows of features in bytes.
+using Byte_rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct Boosting_options
+{
+  int trees = 150;
+  int leaves = 16;            // of a tree
+  double rate = 0.1;          // share of a tree's values that is added
+  double least_weight = 5;    // of the examples of a leaf, where all weigh 1 on average
+  double share_of_features = 0.5; // tried at each split
+  std::uint64_t seed = 1;
+};
+
+// The logit of a probability as a sum of regression trees, each grown on the gradient of the logistic loss (Friedman 2001),
+// with splits at bytes.
+class Boosted_trees
+{
+public:
+  Boosted_trees() = default;
+  // \param targets probabilities \param weights of the examples
+  Boosted_trees(const Byte_rows& rows, const std::vector<double>& targets, const std::vector<double>& weights,
+                const Boosting_options& options);
+
+  double logit(const std::uint8_t* features) const;
+  double probability(const std::uint8_t* features) const;
+  std::size_t number_of_nodes() const { return nodes_.size(); }
+
+  void write(std::ostream& out) const;
+  // \return false if the bytes are not those of trees for so many features
+  bool read(Stored_bytes& bytes, int features);
+
+private:
+  static constexpr std::uint8_t leaf = 255;
+
+  struct Node
+  {
+    std::uint8_t feature = leaf;
+    std::uint8_t value = 0;   // up to it, examples go left, to the next node
+    std::uint16_t right = 0;  // relative to this node
+    float logit = 0;          // at a leaf
+  };
+
+  class Builder;
+
+  float base_ = 0; // logit
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> roots_;
+};
+
+} // namespace CGAL::Shape_correspondence::internal

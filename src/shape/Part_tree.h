@@ -1,0 +1,70 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "shape/Surface_patches.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// A patch, or a union of patches that may be a part.
+struct Part_node
+{
+  static constexpr std::size_t none = std::size_t(-1);
+
+  Surface_moments moments;
+  Eigen::AlignedBox3d box;
+  std::vector<std::size_t> patches;
+  std::vector<std::size_t> shapes;                   ///< of the patches, sorted
+  std::array<std::size_t, 2> children{none, none};   ///< indices of nodes
+  std::size_t parent = none;                         ///< index of a node
+  double affinity = 1;                               ///< probability with which the children were taken for one part
+  double gap = 0;                                    ///< between the children
+
+  Point centre = Point::Zero();                      ///< of the surface
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d lengths = Eigen::Vector3d::Zero(); ///< roots of the principal variances, the least first
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+
+  bool is_leaf() const { return children[0] == none; }
+};
+
+/// The number of features of two nodes that may be merged; they do not change with quarter turns about up.
+constexpr std::size_t merge_feature_count = 53;
+using Merge_features = std::array<std::uint8_t, merge_feature_count>;
+
+/// The probability that two nodes are of one part; below 0: they are not merged.
+using Merge_affinity = std::function<double(const Part_node&, const Part_node&, const Merge_features&)>;
+
+/// Merges patches two by two, those of greatest affinity first. \return nodes, leaves first, by index of their patches;
+/// children before parents. O(n² log n) in the number of patches
+std::vector<Part_node> part_tree(const Surface_patches& surface, const Merge_affinity& affinity);
+
+/// The cut of a forest of nodes with the largest sum of values: indices of nodes, ascending.
+std::vector<std::size_t> best_cut(const std::vector<Part_node>& nodes, const std::vector<double>& values);
+
+/// A row of features in bytes.
+class Feature_bytes
+{
+public:
+  explicit Feature_bytes(std::uint8_t* next) : next_(next) {}
+
+  void share(double value); ///< 0 … 1
+  void root(double share);  ///< 0 … 1, small ones told from each other better
+  void signed_share(double value); ///< -1 … 1
+  void ratio(double value); ///< 0 … ∞
+  void count(std::size_t n); ///< up to 255, on a logarithmic scale
+
+  const std::uint8_t* next() const { return next_; }
+
+private:
+  std::uint8_t* next_;
+};
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The area of a surface and its integrals: of the place, and of the place times itself transposed.
+struct Surface_moments
+{
+  double area = 0;
+  Point first = Point::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+
+  Surface_moments& operator+=(const Surface_moments& other)
+  {
+    area += other.area;
+    first += other.first;
+    second += other.second;
+    return *this;
+  }
+};
+
+/// A connected set of triangles without creases inside.
+struct Surface_patch
+{
+  Surface_moments moments;
+  Eigen::AlignedBox3d box;
+  std::size_t object = 0;    ///< index of the object that it is of
+  std::size_t sheet = 0;     ///< number of the piece that is connected across edges of two triangles
+  std::size_t component = 0; ///< number of the piece that is connected through vertices
+  std::size_t shape = 0;     ///< the same number for patches that are about congruent
+};
+
+/// How two patches touch, or two unions of patches.
+struct Patch_contact
+{
+  double gap = 0;                     ///< distance; 0 where they have a common border
+  std::array<double, 2> near{0, 0};   ///< area of each that is near the other
+  double border = 0;                  ///< length of the common border
+  double flat_border = 0;             ///< the same, times the cosine of the angle between the normals
+  double concave_border = 0;          ///< length of the concave part of it
+  double common_places = 0;           ///< number of vertices of both, where they are of different sheets
+
+  Patch_contact& operator+=(const Patch_contact& other);
+  Patch_contact reversed() const;
+};
+
+/// A model divided at creases, in a frame with y up in which its box begins at the origin and has diagonal 1.
+struct Surface_patches
+{
+  struct Contact
+  {
+    std::size_t first, second; ///< indices of patches, the lower one first
+    Patch_contact contact;
+  };
+
+  Point sides = Point::Ones();                         ///< of the box
+  double area = 0;                                     ///< of all patches
+  std::vector<Surface_patch> patches;                  ///< at least one
+  std::vector<Contact> contacts;                       ///< of patches that may be merged
+  std::vector<std::vector<std::size_t>> of_triangles;  ///< by object and triangle, the index of its patch
+};
+
+constexpr double patch_reach = 0.02; ///< over the diagonal: how near points of patches are that touch
+
+/// Divides the objects at creases of 60 degrees and at edges of other than two triangles; patches that are small join
+/// the one of their sheet with which they have the longest border. O(n log n) in the number of triangles.
+/// \param axes the rows are the axes of the frame, the second one up
+/// \pre an object has area
+Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes);
+
+} // namespace CGAL::Shape_correspondence::internal
