@@ -3,26 +3,25 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How well the parts of labelled shapes are found again when their meshes are joined to one, with whole sources left out
-// of the training.
+// What parts look like, learned from labelled shapes, and how well the parts of others are found again when their meshes
+// are joined.
 
 #include "base/for_each_index.h"
 #include "command_line.h"
-#include "roles/part_features.h"
+#include "roles/Part_model.h"
+#include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
-#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <mutex>
-#include <numeric>
+#include <memory>
 #include <random>
 #include <set>
 
@@ -31,35 +30,15 @@ using namespace CGAL::Shape_correspondence::internal;
 
 namespace {
 
-constexpr double found_share = 0.75; // of the union of two parts, from which on one is the other
-constexpr double pure = 0.85;        // share of a node in one true part, from which on it is a fragment of it
-constexpr std::size_t no_fold = std::size_t(-1);
-
 const char* const usage =
-    "Usage: validate_parts [--form one|objects] [--folds N] [--trees N] [--leaves N] [--general] [--turns] FOLDER...\n";
-
-struct Shape
-{
-  std::string name, category, source;
-  std::vector<std::string> roles; // by true part
-  Surface_patches surface;
-  Eigen::MatrixXd areas;    // patch × true part
-  Eigen::VectorXd of_parts; // areas
-  std::size_t fold = no_fold;
-  double seconds = 0;
-
-  std::vector<Part_node> nodes;
-  Byte_rows features;
-  Eigen::MatrixXd node_areas, overlaps; // node × true part; areas, and shares of the unions
-};
+    "Usage: validate_parts [--without FOLDER] [--roles FILE -o FILE] FOLDER...\n"
+    "Learns what parts look like from labelled shapes whose sources are not in the folders of --without, prints how well "
+    "the parts of those are found again, and writes the role model of FILE with what was learned.\n";
 
 struct Options
 {
-  std::string form = "one";
-  std::size_t folds = 5;
-  Boosting_options affinity{150, 16, 0.1, 5, 0.5, 1}, partness{150, 16, 0.08, 5, 0.3, 1};
-  bool turns = false;
-  std::vector<std::string> folders;
+  std::vector<std::string> folders, without;
+  std::string roles, output;
 };
 
 /// The parts as one object, or as three of parts with the same roles; and by object and triangle the part.
@@ -108,177 +87,35 @@ Joined joined(const Segmented_shape& labelled, const std::vector<std::string>& r
   return result;
 }
 
-double area_of(const Part_mesh& mesh, Eigen::Index t)
-{
-  const Point a = mesh.points.col(mesh.triangles(0, t)), b = mesh.points.col(mesh.triangles(1, t)),
-              c = mesh.points.col(mesh.triangles(2, t));
-  return (b - a).cross(c - a).norm() / 2;
-}
-
-Shape read_shape(const IO::Labelled_shape& labels, bool one)
+Part_example example_of(const IO::Labelled_shape& labels, bool one)
 {
   const Segmented_shape labelled =
       IO::read_segmented_shape((std::filesystem::path(labels.file).parent_path() / "parts").string());
-  Shape result;
-  result.name = labels.name;
-  result.category = labels.category;
-  result.source = labels.source.empty() ? labels.name : labels.source;
+  std::vector<std::string> roles;
   for (const Shape_part& part : labelled.parts()) {
     const std::size_t i = labels.index(part.name);
-    result.roles.push_back(i < labels.labels.size() ? labels.labels[i].coarse : "");
+    roles.push_back(i < labels.labels.size() ? labels.labels[i].coarse : "");
   }
-  const Joined model = joined(labelled, result.roles, one);
-  const auto begin = std::chrono::steady_clock::now();
-  result.surface = surface_patches(model.shape, Eigen::Matrix3d::Identity());
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.areas.setZero(Eigen::Index(result.surface.patches.size()), Eigen::Index(result.roles.size()));
-  for (std::size_t o = 0; o < model.parts.size(); ++o)
-    for (std::size_t t = 0; t < model.parts[o].size(); ++t)
-      result.areas(Eigen::Index(result.surface.of_triangles[o][t]), Eigen::Index(model.parts[o][t])) +=
-          area_of(model.shape.parts()[o].mesh, Eigen::Index(t));
-  result.areas *= result.surface.area / result.areas.sum();
-  result.of_parts = result.areas.colwise().sum();
-  return result;
-}
-
-/// The true part that a node is most of, and the share of the node in it.
-std::pair<std::size_t, double> owner(const Shape& shape, const Part_node& node)
-{
-  Eigen::RowVectorXd areas = Eigen::RowVectorXd::Zero(shape.areas.cols());
-  for (std::size_t patch : node.patches)
-    areas += shape.areas.row(Eigen::Index(patch));
-  Eigen::Index part = 0;
-  const double most = areas.maxCoeff(&part);
-  return {std::size_t(part), most / std::max(areas.sum(), 1e-12)};
-}
-
-/// Examples of pairs of nodes, and whether they are of one part.
-struct Pairs
-{
-  std::vector<Merge_features> features;
-  std::vector<bool> are_same;
-};
-
-/// What is met when pieces of the same part are merged, in some order.
-Pairs pairs_of(const Shape& shape)
-{
-  Pairs result;
-  part_tree(shape.surface, [&](const Part_node& a, const Part_node& b, const Merge_features& features) {
-    const auto [part_a, share_a] = owner(shape, a);
-    const auto [part_b, share_b] = owner(shape, b);
-    const bool are_same = part_a == part_b;
-    if (std::min(share_a, share_b) >= pure) {
-      result.features.push_back(features);
-      result.are_same.push_back(are_same);
-    }
-    // near ones and small ones first
-    const double grow = features[12] / 254., gap = features[0] / 254. * 0.03, small = features[3] / 254.;
-    return are_same ? std::max(0., 1 - (grow + 15 * gap + 0.5 * small) / 3) : -1;
-  });
-  return result;
-}
-
-Boosted_trees learned_affinity(const std::vector<Shape>& shapes, const std::vector<Pairs>& pairs, std::size_t fold,
-                               const Boosting_options& options)
-{
-  std::vector<const Merge_features*> rows;
-  std::vector<double> targets, weights;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (shapes[i].fold == fold || pairs[i].features.empty()) continue;
-    constexpr std::size_t most = 250;
-    std::vector<std::size_t> order(pairs[i].features.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::mt19937_64 random(1);
-    for (std::size_t k = order.size(); k > 1; --k)
-      std::swap(order[k - 1], order[random() % k]);
-    order.resize(std::min(order.size(), most));
-    for (std::size_t k : order) {
-      rows.push_back(&pairs[i].features[k]);
-      targets.push_back(pairs[i].are_same[k]);
-      weights.push_back(1 / std::sqrt(double(order.size())));
-    }
-  }
-  Byte_rows features(Eigen::Index(rows.size()), Eigen::Index(merge_feature_count));
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    std::copy(rows[k]->begin(), rows[k]->end(), &features(Eigen::Index(k), 0));
-  return Boosted_trees(features, targets, weights, options);
-}
-
-void grow_tree(Shape& shape, const Boosted_trees& affinity)
-{
-  const auto begin = std::chrono::steady_clock::now();
-  shape.nodes = part_tree(shape.surface, [&](const Part_node&, const Part_node&, const Merge_features& features) {
-    return affinity.probability(features.data());
-  });
-  shape.features = part_features(shape.surface, shape.nodes, 0);
-  shape.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  shape.node_areas.setZero(Eigen::Index(shape.nodes.size()), shape.areas.cols());
-  for (std::size_t i = 0; i < shape.nodes.size(); ++i)
-    for (std::size_t patch : shape.nodes[i].patches)
-      shape.node_areas.row(Eigen::Index(i)) += shape.areas.row(Eigen::Index(patch));
-  shape.overlaps = shape.node_areas;
-  const Eigen::VectorXd areas = shape.node_areas.rowwise().sum();
-  for (Eigen::Index i = 0; i < shape.overlaps.rows(); ++i)
-    for (Eigen::Index j = 0; j < shape.overlaps.cols(); ++j)
-      shape.overlaps(i, j) /= std::max(areas[i] + shape.of_parts[j] - shape.node_areas(i, j), 1e-12);
-}
-
-Boosted_trees learned_partness(const std::vector<const Shape*>& shapes, const Boosting_options& options)
-{
-  Eigen::Index count = 0;
-  for (const Shape* shape : shapes)
-    count += shape->features.rows();
-  Byte_rows features(count, part_feature_count);
-  std::vector<double> targets, weights;
-  Eigen::Index next = 0;
-  for (const Shape* shape : shapes) {
-    features.middleRows(next, shape->features.rows()) = shape->features;
-    next += shape->features.rows();
-    for (Eigen::Index i = 0; i < shape->features.rows(); ++i) {
-      const double overlap = shape->overlaps.row(i).maxCoeff();
-      targets.push_back(((overlap >= found_share) + overlap) / 2);
-      weights.push_back(1 / std::sqrt(double(shape->features.rows())));
-    }
-  }
-  return Boosted_trees(features, targets, weights, options);
-}
-
-std::vector<double> values_of(const Shape& shape, const Boosted_trees& partness)
-{
-  std::vector<double> p;
-  for (Eigen::Index i = 0; i < shape.features.rows(); ++i)
-    p.push_back(partness.probability(&shape.features(i, 0)));
-  std::map<std::vector<std::size_t>, std::pair<double, int>> copies;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    auto& [sum, n] = copies[shape.nodes[i].shapes];
-    sum += p[i];
-    ++n;
-  }
-  std::vector<double> values;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto& [sum, n] = copies[shape.nodes[i].shapes];
-    const double mean = std::clamp(sum / n, 0.02, 0.98);
-    values.push_back(std::log(mean / (1 - mean)));
-  }
-  return values;
+  const Joined model = joined(labelled, roles, one);
+  return part_example(model.shape, model.parts, labels.category, labels.source.empty() ? labels.name : labels.source);
 }
 
 using Row = std::array<double, 5>; // recovered, overlap, found over true parts, in one true part, F1
 
-Row measured(const Shape& shape, const std::vector<std::size_t>& cut)
+Row measured(const Part_example& shape, const std::vector<Part_node>& nodes, const std::vector<std::size_t>& cut)
 {
+  const Eigen::MatrixXd areas = shape.areas_of(nodes), overlaps = shape.overlaps_of(nodes);
   Row row{};
-  std::vector<double> best(std::size_t(shape.of_parts.size()), 0);
+  std::vector<double> best(std::size_t(areas.cols()), 0);
   for (std::size_t i : cut) {
     for (std::size_t j = 0; j < best.size(); ++j)
-      best[j] = std::max(best[j], shape.overlaps(Eigen::Index(i), Eigen::Index(j)));
-    const double area = shape.node_areas.row(Eigen::Index(i)).sum();
-    row[3] += shape.node_areas.row(Eigen::Index(i)).maxCoeff() >= 0.9 * area;
+      best[j] = std::max(best[j], overlaps(Eigen::Index(i), Eigen::Index(j)));
+    row[3] += areas.row(Eigen::Index(i)).maxCoeff() >= 0.9 * areas.row(Eigen::Index(i)).sum();
   }
   const double parts = double(best.size()), found = double(cut.size());
   double recovered = 0;
   for (double overlap : best) {
-    recovered += overlap >= found_share;
+    recovered += overlap >= same_part_overlap;
     row[1] += overlap / parts;
   }
   row[0] = recovered / parts;
@@ -286,15 +123,6 @@ Row measured(const Shape& shape, const std::vector<std::size_t>& cut)
   row[3] /= found;
   row[4] = 2 * recovered / (parts + found);
   return row;
-}
-
-std::vector<double> true_values(const Shape& shape)
-{
-  std::vector<double> result;
-  for (Eigen::Index i = 0; i < shape.overlaps.rows(); ++i)
-    result.push_back((shape.overlaps.row(i).array() >= found_share).any() +
-                     1e-3 * shape.overlaps.row(i).maxCoeff() * shape.node_areas.row(i).sum() / shape.surface.area);
-  return result;
 }
 
 void print(const std::string& title, const std::map<std::string, std::vector<Row>>& rows)
@@ -319,22 +147,27 @@ void print(const std::string& title, const std::map<std::string, std::vector<Row
   std::fflush(stdout);
 }
 
+std::vector<IO::Labelled_shape> labels_of(const std::vector<std::string>& folders)
+{
+  std::vector<IO::Labelled_shape> result;
+  for (const std::string& folder : folders)
+    for (IO::Labelled_shape& shape : IO::read_part_labels(folder))
+      result.push_back(std::move(shape));
+  return result;
+}
+
 Options parsed(int argc, char** argv)
 {
   Options options;
   benchmark::Command_line words(argc, argv);
   while (!words.is_at_end()) {
     const std::string& word = words.word();
-    if (word == "--form")
-      options.form = words.value();
-    else if (word == "--folds")
-      options.folds = benchmark::whole_number(words.value(), word);
-    else if (word == "--trees")
-      options.partness.trees = int(benchmark::whole_number(words.value(), word));
-    else if (word == "--leaves")
-      options.partness.leaves = int(benchmark::whole_number(words.value(), word));
-    else if (word == "--turns")
-      options.turns = true;
+    if (word == "--without")
+      options.without.push_back(words.value());
+    else if (word == "--roles")
+      options.roles = words.value();
+    else if (word == "-o")
+      options.output = words.value();
     else {
       benchmark::refuse_option(word);
       options.folders.push_back(word);
@@ -344,85 +177,65 @@ Options parsed(int argc, char** argv)
   return options;
 }
 
-void validate(const Options& options)
+/// Examples of shapes in both forms, as one object and as three.
+std::vector<Part_example> examples_of(const std::vector<IO::Labelled_shape>& labels)
 {
-  std::vector<IO::Labelled_shape> labels;
-  for (const std::string& folder : options.folders)
-    for (IO::Labelled_shape& shape : IO::read_part_labels(folder))
-      labels.push_back(std::move(shape));
-  std::vector<Shape> shapes(labels.size());
-  for_each_index(labels.size(), true, [&](std::size_t i) { shapes[i] = read_shape(labels[i], options.form == "one"); });
-  std::map<std::string, std::size_t> of_source;
-  for (const Shape& shape : shapes)
-    ++of_source[shape.source];
-  std::vector<std::pair<std::size_t, std::string>> sources;
-  for (const auto& [source, n] : of_source)
-    sources.push_back({n, source});
-  std::stable_sort(sources.begin(), sources.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<std::size_t> load(options.folds, 0);
-  std::map<std::string, std::size_t> fold;
-  for (const auto& [n, source] : sources) {
-    const auto least = std::min_element(load.begin(), load.end());
-    fold[source] = std::size_t(least - load.begin());
-    *least += n;
-  }
-  double patches = 0;
-  for (Shape& shape : shapes) {
-    shape.fold = fold[shape.source];
-    patches += double(shape.surface.patches.size()) / double(shapes.size());
-  }
-  std::printf("%zu shapes, %zu sources, %.0f patches a shape\n", shapes.size(), sources.size(), patches);
-  std::vector<Pairs> pairs(shapes.size());
-  for_each_index(shapes.size(), true, [&](std::size_t i) { pairs[i] = pairs_of(shapes[i]); });
-  std::vector<Boosted_trees> affinities(options.folds);
-  for_each_index(options.folds, true,
-                 [&](std::size_t k) { affinities[k] = learned_affinity(shapes, pairs, k, options.affinity); });
-  for_each_index(shapes.size(), true, [&](std::size_t i) { grow_tree(shapes[i], affinities[shapes[i].fold]); });
-  double seconds = 0;
-  for (const Shape& shape : shapes)
-    seconds = std::max(seconds, shape.seconds);
-  std::printf("affinity: %zu nodes; slowest shape %.2f s\n", affinities[0].number_of_nodes(), seconds);
-  std::set<std::string> categories;
-  std::map<std::string, std::vector<Row>> ideal;
-  for (const Shape& shape : shapes) {
-    categories.insert(shape.category);
-    ideal[shape.category].push_back(measured(shape, best_cut(shape.nodes, true_values(shape))));
-  }
-  print("best cut of the tree", ideal);
-  for (const std::string who : {"own category", "all categories", "other categories"}) {
-    std::vector<std::pair<std::string, std::size_t>> jobs;
-    for (const std::string& category : categories)
-      for (std::size_t k = 0; k < options.folds; ++k)
-        jobs.push_back({category, k});
-    std::map<std::string, std::vector<Row>> rows;
-    std::mutex mutex;
-    for_each_index(jobs.size(), true, [&](std::size_t job) {
-      const auto& [category, k] = jobs[job];
-      std::vector<const Shape*> training, test;
-      for (const Shape& shape : shapes)
-        if (shape.fold == k && shape.category == category)
-          test.push_back(&shape);
-        else if (shape.fold != k &&
-                 (who == "all categories" || (shape.category == category) == (who == "own category")))
-          training.push_back(&shape);
-      if (test.empty() || training.empty()) return;
-      const Boosted_trees partness = learned_partness(training, options.partness);
-      for (const Shape* shape : test) {
-        const Row row = measured(*shape, best_cut(shape->nodes, values_of(*shape, partness)));
-        const std::lock_guard<std::mutex> lock(mutex);
-        rows[category].push_back(row);
+  std::vector<Part_example> result(2 * labels.size());
+  for_each_index(result.size(), true, [&](std::size_t i) { result[i] = example_of(labels[i / 2], i % 2 == 0); });
+  return result;
+}
+
+void print_accuracy(const std::vector<Part_example>& examples, const Part_model& model)
+{
+  for (std::size_t form = 0; form < 2; ++form) {
+    std::map<std::string, std::vector<Row>> ideal, known, any;
+    for (std::size_t i = form; i < examples.size(); i += 2) {
+      const Part_example& shape = examples[i];
+      const std::vector<Part_node> nodes = part_candidates(shape.surface, model);
+      const Eigen::MatrixXd overlaps = shape.overlaps_of(nodes);
+      std::vector<double> values;
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const double overlap = overlaps.row(Eigen::Index(k)).maxCoeff();
+        values.push_back((overlap >= same_part_overlap) + 1e-3 * overlap * nodes[k].moments.area / shape.surface.area);
       }
-    });
-    print(who, rows);
+      ideal[shape.category].push_back(measured(shape, nodes, best_cut(nodes, values)));
+      const Part_model::Category* own = nullptr;
+      for (const Part_model::Category& category : model.categories)
+        if (category.name == shape.category) own = &category;
+      known[shape.category].push_back(measured(shape, nodes, likeliest_parts(shape.surface, nodes, model, own)));
+      any[shape.category].push_back(measured(shape, nodes, likeliest_parts(shape.surface, nodes, model, nullptr)));
+    }
+    const std::string name = form == 0 ? "one object: " : "objects: ";
+    print(name + "best cut", ideal);
+    print(name + "category", known);
+    print(name + "any", any);
   }
 }
 
-} // namespace
+void run(const Options& options)
+{
+  std::vector<IO::Labelled_shape> training = labels_of(options.folders);
+  const std::vector<IO::Labelled_shape> test = labels_of(options.without);
+  std::set<std::string> unseen;
+  for (const IO::Labelled_shape& shape : test)
+    unseen.insert(shape.source);
+  training.erase(std::remove_if(training.begin(), training.end(),
+                                [&](const IO::Labelled_shape& shape) { return unseen.count(shape.source) > 0; }),
+                 training.end());
+  std::printf("%zu shapes to learn from\n", training.size());
+  const Part_model model = train_part_model(examples_of(training));
+  print_accuracy(examples_of(test), model);
+  if (options.output.empty()) return;
+  Role_model_data data = Role_model_access::data(IO::read_role_model(options.roles));
+  data.parts = std::make_shared<Part_model>(model);
+  IO::write_role_model(options.output, Role_model_access::model(std::move(data)));
+}
 
+} // namespace
 int main(int argc, char** argv)
 {
   try {
-    validate(parsed(argc, argv));
+    run(parsed(argc, argv));
   } catch (const std::invalid_argument& error) {
     std::cerr << "validate_parts: " << error.what() << '\n' << usage;
     return 2;

@@ -17,6 +17,7 @@ namespace {
 constexpr double ridge = 1; // added to the weight of a leaf
 constexpr double logit_unit = 1. / 4096;
 constexpr double largest_logit = 7.9; // of a leaf
+constexpr std::size_t most_nodes = 65535; // of a tree
 
 double logistic(double logit) { return 1 / (1 + std::exp(-logit)); }
 
@@ -37,7 +38,7 @@ public:
       sum += weights_[i] * targets[i];
     }
     const double share = std::clamp(sum / double(weights.size()), 1e-3, 1 - 1e-3);
-    result.base_ = float(std::log(share / (1 - share)));
+    result.base_ = float(std::round(std::log(share / (1 - share)) / logit_unit) * logit_unit);
     logits_.assign(weights.size(), double(result.base_));
     gradients_.resize(weights.size());
     curvatures_.resize(weights.size());
@@ -196,5 +197,78 @@ double Boosted_trees::logit(const std::uint8_t* features) const
 }
 
 double Boosted_trees::probability(const std::uint8_t* features) const { return logistic(logit(features)); }
+
+namespace {
+
+void write_number(std::ostream& out, std::uint32_t value, int bytes)
+{
+  for (int k = 0; k < bytes; ++k)
+    out.put(char(value >> 8 * k & 255));
+}
+
+// \pre there are so many bytes
+std::uint32_t taken_number(Stored_bytes& from, int bytes)
+{
+  std::uint32_t result = 0;
+  for (int k = 0; k < bytes; ++k)
+    result |= std::uint32_t(*from.next++) << 8 * k;
+  return result;
+}
+
+constexpr std::int32_t zero_logit = 1 << 15; // a logit is stored as a number of 16 bits
+
+std::uint32_t stored_logit(float logit) { return std::uint32_t(std::lround(double(logit) / logit_unit) + zero_logit); }
+float logit_of_stored(std::uint32_t stored) { return float((std::int32_t(stored) - zero_logit) * logit_unit); }
+
+} // namespace
+
+// A node has two bytes, feature and value; a leaf three, of which two are the logit.
+void Boosted_trees::write(std::ostream& out) const
+{
+  write_number(out, std::uint32_t(roots_.size()), 4);
+  write_number(out, stored_logit(base_), 2);
+  for (const Node& node : nodes_) {
+    out.put(char(node.feature));
+    if (node.feature == leaf)
+      write_number(out, stored_logit(node.logit), 2);
+    else
+      out.put(char(node.value));
+  }
+}
+
+bool Boosted_trees::read(Stored_bytes& bytes, int features)
+{
+  if (bytes.size() < 6) return false;
+  const std::uint32_t trees = taken_number(bytes, 4);
+  base_ = logit_of_stored(taken_number(bytes, 2));
+  for (std::uint32_t tree = 0; tree < trees; ++tree) {
+    roots_.push_back(std::uint32_t(nodes_.size()));
+    std::vector<std::size_t> parents; // whose right children are to come
+    do {
+      if (bytes.size() < 3) return false;
+      Node node;
+      node.feature = *bytes.next++;
+      if (node.feature == leaf)
+        node.logit = logit_of_stored(taken_number(bytes, 2));
+      else if (node.feature < features)
+        node.value = *bytes.next++;
+      else
+        return false;
+      if (node.feature != leaf) {
+        parents.push_back(nodes_.size());
+      } else if (!parents.empty()) {
+        const std::size_t offset = nodes_.size() + 1 - parents.back();
+        if (offset > most_nodes) return false;
+        nodes_[parents.back()].right = std::uint16_t(offset);
+        parents.pop_back();
+        nodes_.push_back(node);
+        continue;
+      }
+      nodes_.push_back(node);
+      if (node.feature == leaf) break;
+    } while (true);
+  }
+  return true;
+}
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -123,7 +123,7 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
                       (known.empty() ? "train it" : "use one of these: " + known));
 }
 
-constexpr const char* magic = "shape_correspondence roles 6";
+constexpr const char* magic = "shape_correspondence roles 7", *magic_without_parts = "shape_correspondence roles 6";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 constexpr long most_weight_steps = 1000000000; // of a weight, either way
 
@@ -207,6 +207,13 @@ public:
     return result;
   }
 
+  std::shared_ptr<const Part_model> parts()
+  {
+    const auto result = std::make_shared<Part_model>();
+    if (!result->read(bytes_)) fail();
+    return result;
+  }
+
   std::vector<Role_example> examples(std::size_t classes)
   {
     constexpr std::size_t example_size = ROLE_FEATURE_COUNT + 1 + 4;
@@ -272,12 +279,15 @@ void Role_model::write(std::ostream& out) const
       write.number(std::uint32_t(std::min(example.weight, double(most_example_weight))));
     }
   }
+  write.number(data_->parts != nullptr);
+  if (data_->parts) data_->parts->write(out);
 }
 
 Role_model_data internal::read_role_model_data(Stored_bytes bytes, const std::string& name)
 {
   Binary_reader read(std::move(bytes), name);
-  if (read.text() != magic) read.fail();
+  const std::string version = read.text();
+  if (version != magic && version != magic_without_parts) read.fail();
   if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
   Role_model_data data;
   data.trees = int(read.number(maximum_trees));
@@ -301,6 +311,7 @@ Role_model_data internal::read_role_model_data(Stored_bytes bytes, const std::st
     category.forest = read.forest(data.trees, category.classes.size());
     category.examples = read.examples(category.classes.size());
   }
+  if (version == magic && read.number(1) == 1) data.parts = read.parts();
   return data;
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "roles/Part_model.h"
 #include "roles/Role_forest.h"
 #include "roles/pair_model.h"
 
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -58,6 +60,7 @@ struct Role_model_data
   int trees = 0;                          // of every forest
   // Of pairs that geometry alone matches, where the nearest category has none of its own.
   Confidence_weights geometric_confidence = usual_confidence_weights();
+  std::shared_ptr<const Part_model> parts; // null: parts are not told by what was learned
 
   // The index of a category; `categories.size()` if there is none of the name.
   std::size_t index(const std::string& category) const;

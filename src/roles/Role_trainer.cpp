@@ -186,6 +186,7 @@ Role_model_data Role_trainer::model() const
   Role_model_data result;
   result.trees = options_.trees;
   result.geometric_confidence = known_.geometric_confidence;
+  result.parts = known_.parts;
   for (const Category_roles& known : known_.categories)
     if (taught.count(known.name) == 0) categories.push_back(known);
   std::sort(categories.begin(), categories.end(),

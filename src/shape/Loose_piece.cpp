@@ -24,29 +24,6 @@ std::size_t corner(const Part_mesh& mesh, std::size_t t, int k)
   return std::size_t(mesh.triangles(k, Eigen::Index(t)));
 }
 
-/// The mesh of some triangles, with only the vertices that they use.
-Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector<int>& number)
-{
-  Part_mesh result;
-  result.triangles.resize(3, Eigen::Index(triangles.size()));
-  Indices used;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t v = corner(mesh, triangles[i], k);
-      if (number[v] < 0) {
-        number[v] = int(used.size());
-        used.push_back(v);
-      }
-      result.triangles(k, Eigen::Index(i)) = number[v];
-    }
-  result.points.resize(3, Eigen::Index(used.size()));
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    result.points.col(Eigen::Index(i)) = mesh.points.col(Eigen::Index(used[i]));
-    number[used[i]] = -1;
-  }
-  return result;
-}
-
 /// An edge: its two vertices and the numbers of their places, the lower number first.
 struct Edge
 {
@@ -107,6 +84,28 @@ Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materia
 }
 
 } // namespace
+
+Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector<int>& number)
+{
+  Part_mesh result;
+  result.triangles.resize(3, Eigen::Index(triangles.size()));
+  Indices used;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t v = corner(mesh, triangles[i], k);
+      if (number[v] < 0) {
+        number[v] = int(used.size());
+        used.push_back(v);
+      }
+      result.triangles(k, Eigen::Index(i)) = number[v];
+    }
+  result.points.resize(3, Eigen::Index(used.size()));
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    result.points.col(Eigen::Index(i)) = mesh.points.col(Eigen::Index(used[i]));
+    number[used[i]] = -1;
+  }
+  return result;
+}
 
 std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, double tolerance,
                                       const std::vector<int>& materials, bool divide)

@@ -22,6 +22,7 @@ struct Loose_piece
   double size = 0;              ///< approximate diameter, see `size_of()`
   bool closed = false;          ///< an even number of triangles meets at every edge
   std::set<int> materials = {}; ///< empty: not known
+  std::size_t patch = 0;        ///< its index, if pieces are patches
 };
 
 /// The connected components of a mesh, connected through vertices at the same place, in the order of first triangles.
@@ -30,6 +31,10 @@ struct Loose_piece
 /// \param divide only triangles of one material are connected
 std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, double tolerance,
                                       const std::vector<int>& materials, bool divide);
+
+/// The mesh of some triangles, with only the vertices that they use.
+/// \param number by vertex, -1, before and after
+Part_mesh extracted(const Part_mesh& mesh, const std::vector<std::size_t>& triangles, std::vector<int>& number);
 
 /// Measures a piece.
 Loose_piece loose_piece(std::size_t object, Part_mesh mesh, double tolerance);

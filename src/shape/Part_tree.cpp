@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <queue>
 #include <tuple>
@@ -42,6 +43,9 @@ Part_node merged_node(const std::vector<Part_node>& nodes, std::size_t i, std::s
   result.patches = a.patches;
   result.patches.insert(result.patches.end(), b.patches.begin(), b.patches.end());
   std::merge(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(), std::back_inserter(result.shapes));
+  for (Indices Part_node::*numbers : {&Part_node::sheets, &Part_node::components, &Part_node::objects})
+    std::set_union((a.*numbers).begin(), (a.*numbers).end(), (b.*numbers).begin(), (b.*numbers).end(),
+                   std::back_inserter(result.*numbers));
   result.children = {i, j};
   finish_node(result);
   return result;
@@ -122,26 +126,21 @@ private:
     row_.ratio(ratio_or_zero(border, s_.box.diagonal().norm()));
     row_.share(border > 0 ? (contact_.flat_border / border + 2) / 3 : 0);
     row_.share(border > 0 ? (contact_.concave_border / border + 1) / 2 : 0);
-    row_.share(have_common(&Surface_patch::sheet));
-    row_.share(have_common(&Surface_patch::component));
-    row_.share(are_of_one_object());
+    row_.share(have_common(s_.sheets, b_.sheets));
+    row_.share(have_common(s_.components, b_.components));
+    row_.share(s_.objects.size() == 1 && s_.objects == b_.objects);
     row_.share(contact_.common_places / 20);
   }
 
-  bool have_common(std::size_t Surface_patch::*number) const
+  /// Whether two sorted lists have a number in common.
+  static bool have_common(const Indices& a, const Indices& b)
   {
-    for (std::size_t i : s_.patches)
-      for (std::size_t j : b_.patches)
-        if (surface_.patches[i].*number == surface_.patches[j].*number) return true;
+    for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();)
+      if (*i == *j)
+        return true;
+      else
+        *i < *j ? ++i : ++j;
     return false;
-  }
-
-  bool are_of_one_object() const
-  {
-    const std::size_t object = surface_.patches[s_.patches[0]].object;
-    const auto is_of_it = [&](std::size_t i) { return surface_.patches[i].object == object; };
-    return std::all_of(s_.patches.begin(), s_.patches.end(), is_of_it) &&
-           std::all_of(b_.patches.begin(), b_.patches.end(), is_of_it);
   }
 
   void set_forms()
@@ -199,7 +198,11 @@ public:
       node.moments = surface.patches[i].moments;
       node.box = surface.patches[i].box;
       node.patches = {i};
-      node.shapes = {surface.patches[i].shape};
+      const Surface_patch& patch = surface.patches[i];
+      node.shapes = {patch.shape};
+      node.sheets = {patch.sheet};
+      node.components = {patch.component};
+      node.objects = {patch.object};
       finish_node(node);
       nodes_.push_back(std::move(node));
     }

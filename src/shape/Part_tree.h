@@ -22,6 +22,7 @@ struct Part_node
   Eigen::AlignedBox3d box;
   std::vector<std::size_t> patches;
   std::vector<std::size_t> shapes;                   ///< of the patches, sorted
+  std::vector<std::size_t> sheets, components, objects; ///< of the patches, each once, sorted
   std::array<std::size_t, 2> children{none, none};   ///< indices of nodes
   std::size_t parent = none;                         ///< index of a node
   double affinity = 1;                               ///< probability with which the children were taken for one part

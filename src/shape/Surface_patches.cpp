@@ -121,9 +121,19 @@ struct Triangle_side
 class Divider
 {
 public:
-  Divider(const Segmented_shape& objects, const Eigen::Matrix3d& axes) : objects_(objects)
+  Divider(const Segmented_shape& objects, const Eigen::Matrix3d& axes, const std::vector<std::vector<int>>& materials)
+      : objects_(objects)
   {
     collect(axes);
+    std::map<std::pair<std::size_t, int>, std::size_t> numbers;
+    for (std::size_t t = 0, object = 0, begin = 0; t < object_.size(); ++t) {
+      if (object_[t] != object) {
+        object = object_[t];
+        begin = t;
+      }
+      const int material = materials.empty() ? 0 : materials[object][t - begin];
+      material_.push_back(numbers.emplace(std::pair(object, material), numbers.size()).first->second);
+    }
     weld();
     find_edges();
   }
@@ -257,7 +267,8 @@ private:
 
   void join(std::size_t a, std::size_t b, Disjoint_sets& sheets) const
   {
-    if (object_[edges_[a].triangle] == object_[edges_[b].triangle]) sheets.unite(edges_[a].triangle, edges_[b].triangle);
+    if (material_[edges_[a].triangle] == material_[edges_[b].triangle])
+      sheets.unite(edges_[a].triangle, edges_[b].triangle);
   }
 
   /// The angles of triangles around an edge, to a thousandth.
@@ -333,21 +344,21 @@ private:
           sheets.insert(sheet_[t]);
         for (auto i = sheets.begin(); i != sheets.end(); ++i)
           for (auto j = std::next(i); j != sheets.end(); ++j)
-            if (sheets.size() <= most_triangles_at_edge && object_of_sheet(*i) == object_of_sheet(*j)) ++common[{*i, *j}];
+            if (sheets.size() <= most_triangles_at_edge && material_of_sheet(*i) == material_of_sheet(*j)) ++common[{*i, *j}];
       });
       if (!join_small(sheet_, common, factor * least_sheet)) return;
-      object_of_sheet_.clear();
+      material_of_sheet_.clear();
     }
   }
 
-  std::size_t object_of_sheet(std::size_t sheet)
+  std::size_t material_of_sheet(std::size_t sheet)
   {
-    if (object_of_sheet_.empty()) {
-      object_of_sheet_.resize(numbers_in(sheet_));
+    if (material_of_sheet_.empty()) {
+      material_of_sheet_.resize(numbers_in(sheet_));
       for (std::size_t t = 0; t < sheet_.size(); ++t)
-        object_of_sheet_[sheet_[t]] = object_[t];
+        material_of_sheet_[sheet_[t]] = material_[t];
     }
-    return object_of_sheet_[sheet];
+    return material_of_sheet_[sheet];
   }
 
   /// Calls a function with the triangles at each place.
@@ -557,12 +568,12 @@ private:
   Surface_patches result_;
   Points points_;
   std::vector<std::array<std::size_t, 3>> corners_; // by triangle, indices of points
-  Numbers object_, sheet_, component_, patch_;      // by triangle
+  Numbers object_, material_, sheet_, component_, patch_; // by triangle; a material is of one object
   std::vector<double> areas_;
   std::vector<Point> normals_;
   Numbers place_;           // by point
   std::vector<Triangle_side> edges_; // sorted by place
-  Numbers object_of_sheet_; // made on demand
+  Numbers material_of_sheet_; // made on demand
   std::map<Pair, Patch_contact> contacts_;
 };
 
@@ -587,9 +598,10 @@ Patch_contact Patch_contact::reversed() const
   return result;
 }
 
-Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes)
+Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes,
+                                const std::vector<std::vector<int>>& materials)
 {
-  return Divider(objects, axes).divided();
+  return Divider(objects, axes, materials).divided();
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -75,7 +75,9 @@ constexpr double patch_reach = 0.02; ///< over the diagonal: how near points of 
 /// Divides the objects at creases of 60 degrees and at edges of other than two triangles; patches that are small join
 /// the one of their sheet with which they have the longest border. O(n log n) in the number of triangles.
 /// \param axes the rows are the axes of the frame, the second one up
+/// \param materials by object and triangle; patches end where it changes. Empty: there is one
 /// \pre an object has area
-Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes);
+Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes,
+                                const std::vector<std::vector<int>>& materials = {});
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -11,6 +11,7 @@
 #include "shape/group_pieces.h"
 #include "shape/has_area.h"
 #include "shape/meshes.h"
+#include "shape/split_patches.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
@@ -81,7 +82,48 @@ public:
     name_pieces();
   }
 
-  std::size_t number_of_pieces() const { return pieces_.size(); }
+  /// Takes patches for pieces.
+  Splitter(const Segmented_shape& objects, const Surface_patches& surface, bool by_materials)
+      : objects_(objects.parts()),
+        segmentation_(unused_),
+        size_(size_of_model(objects)),
+        result_{Segmented_shape(objects.name(), objects.up()), {}, {}}
+  {
+    result_.by_patches = true;
+    result_.by_materials = by_materials;
+    std::vector<std::pair<std::size_t, std::vector<std::size_t>>> triangles(surface.patches.size()); // object, numbers
+    for (std::size_t i = 0; i < objects_.size(); ++i)
+      for (std::size_t t = 0; t < surface.of_triangles[i].size(); ++t) {
+        auto& [object, of_patch] = triangles[surface.of_triangles[i][t]];
+        object = i;
+        of_patch.push_back(t);
+      }
+    std::vector<int> number;
+    for (std::size_t patch = 0; patch < triangles.size(); ++patch) {
+      const auto& [object, of_patch] = triangles[patch];
+      const Part_mesh& mesh = objects_[object].mesh;
+      number.assign(std::size_t(mesh.points.cols()), -1);
+      Loose_piece piece = loose_piece(object, extracted(mesh, of_patch, number), flatness_tolerance(size_));
+      piece.patch = patch;
+      add_piece(std::move(piece));
+    }
+    sort_pieces(objects);
+    name_pieces();
+  }
+
+  /// Makes parts of patches with the same number.
+  Part_split of_patches(const std::vector<std::size_t>& part_of_patch)
+  {
+    Disjoint_sets sets(pieces_.size());
+    std::map<std::size_t, std::size_t> first; // piece, by part
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const auto [known, is_new] = first.emplace(part_of_patch[pieces_[i].patch], i);
+      if (!is_new) sets.unite(known->second, i);
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      result_.pieces[i].reason = "of one part by its place, form and neighbours";
+    return of_sets(sets);
+  }
 
   /// Divides pieces into segments.
   void segment()
@@ -265,13 +307,14 @@ private:
   /// A sentence on the parts made of an object.
   std::string decision(std::size_t pieces, std::size_t parts, const std::string& why_kept) const
   {
-    const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments" : " pieces");
+    const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments" : result_.by_patches ? " patches" : " pieces");
     if (pieces == 0) return "left out: it has no area";
-    if (pieces == 1) return "one piece";
+    if (pieces == 1) return result_.by_patches ? "one patch" : "one piece";
     if (parts > 1) return count + ", split into " + std::to_string(parts) + " parts";
     return count + ", kept whole" + (why_kept.empty() ? "" : ": " + why_kept);
   }
 
+  const Segmentation_options unused_{};
   const std::vector<Shape_part>& objects_;
   const Segmentation_options& segmentation_;
   double size_;
@@ -318,10 +361,25 @@ Part_split split_parts(const Segmented_shape& objects, const Part_splitting_opti
   return splitter.automatic(options);
 }
 
+Surface_patches internal::patches_of_objects(const Segmented_shape& objects,
+                                             const std::vector<std::vector<int>>& materials)
+{
+  return surface_patches(objects, Shape_in_frame(objects).frame.axes.transpose(), materials);
+}
+
+Part_split internal::split_patches(const Segmented_shape& objects, const Surface_patches& surface,
+                                   const std::vector<std::vector<int>>& materials,
+                                   const std::vector<std::size_t>& part_of_patch)
+{
+  return Splitter(objects, surface, !materials.empty()).of_patches(part_of_patch);
+}
+
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
                        bool by_segments, const Segmentation_options& segmentation,
-                       const std::vector<std::vector<int>>& materials)
+                       const std::vector<std::vector<int>>& materials, bool by_patches)
 {
+  if (by_patches)
+    return Splitter(objects, patches_of_objects(objects, materials), !materials.empty()).assigned(part_of_piece);
   Splitter splitter(objects, segmentation, materials, true);
   if (by_segments) splitter.segment();
   return splitter.assigned(part_of_piece);

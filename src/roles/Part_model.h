@@ -1,0 +1,72 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "roles/Boosted_trees.h"
+#include "shape/Part_tree.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+// What tells the parts of a model that has none, learned from labelled shapes.
+struct Part_model
+{
+  // What tells parts of one category.
+  struct Category
+  {
+    std::string name;
+    Boosted_trees partness;
+  };
+
+  Boosted_trees affinity;           // of two nodes: the probability that they are of one part
+  Boosted_trees partness;           // of a node: the probability that it is a part, whatever the category
+  std::vector<Category> categories; // sorted by name
+
+  bool is_empty() const { return affinity.number_of_nodes() == 0; }
+
+  void write(std::ostream& out) const;
+  // \return false if the bytes are not those of a model
+  bool read(Stored_bytes& bytes);
+};
+
+// The candidates for parts of a surface.
+std::vector<Part_node> part_candidates(const Surface_patches& surface, const Part_model& model);
+
+// The log-odds that nodes are parts; copies have the same.
+// \param category null: it is not known
+std::vector<double> part_log_odds(const std::vector<Part_node>& nodes, const Byte_rows& features,
+                                  const Part_model& model, const Part_model::Category* category);
+
+// The likeliest parts, for the best of the four fronts: indices of nodes. \param category null: it is not known
+std::vector<std::size_t> likeliest_parts(const Surface_patches& surface, const std::vector<Part_node>& nodes,
+                                         const Part_model& model, const Part_model::Category* category);
+
+// A shape whose parts are known, to learn from.
+struct Part_example
+{
+  std::string category, source;
+  Surface_patches surface;
+  Eigen::MatrixXd areas; // patch × true part
+
+  Eigen::MatrixXd areas_of(const std::vector<Part_node>& nodes) const; // node × true part
+  // Share of the union of a node and a true part that is in both: node × true part.
+  Eigen::MatrixXd overlaps_of(const std::vector<Part_node>& nodes) const;
+};
+
+// \param parts by object and triangle, the index of the true part
+Part_example part_example(const Segmented_shape& objects, const std::vector<std::vector<std::size_t>>& parts,
+                          std::string category, std::string source);
+
+// From which share of the union of two parts on one is the other.
+constexpr double same_part_overlap = 0.75;
+
+// Learns from examples. Which nodes are parts is learned on trees whose affinities have not seen the shape's source.
+Part_model train_part_model(const std::vector<Part_example>& examples);
+
+} // namespace CGAL::Shape_correspondence::internal

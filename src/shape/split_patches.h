@@ -1,0 +1,25 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "shape/Surface_patches.h"
+
+#include <CGAL/Shape_correspondence/split_parts.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The same as `surface_patches()` in the frame of the objects.
+Surface_patches patches_of_objects(const Segmented_shape& objects, const std::vector<std::vector<int>>& materials);
+
+/// Parts that are sets of patches, which become the pieces.
+/// \param materials with which the surface was divided
+/// \param part_of_patch by patch, a number for its part
+Part_split split_patches(const Segmented_shape& objects, const Surface_patches& surface,
+                         const std::vector<std::vector<int>>& materials, const std::vector<std::size_t>& part_of_patch);
+
+} // namespace CGAL::Shape_correspondence::internal
