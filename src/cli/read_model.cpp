@@ -81,6 +81,13 @@ void warn_of_changes(const std::string& path, Read_model& model)
                              path + " --html F` shows them.");
     return;
   }
+  if (split.by_patches) {
+    model.warnings.push_back(
+        "The model has no parts: " + std::to_string(split.shape.parts().size()) + " were found in " +
+        std::to_string(split.pieces.size()) + " patches of its surface, by what parts look like. --parts " +
+        "file takes the objects as they are; `shape_correspondence parts " + path + "` lists them.");
+    return;
+  }
   if (split.by_materials)
     model.warnings.push_back("Pieces end where the material changes, since then the parts are more like labelled ones; "
                              "--parts components or file makes others.");

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double ridge = 1; // added to the weight of a leaf
 constexpr double logit_unit = 1. / 4096;
-constexpr double largest_logit = 7.9; // of a leaf
+constexpr double largest_logit = 7.9;     // of a leaf
 constexpr std::size_t most_nodes = 65535; // of a tree
 
 double logistic(double logit) { return 1 / (1 + std::exp(-logit)); }

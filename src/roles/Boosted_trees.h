@@ -19,15 +19,15 @@ using Byte_rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eig
 struct Boosting_options
 {
   int trees = 150;
-  int leaves = 16;            // of a tree
-  double rate = 0.1;          // share of a tree's values that is added
-  double least_weight = 5;    // of the examples of a leaf, where all weigh 1 on average
+  int leaves = 16;                // of a tree
+  double rate = 0.1;              // share of a tree's values that is added
+  double least_weight = 5;        // of the examples of a leaf, where all weigh 1 on average
   double share_of_features = 0.5; // tried at each split
   std::uint64_t seed = 1;
 };
 
-// The logit of a probability as a sum of regression trees, each grown on the gradient of the logistic loss (Friedman 2001),
-// with splits at bytes.
+// The logit of a probability as a sum of regression trees, each grown on the gradient of the logistic loss (Friedman
+// 2001), with splits at bytes.
 class Boosted_trees
 {
 public:
@@ -50,9 +50,9 @@ private:
   struct Node
   {
     std::uint8_t feature = leaf;
-    std::uint8_t value = 0;   // up to it, examples go left, to the next node
-    std::uint16_t right = 0;  // relative to this node
-    float logit = 0;          // at a leaf
+    std::uint8_t value = 0;  // up to it, examples go left, to the next node
+    std::uint16_t right = 0; // relative to this node
+    float logit = 0;         // at a leaf
   };
 
   class Builder;

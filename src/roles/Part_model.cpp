@@ -20,7 +20,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr Boosting_options affinity_options{150, 16, 0.1, 5, 0.5, 1}, partness_options{150, 16, 0.08, 5, 0.3, 1};
+constexpr Boosting_options affinity_options{150, 16, 0.1, 5, 0.5, 1}, partness_options{60, 12, 0.15, 5, 0.3, 1};
 constexpr double pure_enough = 0.85;             // share of a node in one true part, from which on it tells of it
 constexpr std::size_t most_pairs_of_shape = 250; // that affinities are learned from
 constexpr std::size_t training_folds = 5;        // of sources
@@ -52,8 +52,8 @@ Node_pairs pairs_of(const Part_example& example)
       result.features.push_back(features);
       result.are_same.push_back(part_a == part_b);
     }
-    const double growth = (a.box.merged(b.box).diagonal().norm() -
-                           std::max(a.box.diagonal().norm(), b.box.diagonal().norm()));
+    const double growth =
+        (a.box.merged(b.box).diagonal().norm() - std::max(a.box.diagonal().norm(), b.box.diagonal().norm()));
     const double size = std::sqrt(std::min(a.moments.area, b.moments.area) / example.surface.area);
     return part_a == part_b ? std::max(0., 1 - (growth + size / 2) / 2) : -1;
   });
@@ -217,7 +217,8 @@ Eigen::MatrixXd Part_example::overlaps_of(const std::vector<Part_node>& nodes) c
 Part_example part_example(const Segmented_shape& objects, const std::vector<std::vector<std::size_t>>& parts,
                           std::string category, std::string source)
 {
-  Part_example result{std::move(category), std::move(source), surface_patches(objects, Eigen::Matrix3d::Identity()), {}};
+  Part_example result{
+      std::move(category), std::move(source), surface_patches(objects, Eigen::Matrix3d::Identity()), {}};
   std::size_t count = 0;
   for (const std::vector<std::size_t>& of_object : parts)
     for (std::size_t part : of_object)

@@ -123,7 +123,7 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
                       (known.empty() ? "train it" : "use one of these: " + known));
 }
 
-constexpr const char* magic = "shape_correspondence roles 7", *magic_without_parts = "shape_correspondence roles 6";
+constexpr const char* magic = "shape_correspondence roles 7";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 constexpr long most_weight_steps = 1000000000; // of a weight, either way
 
@@ -286,8 +286,7 @@ void Role_model::write(std::ostream& out) const
 Role_model_data internal::read_role_model_data(Stored_bytes bytes, const std::string& name)
 {
   Binary_reader read(std::move(bytes), name);
-  const std::string version = read.text();
-  if (version != magic && version != magic_without_parts) read.fail();
+  if (read.text() != magic) read.fail();
   if (read.number(ROLE_FEATURE_COUNT) != ROLE_FEATURE_COUNT) read.fail();
   Role_model_data data;
   data.trees = int(read.number(maximum_trees));
@@ -311,7 +310,7 @@ Role_model_data internal::read_role_model_data(Stored_bytes bytes, const std::st
     category.forest = read.forest(data.trees, category.classes.size());
     category.examples = read.examples(category.classes.size());
   }
-  if (version == magic && read.number(1) == 1) data.parts = read.parts();
+  if (read.number(1) == 1) data.parts = read.parts();
   return data;
 }
 

@@ -14,11 +14,11 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double height_of_ground = 0.03;        // of the height: what begins lower stands on the height_of_ground
-constexpr double margin_of_middle = 0.05; // of the width: how far over the middle plane a part must reach to span it
-constexpr double mirror_tolerance = 0.015;   // over the diagonal: distance from the mirror image of a copy
-constexpr double nearly_all = 0.98;  // share of a piece from which on a node is all of it
-constexpr double thinnest = 0.004;   // over the diagonal
+constexpr double height_of_ground = 0.03;  // of the height: what begins lower stands on the height_of_ground
+constexpr double margin_of_middle = 0.05;  // of the width: how far over the middle plane a part must reach to span it
+constexpr double mirror_tolerance = 0.015; // over the diagonal: distance from the mirror image of a copy
+constexpr double nearly_all = 0.98;        // share of a piece from which on a node is all of it
+constexpr double thinnest = 0.004;         // over the diagonal
 constexpr double least_divisor = 1e-9;
 
 double quotient(double a, double b) { return b > least_divisor ? a / b : 0; }
@@ -289,7 +289,7 @@ private:
   const std::vector<Part_node>& nodes_;
   Eigen::Matrix3d turn_;
   Byte_rows result_;
-  Eigen::AlignedBox3d box_; // turned
+  Eigen::AlignedBox3d box_;                                                  // turned
   std::vector<std::vector<std::pair<std::size_t, Patch_contact>>> contacts_; // by patch
   std::array<std::pair<Piece_number, std::map<std::size_t, Piece>>, 3> pieces_{
       {{&Surface_patch::sheet, {}}, {&Surface_patch::component, {}}, {&Surface_patch::object, {}}}};

@@ -17,7 +17,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double least_thickness_of_box = 0.004; // over the diagonal: thickness that boxes are given where they have less
+constexpr double least_thickness_of_box =
+    0.004;                                // over the diagonal: thickness that boxes are given where they have less
 constexpr double mirror_distance = 0.015; // over the diagonal: distance of a part from the mirror image of its copy
 constexpr double smallest_divisor = 1e-9;
 
@@ -51,7 +52,10 @@ Part_node merged_node(const std::vector<Part_node>& nodes, std::size_t i, std::s
   return result;
 }
 
-Eigen::Array3d thickened_sides(const Eigen::AlignedBox3d& box) { return box.sizes().array().max(least_thickness_of_box); }
+Eigen::Array3d thickened_sides(const Eigen::AlignedBox3d& box)
+{
+  return box.sizes().array().max(least_thickness_of_box);
+}
 
 double ratio_or_zero(double a, double b) { return b > smallest_divisor ? a / b : 0; }
 
@@ -75,17 +79,20 @@ public:
 private:
   void set_sizes()
   {
-    const double area_s = std::max(s_.moments.area, smallest_divisor), area_b = std::max(b_.moments.area, smallest_divisor);
+    const double area_s = std::max(s_.moments.area, smallest_divisor),
+                 area_b = std::max(b_.moments.area, smallest_divisor);
     row_.share(contact_.gap / 0.03);
     row_.share(contact_.near[0] / area_s);
     row_.share(contact_.near[1] / area_b);
     row_.root(area_s / surface_.area);
     row_.root(area_b / surface_.area);
     row_.root(area_s / area_b);
-    const Eigen::Array3d side_s = thickened_sides(s_.box), side_b = thickened_sides(b_.box), side_u = thickened_sides(s_.box.merged(b_.box));
-    const Eigen::Array3d common =
-        (s_.box.max().cwiseMin(b_.box.max()) - s_.box.min().cwiseMax(b_.box.min())).array().max(-2 * least_thickness_of_box) +
-        2 * least_thickness_of_box;
+    const Eigen::Array3d side_s = thickened_sides(s_.box), side_b = thickened_sides(b_.box),
+                         side_u = thickened_sides(s_.box.merged(b_.box));
+    const Eigen::Array3d common = (s_.box.max().cwiseMin(b_.box.max()) - s_.box.min().cwiseMax(b_.box.min()))
+                                      .array()
+                                      .max(-2 * least_thickness_of_box) +
+                                  2 * least_thickness_of_box;
     row_.share((common / side_s).min(1).prod());
     row_.share((common / side_b).min(1).prod());
     row_.share(0.5 * (side_s.prod() + side_b.prod()) / side_u.prod());
@@ -129,7 +136,7 @@ private:
     row_.share(have_common(s_.sheets, b_.sheets));
     row_.share(have_common(s_.components, b_.components));
     row_.share(s_.objects.size() == 1 && s_.objects == b_.objects);
-    row_.share(contact_.common_places / 20);
+    row_.share(contact_.has_common_places);
   }
 
   /// Whether two sorted lists have a number in common.

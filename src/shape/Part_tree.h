@@ -21,14 +21,14 @@ struct Part_node
   Surface_moments moments;
   Eigen::AlignedBox3d box;
   std::vector<std::size_t> patches;
-  std::vector<std::size_t> shapes;                   ///< of the patches, sorted
+  std::vector<std::size_t> shapes;                      ///< of the patches, sorted
   std::vector<std::size_t> sheets, components, objects; ///< of the patches, each once, sorted
-  std::array<std::size_t, 2> children{none, none};   ///< indices of nodes
-  std::size_t parent = none;                         ///< index of a node
-  double affinity = 1;                               ///< probability with which the children were taken for one part
-  double gap = 0;                                    ///< between the children
+  std::array<std::size_t, 2> children{none, none};      ///< indices of nodes
+  std::size_t parent = none;                            ///< index of a node
+  double affinity = 1;                                  ///< probability with which the children were taken for one part
+  double gap = 0;                                       ///< between the children
 
-  Point centre = Point::Zero();                      ///< of the surface
+  Point centre = Point::Zero(); ///< of the surface
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   Eigen::Vector3d lengths = Eigen::Vector3d::Zero(); ///< roots of the principal variances, the least first
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -56,11 +56,11 @@ class Feature_bytes
 public:
   explicit Feature_bytes(std::uint8_t* next) : next_(next) {}
 
-  void share(double value); ///< 0 … 1
-  void root(double share);  ///< 0 … 1, small ones told from each other better
+  void share(double value);        ///< 0 … 1
+  void root(double share);         ///< 0 … 1, small ones told from each other better
   void signed_share(double value); ///< -1 … 1
-  void ratio(double value); ///< 0 … ∞
-  void count(std::size_t n); ///< up to 255, on a logarithmic scale
+  void ratio(double value);        ///< 0 … ∞
+  void count(std::size_t n);       ///< up to 255, on a logarithmic scale
 
   const std::uint8_t* next() const { return next_; }
 

@@ -5,7 +5,9 @@
 
 #include "base/Disjoint_sets.h"
 #include "base/eigen_system.h"
+#include "base/generic_direction.h"
 #include "base/quantized.h"
+#include "shape/canonical_surface.h"
 #include "shape/sample_triangles.h"
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -24,15 +27,15 @@ namespace {
 // Lengths are fractions of the diagonal of the model's box, areas of the area of all triangles.
 
 constexpr double welding_distance = 1e-5;                    // distance of vertices that are one
-constexpr double cosine_of_crease = 0.5;               // 60 degrees: where the surface turns more, a patch ends
-constexpr double least_sheet = 0.002, least_patch = 0.0015; // areas; what is smaller joins a neighbour
+constexpr double cosine_of_crease = 0.5;                     // 60 degrees: where the surface turns more, a patch ends
+constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas; what is smaller joins a neighbour
 constexpr std::size_t many_sheets = 150, many_patches = 120; // from which on larger ones join neighbours, too
-constexpr std::size_t most_triangles_at_edge = 64;     // at more, none are paired
-constexpr double full_turn = 2 * double(EIGEN_PI);      // in radians
-constexpr double same_angle = 0.002;                   // in radians: triangles at an edge that lie on each other
-constexpr double concave_height = 1e-6;                // of a triangle's middle over its neighbour's plane
-constexpr int all_samples = 8000;                      // points on all patches
-constexpr int fewest_samples = 12;                     // on a patch
+constexpr std::size_t most_triangles_at_edge = 64;           // at more, none are paired
+constexpr double full_turn = 2 * double(EIGEN_PI);           // in radians
+constexpr double same_angle = 0.002;                         // in radians: triangles at an edge that lie on each other
+constexpr double concave_height = 1e-6;                      // of a triangle's middle over its neighbour's plane
+constexpr int all_samples = 8000;                            // points on all patches
+constexpr int fewest_samples = 12;                           // on a patch
 constexpr double box_margin = 0.01, gap_in_box = 0.03; // of a patch within the box of another, and what counts as gap
 constexpr std::size_t most_in_box = 20;                // patches that are paired with one that holds them
 
@@ -107,7 +110,10 @@ Numbers numbers_of_sets(const Disjoint_sets& sets)
   return result;
 }
 
-std::size_t numbers_in(const Numbers& numbers) { return numbers.empty() ? 0 : 1 + *std::max_element(numbers.begin(), numbers.end()); }
+std::size_t numbers_in(const Numbers& numbers)
+{
+  return numbers.empty() ? 0 : 1 + *std::max_element(numbers.begin(), numbers.end());
+}
 
 /// A side of a triangle.
 struct Triangle_side
@@ -196,7 +202,8 @@ private:
   void weld()
   {
     Disjoint_sets sets(std::size_t(points_.cols()));
-    Point_grid(points_, 2 * welding_distance).for_each_pair(welding_distance, [&](std::size_t i, std::size_t j, double) { sets.unite(i, j); });
+    Point_grid(points_, 2 * welding_distance)
+        .for_each_pair(welding_distance, [&](std::size_t i, std::size_t j, double) { sets.unite(i, j); });
     place_ = numbers_of_sets(sets);
   }
 
@@ -207,8 +214,9 @@ private:
         const std::size_t a = place(t, k), b = place(t, (k + 1) % 3);
         if (a != b) edges_.push_back({std::min(a, b), std::max(a, b), t, k, a < b});
       }
-    std::stable_sort(edges_.begin(), edges_.end(),
-                     [](const Triangle_side& a, const Triangle_side& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
+    std::stable_sort(edges_.begin(), edges_.end(), [](const Triangle_side& a, const Triangle_side& b) {
+      return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+    });
   }
 
   /// Calls a function with the range of sides at each edge.
@@ -332,33 +340,27 @@ private:
     return true;
   }
 
-  /// Small sheets join the one of the same object with which they have most vertices in common.
+  /// Small sheets join the one of the same object with which they have the longest edges in common.
   void absorb_small_sheets()
   {
     for (double factor : {1., 1., 4., 10.}) {
       if (factor > 1 && numbers_in(sheet_) < many_sheets) return;
       Weights common;
+      for_each_edge([&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin + 1; e < end; ++e)
+          add_common(edges_[e - 1].triangle, edges_[e].triangle, length(edges_[e]), common);
+      });
       for_each_place([&](const Numbers& triangles) {
-        std::set<std::size_t> sheets;
-        for (std::size_t t : triangles)
-          sheets.insert(sheet_[t]);
-        for (auto i = sheets.begin(); i != sheets.end(); ++i)
-          for (auto j = std::next(i); j != sheets.end(); ++j)
-            if (sheets.size() <= most_triangles_at_edge && material_of_sheet(*i) == material_of_sheet(*j)) ++common[{*i, *j}];
+        for (std::size_t i = 1; i < triangles.size(); ++i)
+          add_common(triangles[i - 1], triangles[i], welding_distance, common);
       });
       if (!join_small(sheet_, common, factor * least_sheet)) return;
-      material_of_sheet_.clear();
     }
   }
 
-  std::size_t material_of_sheet(std::size_t sheet)
+  void add_common(std::size_t a, std::size_t b, double length, Weights& common) const
   {
-    if (material_of_sheet_.empty()) {
-      material_of_sheet_.resize(numbers_in(sheet_));
-      for (std::size_t t = 0; t < sheet_.size(); ++t)
-        material_of_sheet_[sheet_[t]] = material_[t];
-    }
-    return material_of_sheet_[sheet];
+    if (sheet_[a] != sheet_[b] && material_[a] == material_[b]) common[std::minmax(sheet_[a], sheet_[b])] += length;
   }
 
   /// Calls a function with the triangles at each place.
@@ -420,21 +422,63 @@ private:
     }
   }
 
+  /// Numbers the patches by their place, so that ties do not depend on the order of triangles.
+  void sort_patches()
+  {
+    std::vector<Surface_moments> moments(numbers_in(patch_));
+    for (std::size_t t = 0; t < corners_.size(); ++t)
+      moments[patch_[t]] += {areas_[t], areas_[t] * middle(t), Eigen::Matrix3d::Zero()};
+    std::vector<std::tuple<Steps, Steps, std::size_t>> order;
+    for (const Surface_moments& of_patch : moments)
+      order.emplace_back(quantized(generic_direction().dot(of_patch.first) / std::max(of_patch.area, 1e-12)),
+                         -quantized(of_patch.area), order.size());
+    std::sort(order.begin(), order.end());
+    Numbers number(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      number[std::get<2>(order[i])] = i;
+    for (std::size_t& patch : patch_)
+      patch = number[patch];
+  }
+
+  /// The triangles of a patch, as they do not depend on how it is divided.
+  std::vector<std::array<Point, 3>> canonical_triangles(const Numbers& triangles) const
+  {
+    Part_mesh mesh;
+    mesh.points.resize(3, 3 * Eigen::Index(triangles.size()));
+    mesh.triangles.resize(3, Eigen::Index(triangles.size()));
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        mesh.points.col(3 * Eigen::Index(i) + k) = corner(triangles[i], k);
+        mesh.triangles(k, Eigen::Index(i)) = 3 * int(i) + k;
+      }
+    const Part_mesh canonical = canonical_surface(mesh, flatness_tolerance(1));
+    std::vector<std::array<Point, 3>> result;
+    for (Eigen::Index t = 0; t < canonical.triangles.cols(); ++t)
+      result.push_back(triangle_of(canonical, t));
+    return result;
+  }
+
   void measure()
   {
-    result_.patches.resize(numbers_in(patch_));
-    for (std::size_t t = 0; t < corners_.size(); ++t) {
-      Surface_patch& patch = result_.patches[patch_[t]];
-      const Point sum = corner(t, 0) + corner(t, 1) + corner(t, 2);
-      Eigen::Matrix3d second = sum * sum.transpose();
-      for (int k = 0; k < 3; ++k) {
-        second += corner(t, k) * corner(t, k).transpose();
-        patch.box.extend(corner(t, k));
+    sort_patches();
+    std::vector<Numbers> triangles(numbers_in(patch_));
+    for (std::size_t t = 0; t < corners_.size(); ++t)
+      triangles[patch_[t]].push_back(t);
+    for (const Numbers& of_patch : triangles) {
+      result_.patches.push_back({{}, {}, object_[of_patch[0]], sheet_[of_patch[0]], component_[of_patch[0]], 0});
+      Surface_patch& patch = result_.patches.back();
+      surfaces_.emplace_back();
+      for (const std::array<Point, 3>& t : canonical_triangles(of_patch)) {
+        const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+        const Point sum = t[0] + t[1] + t[2];
+        Eigen::Matrix3d second = sum * sum.transpose();
+        for (const Point& p : t) {
+          second += p * p.transpose();
+          patch.box.extend(p);
+        }
+        patch.moments += {area, area / 3 * sum, area / 12 * second};
+        surfaces_.back().push_back({t[0], t[1] - t[0], t[2] - t[0], area});
       }
-      patch.moments += {areas_[t], areas_[t] / 3 * sum, areas_[t] / 12 * second};
-      patch.object = object_[t];
-      patch.sheet = sheet_[t];
-      patch.component = component_[t];
     }
     std::size_t next = 0;
     for (const Shape_part& object : objects_.parts()) {
@@ -469,15 +513,12 @@ private:
   /// Distances between patches, by samples.
   void find_near()
   {
-    std::vector<std::vector<contacts::Sampled_triangle>> triangles(result_.patches.size());
-    for (std::size_t t = 0; t < corners_.size(); ++t)
-      triangles[patch_[t]].push_back(
-          {corner(t, 0), corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0), areas_[t]});
     std::vector<Point> samples;
     Numbers of_patch, count;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
       const double share = result_.patches[i].moments.area / result_.area;
-      const auto found = contacts::sample_triangles(triangles[i], std::max(fewest_samples, int(share * all_samples)));
+      const auto number = std::max(fewest_samples, int(std::lround(share * all_samples)));
+      const auto found = contacts::sample_triangles(surfaces_[i], number);
       samples.insert(samples.end(), found.points.begin(), found.points.end());
       of_patch.resize(samples.size(), i);
       count.push_back(found.points.size());
@@ -502,6 +543,7 @@ private:
     }
   }
 
+  /// Patches of different sheets with common vertices.
   void find_common_places()
   {
     for_each_place([&](const Numbers& triangles) {
@@ -512,7 +554,7 @@ private:
       if (patches.size() > most) return;
       for (auto i = patches.begin(); i != patches.end(); ++i)
         for (auto j = std::next(i); j != patches.end(); ++j)
-          if (result_.patches[*i].sheet != result_.patches[*j].sheet) ++contact(*i, *j, 0).common_places;
+          if (result_.patches[*i].sheet != result_.patches[*j].sheet) contact(*i, *j, 0).has_common_places = true;
     });
   }
 
@@ -546,9 +588,8 @@ private:
     }
     Numbers order(sizes.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return quantized(sizes[a][0]) > quantized(sizes[b][0]);
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return quantized(sizes[a][0]) > quantized(sizes[b][0]); });
     constexpr double same_length = 0.004, same_share = 0.04, same_area = 0.015; // of roots of areas
     std::vector<bool> is_known(sizes.size(), false);
     std::size_t number = 0;
@@ -567,13 +608,13 @@ private:
   const Segmented_shape& objects_;
   Surface_patches result_;
   Points points_;
-  std::vector<std::array<std::size_t, 3>> corners_; // by triangle, indices of points
+  std::vector<std::array<std::size_t, 3>> corners_;       // by triangle, indices of points
   Numbers object_, material_, sheet_, component_, patch_; // by triangle; a material is of one object
   std::vector<double> areas_;
   std::vector<Point> normals_;
-  Numbers place_;           // by point
-  std::vector<Triangle_side> edges_; // sorted by place
-  Numbers material_of_sheet_; // made on demand
+  Numbers place_;                                                 // by point
+  std::vector<Triangle_side> edges_;                              // sorted by place
+  std::vector<std::vector<contacts::Sampled_triangle>> surfaces_; // by patch, canonical
   std::map<Pair, Patch_contact> contacts_;
 };
 
@@ -587,7 +628,7 @@ Patch_contact& Patch_contact::operator+=(const Patch_contact& other)
   border += other.border;
   flat_border += other.flat_border;
   concave_border += other.concave_border;
-  common_places += other.common_places;
+  has_common_places |= other.has_common_places;
   return *this;
 }
 

@@ -43,12 +43,12 @@ struct Surface_patch
 /// How two patches touch, or two unions of patches.
 struct Patch_contact
 {
-  double gap = 0;                     ///< distance; 0 where they have a common border
-  std::array<double, 2> near{0, 0};   ///< area of each that is near the other
-  double border = 0;                  ///< length of the common border
-  double flat_border = 0;             ///< the same, times the cosine of the angle between the normals
-  double concave_border = 0;          ///< length of the concave part of it
-  double common_places = 0;           ///< number of vertices of both, where they are of different sheets
+  double gap = 0;                   ///< distance; 0 where they have a common border
+  std::array<double, 2> near{0, 0}; ///< area of each that is near the other
+  double border = 0;                ///< length of the common border
+  double flat_border = 0;           ///< the same, times the cosine of the angle between the normals
+  double concave_border = 0;        ///< length of the concave part of it
+  bool has_common_places = false;   ///< vertices of both, where they are of different sheets
 
   Patch_contact& operator+=(const Patch_contact& other);
   Patch_contact reversed() const;
@@ -63,11 +63,11 @@ struct Surface_patches
     Patch_contact contact;
   };
 
-  Point sides = Point::Ones();                         ///< of the box
-  double area = 0;                                     ///< of all patches
-  std::vector<Surface_patch> patches;                  ///< at least one
-  std::vector<Contact> contacts;                       ///< of patches that may be merged
-  std::vector<std::vector<std::size_t>> of_triangles;  ///< by object and triangle, the index of its patch
+  Point sides = Point::Ones();                        ///< of the box
+  double area = 0;                                    ///< of all patches
+  std::vector<Surface_patch> patches;                 ///< at least one
+  std::vector<Contact> contacts;                      ///< of patches that may be merged
+  std::vector<std::vector<std::size_t>> of_triangles; ///< by object and triangle, the index of its patch
 };
 
 constexpr double patch_reach = 0.02; ///< over the diagonal: how near points of patches are that touch

@@ -307,7 +307,9 @@ private:
   /// A sentence on the parts made of an object.
   std::string decision(std::size_t pieces, std::size_t parts, const std::string& why_kept) const
   {
-    const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments" : result_.by_patches ? " patches" : " pieces");
+    const std::string count = std::to_string(pieces) + (result_.by_segments  ? " segments"
+                                                        : result_.by_patches ? " patches"
+                                                                             : " pieces");
     if (pieces == 0) return "left out: it has no area";
     if (pieces == 1) return result_.by_patches ? "one patch" : "one piece";
     if (parts > 1) return count + ", split into " + std::to_string(parts) + " parts";

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What parts look like, learned from labelled shapes, and how well the parts of others are found again when their meshes
-// are joined.
+// What parts look like, learned from labelled shapes, and how well the parts of others are found again when their
+// meshes are joined.
 
 #include "base/for_each_index.h"
 #include "command_line.h"
@@ -31,13 +31,14 @@ using namespace CGAL::Shape_correspondence::internal;
 namespace {
 
 const char* const usage =
-    "Usage: validate_parts [--without FOLDER] [--roles FILE -o FILE] FOLDER...\n"
-    "Learns what parts look like from labelled shapes whose sources are not in the folders of --without, prints how well "
-    "the parts of those are found again, and writes the role model of FILE with what was learned.\n";
+    "Usage: train_parts [--test FOLDER]... [--roles FILE -o FILE] FOLDER...\n"
+    "Learns what parts look like from labelled shapes. --test leaves out the sources of the shapes in a folder and "
+    "prints "
+    "how well their parts are found again; -o writes the role model of --roles with what was learned.\n";
 
 struct Options
 {
-  std::vector<std::string> folders, without;
+  std::vector<std::string> folders, test;
   std::string roles, output;
 };
 
@@ -162,8 +163,8 @@ Options parsed(int argc, char** argv)
   benchmark::Command_line words(argc, argv);
   while (!words.is_at_end()) {
     const std::string& word = words.word();
-    if (word == "--without")
-      options.without.push_back(words.value());
+    if (word == "--test")
+      options.test.push_back(words.value());
     else if (word == "--roles")
       options.roles = words.value();
     else if (word == "-o")
@@ -215,7 +216,7 @@ void print_accuracy(const std::vector<Part_example>& examples, const Part_model&
 void run(const Options& options)
 {
   std::vector<IO::Labelled_shape> training = labels_of(options.folders);
-  const std::vector<IO::Labelled_shape> test = labels_of(options.without);
+  const std::vector<IO::Labelled_shape> test = labels_of(options.test);
   std::set<std::string> unseen;
   for (const IO::Labelled_shape& shape : test)
     unseen.insert(shape.source);
@@ -237,10 +238,10 @@ int main(int argc, char** argv)
   try {
     run(parsed(argc, argv));
   } catch (const std::invalid_argument& error) {
-    std::cerr << "validate_parts: " << error.what() << '\n' << usage;
+    std::cerr << "train_parts: " << error.what() << '\n' << usage;
     return 2;
   } catch (const std::exception& error) {
-    std::cerr << "validate_parts: " << error.what() << '\n';
+    std::cerr << "train_parts: " << error.what() << '\n';
     return 1;
   }
 }
