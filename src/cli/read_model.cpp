@@ -81,13 +81,6 @@ void warn_of_changes(const std::string& path, Read_model& model)
                              path + " --html F` shows them.");
     return;
   }
-  if (split.by_patches) {
-    model.warnings.push_back(
-        "The model has no parts: " + std::to_string(split.shape.parts().size()) + " were found in " +
-        std::to_string(split.pieces.size()) + " patches of its surface, by what parts look like. --parts " +
-        "file takes the objects as they are; `shape_correspondence parts " + path + "` lists them.");
-    return;
-  }
   if (split.by_materials)
     model.warnings.push_back("Pieces end where the material changes, since then the parts are more like labelled ones; "
                              "--parts components or file makes others.");
@@ -98,8 +91,9 @@ void warn_of_changes(const std::string& path, Read_model& model)
   const std::size_t number = names.size();
   names.resize(std::min(number, most_named));
   const std::string more = number > most_named ? " and " + std::to_string(number - most_named) + " more" : "";
-  const std::string what = number > 0 ? "Objects of loose pieces were split into parts: " + listed(names) + more
-                                      : "Tiny objects joined the parts that they touch";
+  const std::string how = split.is_found ? "Parts were found by what parts look like, in "
+                                         : "Objects of loose pieces were split into parts: ";
+  const std::string what = number > 0 ? how + listed(names) + more : "Objects joined the parts that they belong to";
   model.warnings.push_back(what + ". --parts file takes the objects as they are; `shape_correspondence parts " + path +
                            "` says why.");
 }

@@ -132,6 +132,7 @@ std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh,
   std::vector<int> number(std::size_t(mesh.points.cols()), -1);
   for (const Indices& piece : pieces) {
     result.push_back(loose_piece(object, extracted(mesh, piece, number), tolerance));
+    result.back().triangles = piece;
     if (materials.empty()) continue;
     for (std::size_t t : piece)
       result.back().materials.insert(materials[t]);

@@ -22,7 +22,7 @@ struct Loose_piece
   double size = 0;              ///< approximate diameter, see `size_of()`
   bool closed = false;          ///< an even number of triangles meets at every edge
   std::set<int> materials = {}; ///< empty: not known
-  std::size_t patch = 0;        ///< its index, if pieces are patches
+  std::vector<std::size_t> triangles = {}; ///< of the object, by index; empty for a segment
 };
 
 /// The connected components of a mesh, connected through vertices at the same place, in the order of first triangles.

@@ -82,46 +82,57 @@ public:
     name_pieces();
   }
 
-  /// Takes patches for pieces.
-  Splitter(const Segmented_shape& objects, const Surface_patches& surface, bool by_materials)
-      : objects_(objects.parts()),
-        segmentation_(unused_),
-        size_(size_of_model(objects)),
-        result_{Segmented_shape(objects.name(), objects.up()), {}, {}}
+  /// Takes the patches of some objects for their pieces.
+  void take_patches(const Segmented_shape& objects, const Surface_patches& surface, const std::vector<bool>& are_taken)
   {
-    result_.by_patches = true;
-    result_.by_materials = by_materials;
-    std::vector<std::pair<std::size_t, std::vector<std::size_t>>> triangles(surface.patches.size()); // object, numbers
-    for (std::size_t i = 0; i < objects_.size(); ++i)
-      for (std::size_t t = 0; t < surface.of_triangles[i].size(); ++t) {
-        auto& [object, of_patch] = triangles[surface.of_triangles[i][t]];
-        object = i;
-        of_patch.push_back(t);
+    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(),
+                                 [&](const Loose_piece& piece) { return are_taken[piece.object]; }),
+                  pieces_.end());
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      if (!are_taken[i]) continue;
+      result_.patched_objects.push_back(objects_[i].name);
+      std::map<std::size_t, std::vector<std::size_t>> triangles; // by patch
+      for (std::size_t t = 0; t < surface.of_triangles[i].size(); ++t)
+        triangles[surface.of_triangles[i][t]].push_back(t);
+      std::vector<int> number(std::size_t(objects_[i].mesh.points.cols()), -1);
+      for (auto& [patch, of_patch] : triangles) {
+        Loose_piece piece = loose_piece(i, extracted(objects_[i].mesh, of_patch, number), flatness_tolerance(size_));
+        piece.triangles = std::move(of_patch);
+        add_piece(std::move(piece));
       }
-    std::vector<int> number;
-    for (std::size_t patch = 0; patch < triangles.size(); ++patch) {
-      const auto& [object, of_patch] = triangles[patch];
-      const Part_mesh& mesh = objects_[object].mesh;
-      number.assign(std::size_t(mesh.points.cols()), -1);
-      Loose_piece piece = loose_piece(object, extracted(mesh, of_patch, number), flatness_tolerance(size_));
-      piece.patch = patch;
-      add_piece(std::move(piece));
     }
     sort_pieces(objects);
     name_pieces();
   }
 
-  /// Makes parts of patches with the same number.
-  Part_split of_patches(const std::vector<std::size_t>& part_of_patch)
+  /// Takes patches where parts end within loose pieces, and makes the parts.
+  /// \param part_of_triangle by object and triangle
+  Part_split of_patches(const Segmented_shape& objects, const Surface_patches& surface,
+                        const std::vector<std::vector<std::size_t>>& part_of_triangle)
   {
+    std::vector<bool> are_divided(objects_.size(), false);
+    for (const Loose_piece& piece : pieces_) {
+      const std::vector<std::size_t>& part = part_of_triangle[piece.object];
+      are_divided[piece.object] =
+          are_divided[piece.object] || std::any_of(piece.triangles.begin(), piece.triangles.end(),
+                                                   [&](std::size_t t) { return part[t] != part[piece.triangles[0]]; });
+    }
+    if (std::find(are_divided.begin(), are_divided.end(), true) != are_divided.end())
+      take_patches(objects, surface, are_divided);
     Disjoint_sets sets(pieces_.size());
     std::map<std::size_t, std::size_t> first; // piece, by part
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const auto [known, is_new] = first.emplace(part_of_patch[pieces_[i].patch], i);
+      const auto [known, is_new] = first.emplace(part_of_triangle[pieces_[i].object][pieces_[i].triangles[0]], i);
       if (!is_new) sets.unite(known->second, i);
     }
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      result_.pieces[i].reason = "of one part by its place, form and neighbours";
+    result_.is_found = true;
+    for (const auto& [part, piece] : first) {
+      Group group;
+      for (std::size_t i = 0; i < pieces_.size(); ++i)
+        if (sets[i] == sets[piece]) group.push_back(i);
+      for (std::size_t i : group)
+        result_.pieces[i].reason = "looks like a part with " + result_.pieces[largest(group)].name;
+    }
     return of_sets(sets);
   }
 
@@ -299,26 +310,28 @@ private:
     std::vector<std::set<std::size_t>> parts(objects_.size());
     for (const Model_piece& piece : result_.pieces)
       parts[piece.object].insert(piece.part);
-    for (std::size_t i = 0; i < objects_.size(); ++i)
-      result_.decisions.push_back(decision(count_[i], parts[i].size(), kept.empty() ? "" : kept[i]));
+    const std::vector<std::string>& patched = result_.patched_objects;
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      const bool is_patched = std::find(patched.begin(), patched.end(), objects_[i].name) != patched.end();
+      result_.decisions.push_back(decision(count_[i], is_patched, parts[i].size(), kept.empty() ? "" : kept[i]));
+    }
     return std::move(result_);
   }
 
   /// A sentence on the parts made of an object.
-  std::string decision(std::size_t pieces, std::size_t parts, const std::string& why_kept) const
+  std::string decision(std::size_t pieces, bool is_patched, std::size_t parts, const std::string& why_kept) const
   {
-    const std::string count = std::to_string(pieces) + (result_.by_segments  ? " segments"
-                                                        : result_.by_patches ? " patches"
-                                                                             : " pieces");
+    const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments"
+                                                        : is_patched        ? " patches"
+                                                                            : " pieces");
     if (pieces == 0) return "left out: it has no area";
-    if (pieces == 1) return result_.by_patches ? "one patch" : "one piece";
+    if (pieces == 1) return "one piece";
     if (parts > 1) return count + ", split into " + std::to_string(parts) + " parts";
     return count + ", kept whole" + (why_kept.empty() ? "" : ": " + why_kept);
   }
 
-  const Segmentation_options unused_{};
   const std::vector<Shape_part>& objects_;
-  const Segmentation_options& segmentation_;
+  const Segmentation_options segmentation_;
   double size_;
   std::vector<Loose_piece> pieces_;
   std::vector<std::size_t> count_; ///< by object, number of pieces
@@ -373,17 +386,26 @@ Part_split internal::split_patches(const Segmented_shape& objects, const Surface
                                    const std::vector<std::vector<int>>& materials,
                                    const std::vector<std::size_t>& part_of_patch)
 {
-  return Splitter(objects, surface, !materials.empty()).of_patches(part_of_patch);
+  std::vector<std::vector<std::size_t>> parts = surface.of_triangles;
+  for (std::vector<std::size_t>& of_object : parts)
+    for (std::size_t& patch : of_object)
+      patch = part_of_patch[patch];
+  return Splitter(objects, {}, materials, true).of_patches(objects, surface, parts);
 }
 
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
                        bool by_segments, const Segmentation_options& segmentation,
-                       const std::vector<std::vector<int>>& materials, bool by_patches)
+                       const std::vector<std::vector<int>>& materials, const std::vector<std::string>& patched_objects)
 {
-  if (by_patches)
-    return Splitter(objects, patches_of_objects(objects, materials), !materials.empty()).assigned(part_of_piece);
   Splitter splitter(objects, segmentation, materials, true);
   if (by_segments) splitter.segment();
+  if (!patched_objects.empty()) {
+    std::vector<bool> are_patched;
+    for (const Shape_part& object : objects.parts())
+      are_patched.push_back(std::find(patched_objects.begin(), patched_objects.end(), object.name) !=
+                            patched_objects.end());
+    splitter.take_patches(objects, patches_of_objects(objects, materials), are_patched);
+  }
   return splitter.assigned(part_of_piece);
 }
 

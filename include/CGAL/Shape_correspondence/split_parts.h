@@ -66,14 +66,15 @@ struct Model_piece
 /// What `split_parts()` makes.
 struct Part_split
 {
-  Segmented_shape shape;              ///< the parts
-  std::vector<Model_piece> pieces;    ///< sorted by object, then by their first triangles
-  std::vector<std::string> decisions; ///< for every object: what became of it, and why
-  bool by_segments = false;           ///< whether pieces are segments
-  bool by_patches = false;            ///< whether pieces are patches between creases
-  bool by_materials = false;          ///< whether pieces also end where the material changes
-  std::size_t pieces_left_out = 0;    ///< pieces without area
-  std::size_t pieces_kept_whole = 0;  ///< closed pieces without segments, since they have no inside
+  Segmented_shape shape;                    ///< the parts
+  std::vector<Model_piece> pieces;          ///< sorted by object, then by their first triangles
+  std::vector<std::string> decisions;       ///< for every object: what became of it, and why
+  bool by_segments = false;                 ///< whether pieces are segments
+  bool is_found = false;                    ///< whether parts were found by what labelled parts look like
+  std::vector<std::string> patched_objects = {}; ///< objects of which pieces are patches between creases
+  bool by_materials = false;                ///< whether pieces also end where the material changes
+  std::size_t pieces_left_out = 0;          ///< pieces without area
+  std::size_t pieces_kept_whole = 0;        ///< closed pieces without segments, since they have no inside
 
   /// Whether the parts are others than the objects.
   bool changes_objects() const;
@@ -114,12 +115,13 @@ Part_split split_parts(const Segmented_shape& objects, const Part_splitting_opti
 /// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`
 /// \param segmentation how segments are made
 /// \param materials as in `Part_splitting_options`
-/// \param by_patches whether pieces are patches between creases
+/// \param patched_objects the same of `Part_split`
 /// \throw Invalid_input if a piece is missing, a name is not that of a piece, or materials are not those of the
 /// triangles
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
                        bool by_segments = false, const Segmentation_options& segmentation = {},
-                       const std::vector<std::vector<int>>& materials = {}, bool by_patches = false);
+                       const std::vector<std::vector<int>>& materials = {},
+                       const std::vector<std::string>& patched_objects = {});
 
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -27,7 +27,7 @@ void write_parts_json(std::ostream& out, const Part_split& split)
         {"version", parts_version},
         {"name", split.shape.name()},
         {"segments", split.by_segments},
-        {"patches", split.by_patches},
+        {"patches", Json(split.patched_objects)},
         {"materials", split.by_materials},
         {"pieces", std::move(pieces)}})
       .write(out);
@@ -46,11 +46,14 @@ Part_split split_parts_by_json(const Segmented_shape& objects, const std::string
     if (!part_of_piece.emplace(entry["piece"].text(), entry["part"].text()).second)
       entry["piece"].fail("names a piece that is listed before");
   const bool by_segments = document["segments"].boolean();
-  const bool by_patches = document.has("patches") && document["patches"].boolean();
+  std::vector<std::string> patched_objects;
+  if (document.has("patches"))
+    for (const Json_field& object : document["patches"].elements())
+      patched_objects.push_back(object.text());
   const bool by_materials = document.has("materials") && document["materials"].boolean();
   try {
     return split_parts(objects, part_of_piece, by_segments, {},
-                       by_materials ? materials : std::vector<std::vector<int>>(), by_patches);
+                       by_materials ? materials : std::vector<std::vector<int>>(), patched_objects);
   } catch (const Invalid_input& error) {
     throw Invalid_input(path + ": " + error.what() +
                         "; write the list anew with `shape_correspondence graph "

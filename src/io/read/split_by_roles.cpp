@@ -94,18 +94,19 @@ Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_split
   whole.divide_by_materials = false;
   Part_split split = split_parts(objects, whole);
   if (options.mode != Part_splitting::AUTO || !roles) return split;
-  if (internal::Role_model_access::data(*roles).parts) {
-    if (objects.parts().size() > 1 && !split.changes_objects()) return split;
-    std::optional<Part_split> found = find_parts(objects, {}, *roles);
-    return found ? std::move(*found) : split;
-  }
+  const bool are_parts = objects.parts().size() > 1 && !split.changes_objects();
+  const bool finds = internal::Role_model_access::data(*roles).parts != nullptr;
+  if (finds && !are_parts)
+    if (std::optional<Part_split> found = find_parts(objects, {}, *roles)) split = std::move(*found);
   if (options.materials.empty()) return split;
-  Part_split divided = split_parts(objects, options);
-  if (!may_be_matched(split) || !may_be_matched(divided) || are_same_parts(split, divided)) return split;
+  std::optional<Part_split> divided;
+  if (finds) divided = find_parts(objects, options.materials, *roles);
+  if (!divided) divided = split_parts(objects, options);
+  if (!may_be_matched(split) || !may_be_matched(*divided) || are_same_parts(split, *divided)) return split;
   const auto distance = [&](const Part_split& parts) {
     return internal::quantized(internal::distance_of_nearest_category(internal::outline_graph(parts.shape), *roles));
   };
-  return distance(divided) < distance(split) ? divided : split;
+  return distance(*divided) < distance(split) ? *divided : split;
 }
 
 } // namespace CGAL::Shape_correspondence::IO
