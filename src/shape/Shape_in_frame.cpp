@@ -17,6 +17,7 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
+constexpr int rough_samples = 1024;    ///< the same, to find axes that settle ties
 constexpr int least_frame_samples = 4; ///< of every part, however small
 constexpr double rounding_of_axes = 1e-12;
 
@@ -42,7 +43,8 @@ struct Part_triangles
 };
 
 /// Points spread over surfaces by area, the same to the bit whatever the order of the surfaces.
-Points sample_surfaces(const std::vector<const Part_mesh*>& surfaces, const Point& origin, const Point& direction)
+Points sample_surfaces(const std::vector<const Part_mesh*>& surfaces, const Point& origin, const Point& direction,
+                       int samples)
 {
   std::vector<Part_triangles> parts;
   for (const Part_mesh* surface : surfaces)
@@ -53,9 +55,9 @@ Points sample_surfaces(const std::vector<const Part_mesh*>& surfaces, const Poin
     total += part.area;
   std::vector<Point> points;
   for (const Part_triangles& part : parts) {
-    const int share = static_cast<int>(std::lround(frame_samples * part.area / total));
-    const auto samples = contacts::sample_triangles(part.triangles, std::max(least_frame_samples, share)).points;
-    points.insert(points.end(), samples.begin(), samples.end());
+    const int share = static_cast<int>(std::lround(samples * part.area / total));
+    const auto added = contacts::sample_triangles(part.triangles, std::max(least_frame_samples, share)).points;
+    points.insert(points.end(), added.begin(), added.end());
   }
   Points result(3, points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -69,13 +71,13 @@ Eigen::Matrix3d upright_axes(const Point& up) { return least_rotation(Point::Uni
 /// The samples of a shape, and its vertices.
 struct Sampled_shape
 {
-  Sampled_shape(const std::vector<const Part_mesh*>& surfaces, const Eigen::Matrix3d& axes)
+  Sampled_shape(const std::vector<const Part_mesh*>& surfaces, const Eigen::Matrix3d& axes, int count)
   {
     std::vector<const Points*> points;
     for (const Part_mesh* surface : surfaces)
       points.push_back(&surface->points);
     vertices = joined(points);
-    samples = sample_surfaces(surfaces, vertices.rowwise().minCoeff(), axes * generic_direction());
+    samples = sample_surfaces(surfaces, vertices.rowwise().minCoeff(), axes * generic_direction(), count);
   }
 
   Shape_frame frame(const Point& up) const { return frame_of_samples(samples, vertices, up); }
@@ -98,24 +100,22 @@ Shape_in_frame::Shape_in_frame(const Segmented_shape& given)
   const Eigen::Matrix3d axes = upright_axes(given.up());
   const std::vector<Canonical_surface> surfaces = canonical_surfaces(given, axes);
   shape = canonical_shape(given, surfaces, axes);
-  frame = Sampled_shape(surfaces_of(shape), axes).frame(shape.up());
   // Again with the axes found, so that the same triangles and samples are taken of a shape that was turned
-  if ((frame.axes - axes).norm() < rounding_of_axes) return;
-  const Eigen::Matrix3d found = frame.axes;
-  shape = canonical_shape(given, surfaces, found);
-  frame = Sampled_shape(surfaces_of(shape), found).frame(shape.up());
+  const Eigen::Matrix3d found = Sampled_shape(surfaces_of(shape), axes, rough_samples).frame(shape.up()).axes;
+  if ((found - axes).norm() > rounding_of_axes) shape = canonical_shape(given, surfaces, found);
+  frame = Sampled_shape(surfaces_of(shape), found, frame_samples).frame(shape.up());
 }
 
 std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& given)
 {
   const Segmented_shape shape = canonical_shape(given, canonical_surfaces(given));
-  const Sampled_shape sampled(surfaces_of(shape), Eigen::Matrix3d::Identity());
+  const Sampled_shape sampled(surfaces_of(shape), Eigen::Matrix3d::Identity(), frame_samples);
   return {sampled.frame(Point::UnitX()), sampled.frame(Point::UnitY()), sampled.frame(Point::UnitZ())};
 }
 
-Shape_frame frame_of_surfaces(const std::vector<const Part_mesh*>& surfaces, const Point& up)
+Shape_frame rough_frame(const std::vector<const Part_mesh*>& surfaces, const Point& up)
 {
-  return Sampled_shape(surfaces, upright_axes(up)).frame(up);
+  return Sampled_shape(surfaces, upright_axes(up), rough_samples).frame(up);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

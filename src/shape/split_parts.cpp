@@ -180,7 +180,7 @@ private:
     std::vector<const Part_mesh*> surfaces;
     for (const Loose_piece& piece : pieces_)
       surfaces.push_back(&piece.surface);
-    const Shape_frame frame = frame_of_surfaces(surfaces, up);
+    const Shape_frame frame = rough_frame(surfaces, up);
     const auto key = [&](const Loose_piece& piece) {
       const double place = generic_direction().dot(Point(frame.to_frame(piece.middle)));
       return std::tuple(piece.object, quantized(place), -quantized(piece.area / (size_ * size_)));

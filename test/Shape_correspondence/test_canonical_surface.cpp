@@ -12,6 +12,7 @@
 #include <CGAL/Shape_correspondence/abstract_part.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/segment_mesh.h>
 
 #include <catch2/catch.hpp>
 
@@ -355,6 +356,16 @@ TEST_CASE("Of the eight struts of a table seven are copies")
   struts.erase(std::remove_if(struts.begin(), struts.end(), is_other), struts.end());
   CHECK(struts.size() == 8);
   CHECK(number_of_copies(struts) == 7);
+}
+
+TEST_CASE("The order of triangles and of vertices changes no segment of a mesh")
+{
+  const Part_mesh mesh = part_meshes::torus(1, 0.2);
+  Random random(1);
+  const Segmented_shape expected = segment_mesh(mesh).shape, found = segment_mesh(shuffled(mesh, random)).shape;
+  REQUIRE(found.parts().size() == expected.parts().size());
+  for (std::size_t i = 0; i < found.parts().size(); ++i)
+    CHECK(are_equal(found.parts()[i].mesh, expected.parts()[i].mesh));
 }
 
 TEST_CASE("The order of triangles and of vertices changes no match in the least")
