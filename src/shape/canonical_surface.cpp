@@ -3,6 +3,7 @@
 
 #include "shape/canonical_surface.h"
 #include "base/generic_direction.h"
+#include "base/planar_hull.h"
 #include "shape/Flat_faces.h"
 #include "shape/all_vertices.h"
 #include "shape/divide_polygon.h"
@@ -327,6 +328,21 @@ private:
   std::vector<char> is_kept_;    ///< by vertex
 };
 
+/// Root of the sum of the squares of the height, along y, and the greatest width: turns about y do not change it.
+double upright_diagonal(const Points& points)
+{
+  Planar_points seen_from_above;
+  for (const auto& p : points.colwise())
+    seen_from_above.emplace_back(p.x(), p.z());
+  const Planar_points hull = planar_hull(std::move(seen_from_above));
+  double squared_width = 0;
+  for (const Eigen::Vector2d& p : hull)
+    for (const Eigen::Vector2d& q : hull)
+      squared_width = std::max(squared_width, (p - q).squaredNorm());
+  const double height = points.row(1).maxCoeff() - points.row(1).minCoeff();
+  return std::sqrt(height * height + squared_width);
+}
+
 } // namespace
 
 Canonical_surface::Canonical_surface(const Part_mesh& mesh, double tolerance)
@@ -341,7 +357,7 @@ Part_mesh Canonical_surface::mesh(const Eigen::Matrix3d& axes) const
 
 std::vector<Canonical_surface> canonical_surfaces(const Segmented_shape& shape, const Eigen::Matrix3d& axes)
 {
-  const double size = diagonal(axes.transpose() * all_vertices(shape)); // turns do not change it
+  const double size = upright_diagonal(axes.transpose() * all_vertices(shape));
   std::vector<Canonical_surface> result;
   for (const Shape_part& part : shape.parts())
     result.emplace_back(part.mesh, flatness_tolerance(size));

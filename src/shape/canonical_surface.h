@@ -34,8 +34,8 @@ inline Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance)
   return Canonical_surface(mesh, tolerance).mesh();
 }
 
-/// The distance from a plane that is rounding noise, for a shape of this size.
-inline double flatness_tolerance(double size) { return 5e-6 * size; }
+/// The distance from a plane that is rounding noise, for a shape of this size. Many files have five decimals.
+inline double flatness_tolerance(double size) { return 1.5e-5 * size; }
 
 /// The canonical surface of every part of a shape of which an axis is up, or of axes of its own.
 std::vector<Canonical_surface> canonical_surfaces(const Segmented_shape& shape,
