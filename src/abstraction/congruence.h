@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include "abstraction/surface_samples.h"
-#include "base/Nearest_points.h"
 #include "base/eigen_system.h"
 #include "base/generic_direction.h"
+#include "shape/Triangle_tree.h"
 #include "shape/oriented_box.h"
+#include "shape/triangle_distance.h"
 
 #include <Eigen/Geometry>
 
@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -33,41 +32,92 @@ struct Motion
   Points operator()(const Points& points) const { return (linear * points).colwise() + offset; }
 };
 
-/// Invariants of a mesh under rigid motions and reflections, and its place and orientation. Aligned, since the order in
-/// which Eigen adds, and so the last bit of a sum, depends on the alignment of its operands.
+/// Invariants of a surface under rigid motions and reflections, and its place and orientation. They are exact
+/// integrals, so that it does not matter how flat faces are divided into triangles. Aligned, since the order in which
+/// Eigen adds, and so the last bit of a sum, depends on the alignment of its operands.
 struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 {
-  explicit Mesh_signature(const Part_mesh& mesh)
-      : mesh(&mesh), centre(mesh.points.rowwise().mean()), area(surface_area(mesh))
+  explicit Mesh_signature(const Part_mesh& mesh) : mesh(&mesh), size(diagonal(mesh.points))
   {
-    const Points centred = mesh.points.colwise() - centre;
-    moments = scatter_matrix(centred) / double(mesh.points.cols());
+    const Point origin = mesh.points.col(0);
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+      const contacts::Triangle corners = triangle_of(mesh, t);
+      const double twice = contacts::area_vector(corners).norm();
+      area += twice / 2;
+      centre += twice / 2 * (contacts::centre(corners) - origin);
+      for (const Point& corner :
+           {corners[0], corners[1], corners[2], Point(3 * contacts::centre(corners) - 2 * origin)})
+        moments += twice / 24 * (corner - origin) * (corner - origin).transpose();
+    }
+    if (area > 0) {
+      centre /= area;
+      moments = moments / area - centre * centre.transpose();
+    }
+    centre += origin;
     const Eigen_system system = eigen_system(moments);
     principal_axes = system.vectors;
     lengths = system.values.cwiseMax(0.).cwiseSqrt();
-    size = diagonal(mesh.points);
   }
 
   const Part_mesh* mesh;
-  Point centre;
-  double area;
-  Eigen::Matrix3d moments;
+  double size; ///< diagonal of the bounding box
+  double area = 0;
+  Point centre = Point::Zero();
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d principal_axes;
   Eigen::Vector3d lengths; ///< root mean square along the principal axes, shortest first
-  double size;             ///< diagonal of the bounding box
 };
 
 inline bool may_be_congruent(const Mesh_signature& a, const Mesh_signature& b)
 {
   const double tolerance = 1e-3; // over the area, and over the length
-  return a.mesh->points.cols() == b.mesh->points.cols() && a.mesh->triangles.cols() == b.mesh->triangles.cols() &&
-         std::abs(a.area - b.area) <= tolerance * a.area &&
+  return std::abs(a.area - b.area) <= tolerance * a.area &&
          (a.lengths - b.lengths).cwiseAbs().maxCoeff() <= tolerance * a.lengths[2];
 }
 
+/// Orthonormal axes of which the first is along one vector and the second in the plane of both.
+inline Eigen::Matrix3d axes_of_two(const Point& first, const Point& second)
+{
+  Eigen::Matrix3d result;
+  result.col(0) = first.normalized();
+  result.col(2) = first.cross(second).normalized();
+  result.col(1) = result.col(2).cross(result.col(0));
+  return result;
+}
+
+/// Adds motions that carry an outermost corner and one aside from it to corners alike, as principal axes are any axes
+/// where a part is as long along one as along another.
+inline void add_motions_of_corners(const Mesh_signature& from, const Mesh_signature& to,
+                                   std::vector<Eigen::Matrix3d>& motions)
+{
+  const double alike = 0.01, tolerance = 2e-3 * to.size;
+  const std::size_t most_motions = 128;
+  const Eigen::Vector3d& lengths = from.lengths;
+  if (std::min(lengths[1] - lengths[0], lengths[2] - lengths[1]) > alike * lengths[2]) return;
+  const Points corners = from.mesh->points.colwise() - from.centre, images = to.mesh->points.colwise() - to.centre;
+  Eigen::Index outermost = 0, aside = 0;
+  corners.colwise().squaredNorm().maxCoeff(&outermost);
+  const Point first = corners.col(outermost);
+  (corners - first.normalized() * (first.normalized().transpose() * corners)).colwise().squaredNorm().maxCoeff(&aside);
+  const Point second = corners.col(aside);
+  if (first.cross(second).norm() <= tolerance * first.norm()) return;
+  const Eigen::Matrix3d axes = axes_of_two(first, second);
+  for (const auto& p : images.colwise()) {
+    if (std::abs(p.norm() - first.norm()) > tolerance) continue;
+    for (const auto& q : images.colwise()) {
+      if (std::abs(q.norm() - second.norm()) > tolerance) continue;
+      if (std::abs((p - q).norm() - (first - second).norm()) > tolerance) continue;
+      Eigen::Matrix3d image = axes_of_two(p, q);
+      for (int side = 0; side < 2; ++side, image.col(2) *= -1)
+        motions.push_back(image * axes.transpose());
+      if (motions.size() >= most_motions) return;
+    }
+  }
+}
+
 /// The linear parts of motions that may carry one mesh onto another: mirror images in the frame's axes, quarter turns
-/// about the vertical, turns about it that carry the horizontal moments over, and all that carry the principal axes
-/// over.
+/// about the vertical, turns about it that carry the horizontal moments over, and all that carry the principal axes or
+/// corners over.
 inline std::vector<Eigen::Matrix3d> candidate_motions(const Mesh_signature& from, const Mesh_signature& to)
 {
   using Eigen::Matrix3d;
@@ -90,28 +140,39 @@ inline std::vector<Eigen::Matrix3d> candidate_motions(const Mesh_signature& from
     const auto sign = [signs](int axis) { return (signs >> axis) & 1 ? -1. : 1.; };
     result.push_back(to.principal_axes * diagonal(sign(0), sign(1), sign(2)) * from.principal_axes.transpose());
   }
+  add_motions_of_corners(from, to, result);
+  const double tolerance = 0.01 * to.lengths[2] * to.lengths[2];
+  const auto turns_moments = [&](const Matrix3d& m) {
+    return (m * from.moments * m.transpose() - to.moments).cwiseAbs().maxCoeff() <= tolerance;
+  };
+  result.erase(std::remove_if(result.begin(), result.end(), std::not_fn(turns_moments)), result.end());
   return result;
 }
 
-/// Whether a motion carries every vertex of one mesh to a vertex of another.
+/// Whether a motion carries every vertex of one mesh, and the middle of every triangle, to the surface of another.
 inline bool carries(const Motion& motion, const Mesh_signature& from, const Mesh_signature& to,
-                    const Nearest_points& target)
+                    const contacts::Triangle_tree& target)
 {
   const double tolerance = 1e-3 * to.size;
-  for (Eigen::Index v = 0; v < from.mesh->points.cols(); ++v)
-    if (target.distance(motion.linear * from.mesh->points.col(v) + motion.offset) > tolerance) return false;
+  const auto is_on_target = [&](const Point& p) {
+    return target.is_near(motion.linear * p + motion.offset, tolerance * tolerance);
+  };
+  for (const auto& p : from.mesh->points.colwise())
+    if (!is_on_target(p)) return false;
+  for (Eigen::Index t = 0; t < from.mesh->triangles.cols(); ++t)
+    if (!is_on_target(contacts::centre(triangle_of(*from.mesh, t)))) return false;
   return true;
 }
 
-/// The motion that carries a mesh onto another, if they are copies of each other.
+/// The motion that carries a surface onto another, if they are copies of each other.
 inline std::optional<Motion> find_congruence(const Mesh_signature& from, const Mesh_signature& to,
-                                             const Nearest_points& from_points, const Nearest_points& to_points)
+                                             const contacts::Triangle_tree& from_tree,
+                                             const contacts::Triangle_tree& to_tree)
 {
-  if (!may_be_congruent(from, to)) return std::nullopt;
   for (const Eigen::Matrix3d& linear : candidate_motions(from, to)) {
     const Motion motion{linear, to.centre - linear * from.centre};
     const Motion inverse{linear.transpose(), from.centre - linear.transpose() * to.centre};
-    if (carries(motion, from, to, to_points) && carries(inverse, to, from, from_points)) return motion;
+    if (carries(motion, from, to, to_tree) && carries(inverse, to, from, from_tree)) return motion;
   }
   return std::nullopt;
 }
@@ -159,13 +220,16 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
 
   std::vector<Congruence> result(meshes.size());
   std::vector<std::size_t> originals;
-  std::vector<std::unique_ptr<Nearest_points>> vertices(meshes.size());
+  std::vector<std::optional<contacts::Triangle_tree>> trees(meshes.size());
+  const auto tree = [&](std::size_t i) -> const contacts::Triangle_tree& {
+    if (!trees[i]) trees[i].emplace(triangles_of(meshes[i]));
+    return *trees[i];
+  };
   for (std::size_t i : order) {
-    vertices[i] = std::make_unique<Nearest_points>(meshes[i].points);
     result[i].original = i;
     for (std::size_t original : originals) {
-      if (!comparable(original, i)) continue;
-      if (const auto motion = find_congruence(signatures[original], signatures[i], *vertices[original], *vertices[i])) {
+      if (!comparable(original, i) || !may_be_congruent(signatures[original], signatures[i])) continue;
+      if (const auto motion = find_congruence(signatures[original], signatures[i], tree(original), tree(i))) {
         result[i] = {original, *motion};
         break;
       }

@@ -136,8 +136,8 @@ private:
 
 bool is_clearly_long(const Extrusion& e)
 {
-  const double strip_width = 0.08;                    // over the length, whatever the thickness
-  const double rod_width = 0.17, rod_thickness = 0.2; // over the length; over the width
+  const double strip_width = 0.08;                      // over the length, whatever the thickness
+  const double rod_width = 0.17, rod_thickness = 0.199; // over the length; over the width, where many boards have 0.2
   return e.length() < strip_width * e.height() ||
          (e.length() < rod_width * e.height() && e.width() > rod_thickness * e.length());
 }

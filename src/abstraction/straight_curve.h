@@ -75,7 +75,7 @@ inline Rod_sections rod_sections(const Points& axis, const Points& surface, cons
 inline std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& solid, int control_points,
                                                   bool is_convex)
 {
-  // Over the distance of the surface from the axis there
+  // Over the distance of the surface from the axis there; of a convex part, which may be wide, and the spread
   const double most_offset = 0.1; // of the middle of a section from the line
   const double most_spread = 1;   // of the medial axis about it
   const double fewest = 3;        // points of a section
@@ -84,7 +84,9 @@ inline std::optional<Fitted_curve> straight_curve(const Points& axis, const Part
     return std::nullopt;
   const Line line = principal_line(sections.centres);
   const Eigen::ArrayXd offsets = line.offsets(sections.centres).colwise().norm().transpose();
-  if (!(offsets <= most_offset * sections.radii).all()) return std::nullopt;
+  // The samples of a wide section are uneven
+  const Eigen::ArrayXd sizes = is_convex ? Eigen::ArrayXd(sections.radii + sections.spreads) : sections.radii;
+  if (!(offsets <= most_offset * sizes).all()) return std::nullopt;
   const Eigen::RowVectorXd heights = line.direction.transpose() * (sections.centres.colwise() - line.centre);
   Fitted_curve result;
   result.curve.points.resize(3, 2);

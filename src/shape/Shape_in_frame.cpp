@@ -17,7 +17,9 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
+constexpr int rough_samples = 1024;    ///< the same, to find axes that settle ties
 constexpr int least_frame_samples = 4; ///< of every part, however small
+constexpr double rounding_of_axes = 1e-12;
 
 /// The triangles of a part, their area, and the place of its centre along a direction.
 struct Part_triangles
@@ -40,23 +42,22 @@ struct Part_triangles
   double place = 0;
 };
 
-/// Points spread over the shape by area, the same to the bit whatever the order of the parts.
-Points sample_shape(const Segmented_shape& shape, const Eigen::Matrix3d& axes)
+/// Points spread over surfaces by area, the same to the bit whatever the order of the surfaces.
+Points sample_surfaces(const std::vector<const Part_mesh*>& surfaces, const Point& origin, const Point& direction,
+                       int samples)
 {
-  const Points vertices = all_vertices(shape);
-  const Point origin = vertices.rowwise().minCoeff();
   std::vector<Part_triangles> parts;
-  for (const Shape_part& part : shape.parts())
-    parts.emplace_back(part.mesh, origin, axes * generic_direction());
+  for (const Part_mesh* surface : surfaces)
+    parts.emplace_back(*surface, origin, direction);
   std::sort(parts.begin(), parts.end());
   double total = 0;
   for (const Part_triangles& part : parts)
     total += part.area;
   std::vector<Point> points;
   for (const Part_triangles& part : parts) {
-    const int share = static_cast<int>(std::lround(frame_samples * part.area / total));
-    const auto samples = contacts::sample_triangles(part.triangles, std::max(least_frame_samples, share)).points;
-    points.insert(points.end(), samples.begin(), samples.end());
+    const int share = static_cast<int>(std::lround(samples * part.area / total));
+    const auto added = contacts::sample_triangles(part.triangles, std::max(least_frame_samples, share)).points;
+    points.insert(points.end(), added.begin(), added.end());
   }
   Points result(3, points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -67,24 +68,54 @@ Points sample_shape(const Segmented_shape& shape, const Eigen::Matrix3d& axes)
 /// Axes of which the second is the upright direction, by the least rotation.
 Eigen::Matrix3d upright_axes(const Point& up) { return least_rotation(Point::UnitY(), up).toRotationMatrix(); }
 
+/// The samples of a shape, and its vertices.
+struct Sampled_shape
+{
+  Sampled_shape(const std::vector<const Part_mesh*>& surfaces, const Eigen::Matrix3d& axes, int count)
+  {
+    std::vector<const Points*> points;
+    for (const Part_mesh* surface : surfaces)
+      points.push_back(&surface->points);
+    vertices = joined(points);
+    samples = sample_surfaces(surfaces, vertices.rowwise().minCoeff(), axes * generic_direction(), count);
+  }
+
+  Shape_frame frame(const Point& up) const { return frame_of_samples(samples, vertices, up); }
+
+  Points vertices, samples;
+};
+
+std::vector<const Part_mesh*> surfaces_of(const Segmented_shape& shape)
+{
+  std::vector<const Part_mesh*> result;
+  for (const Shape_part& part : shape.parts())
+    result.push_back(&part.mesh);
+  return result;
+}
+
 } // namespace
 
 Shape_in_frame::Shape_in_frame(const Segmented_shape& given)
 {
   const Eigen::Matrix3d axes = upright_axes(given.up());
-  shape = canonical_shape(given, axes);
-  const Shape_frame first = frame_of_samples(sample_shape(shape, axes), all_vertices(shape), shape.up());
+  const std::vector<Canonical_surface> surfaces = canonical_surfaces(given, axes);
+  shape = canonical_shape(given, surfaces, axes);
   // Again with the axes found, so that the same triangles and samples are taken of a shape that was turned
-  shape = canonical_shape(given, first.axes);
-  frame = frame_of_samples(sample_shape(shape, first.axes), all_vertices(shape), shape.up());
+  const Eigen::Matrix3d found = Sampled_shape(surfaces_of(shape), axes, rough_samples).frame(shape.up()).axes;
+  if ((found - axes).norm() > rounding_of_axes) shape = canonical_shape(given, surfaces, found);
+  frame = Sampled_shape(surfaces_of(shape), found, frame_samples).frame(shape.up());
 }
 
 std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& given)
 {
-  const Segmented_shape shape = canonical_shape(given);
-  const Points samples = sample_shape(shape, Eigen::Matrix3d::Identity()), vertices = all_vertices(shape);
-  return {frame_of_samples(samples, vertices, Point::UnitX()), frame_of_samples(samples, vertices, Point::UnitY()),
-          frame_of_samples(samples, vertices, Point::UnitZ())};
+  const Segmented_shape shape = canonical_shape(given, canonical_surfaces(given));
+  const Sampled_shape sampled(surfaces_of(shape), Eigen::Matrix3d::Identity(), frame_samples);
+  return {sampled.frame(Point::UnitX()), sampled.frame(Point::UnitY()), sampled.frame(Point::UnitZ())};
+}
+
+Shape_frame rough_frame(const std::vector<const Part_mesh*>& surfaces, const Point& up)
+{
+  return Sampled_shape(surfaces, upright_axes(up), rough_samples).frame(up);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

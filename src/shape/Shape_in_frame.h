@@ -7,6 +7,7 @@
 #include <CGAL/Shape_correspondence/Shape_frame.h>
 
 #include <array>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -22,6 +23,9 @@ struct Shape_in_frame
 
 /// The frame of points sampled on a surface by area, and its vertices, which have its exact extents.
 Shape_frame frame_of_samples(const Points& surface, const Points& vertices, const Point& up);
+
+/// The frame of a shape of canonical surfaces, from fewer samples.
+Shape_frame rough_frame(const std::vector<const Part_mesh*>& surfaces, const Point& up);
 
 /// The frames of a shape if x, y or z is up.
 std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& shape);

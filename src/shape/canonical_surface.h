@@ -5,21 +5,44 @@
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
+#include <memory>
+
 namespace CGAL::Shape_correspondence::internal {
+
+class Flat_faces;
 
 /// The same surface in triangles that depend on the surface alone, not on how a file divides it into triangles, nor on
 /// their order: connected triangles of a plane become one face, of which points within straight edges are left out, and
 /// which is divided anew; points and triangles are sorted by their place. What cannot be divided stays as it is.
-/// \param tolerance distance from a plane or a line that is rounding noise
-/// \param axes of the shape: with them, ties turn with the shape
-Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance,
-                            const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+class Canonical_surface
+{
+public:
+  /// \param mesh kept by reference
+  /// \param tolerance distance from a plane or a line that is rounding noise
+  Canonical_surface(const Part_mesh& mesh, double tolerance);
 
-/// The distance from a plane that is rounding noise, for a shape of this size.
-inline double flatness_tolerance(double size) { return 5e-6 * size; }
+  /// \param axes of the shape: with them, ties turn with the shape
+  Part_mesh mesh(const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity()) const;
 
-/// The shape with the canonical surface of every part.
-Segmented_shape canonical_shape(const Segmented_shape& shape,
+private:
+  const Part_mesh* given_;
+  std::shared_ptr<const Flat_faces> faces_;
+};
+
+inline Part_mesh canonical_surface(const Part_mesh& mesh, double tolerance)
+{
+  return Canonical_surface(mesh, tolerance).mesh();
+}
+
+/// The distance from a plane that is rounding noise, for a shape of this size. Many files have five decimals.
+inline double flatness_tolerance(double size) { return 1.5e-5 * size; }
+
+/// The canonical surface of every part of a shape of which an axis is up, or of axes of its own.
+std::vector<Canonical_surface> canonical_surfaces(const Segmented_shape& shape,
+                                                  const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+
+/// A shape with the canonical surfaces of its parts.
+Segmented_shape canonical_shape(const Segmented_shape& shape, const std::vector<Canonical_surface>& surfaces,
                                 const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
 } // namespace CGAL::Shape_correspondence::internal

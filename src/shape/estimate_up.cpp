@@ -55,7 +55,7 @@ struct Surface_summary
 
 Surface_summary summary_of_surface(const Segmented_shape& given)
 {
-  const Segmented_shape shape = canonical_shape(given);
+  const Segmented_shape shape = canonical_shape(given, canonical_surfaces(given));
   Surface_summary result;
   result.vertices = all_vertices(shape);
   const Point low = result.vertices.rowwise().minCoeff();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/library_call.h"
+#include "shape/Flat_faces.h"
 #include "shape/check_mesh.h"
 #include "shape/convex_segments.h"
 #include "shape/has_area.h"
@@ -28,13 +29,27 @@ using namespace internal;
 
 namespace {
 
+/// The mesh with its vertices and triangles in an order that does not depend on the file.
+Part_mesh in_order(const Part_mesh& mesh)
+{
+  const Flat_faces sorted(mesh, 0);
+  Part_mesh result;
+  result.points.resize(3, Eigen::Index(sorted.points().size()));
+  result.triangles.resize(3, Eigen::Index(sorted.triangles().size()));
+  for (std::size_t v = 0; v < sorted.points().size(); ++v)
+    result.points.col(Eigen::Index(v)) = sorted.points()[v];
+  for (std::size_t t = 0; t < sorted.triangles().size(); ++t)
+    result.triangles.col(Eigen::Index(t)) = Eigen::Vector3i(sorted.triangles()[t].data());
+  return result;
+}
+
 /// The connected components of the manifold that the triangles make; none if CGAL fails.
 std::vector<Halfedge_mesh> components_of(const Part_mesh& mesh)
 {
   return library_call(
       "components",
       [&] {
-        Halfedge_mesh surface = manifold_surface(mesh);
+        Halfedge_mesh surface = manifold_surface(in_order(mesh));
         std::vector<Halfedge_mesh> components;
         CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
         for (Halfedge_mesh& component : components)

@@ -78,7 +78,7 @@ public:
       for (Loose_piece& piece : loose_pieces(i, objects_[i].mesh, flatness_tolerance(size_),
                                              materials.empty() ? std::vector<int>() : materials[i], divide))
         add_piece(std::move(piece));
-    sort_pieces(objects);
+    sort_pieces(objects.up());
     name_pieces();
   }
 
@@ -227,10 +227,13 @@ private:
 
   /// Sorts the pieces of each object by their place along a direction of the shape's frame, as names should not depend
   /// on the order of triangles.
-  void sort_pieces(const Segmented_shape& objects)
+  void sort_pieces(const Point& up)
   {
     if (pieces_.size() <= objects_.size()) return;
-    const Shape_frame frame = Shape_in_frame(objects).frame;
+    std::vector<const Part_mesh*> surfaces;
+    for (const Loose_piece& piece : pieces_)
+      surfaces.push_back(&piece.surface);
+    const Shape_frame frame = rough_frame(surfaces, up);
     const auto key = [&](const Loose_piece& piece) {
       const double place = generic_direction().dot(Point(frame.to_frame(piece.middle)));
       return std::tuple(piece.object, quantized(place), -quantized(piece.area / (size_ * size_)));

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shape/Flat_faces.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace CGAL::Shape_correspondence::internal {
+
+Groups::Groups(const std::vector<int>& group_of) : members_(group_of.size())
+{
+  begin_.assign(group_of.empty() ? 1 : 2 + std::size_t(*std::max_element(group_of.begin(), group_of.end())), 0);
+  for (int group : group_of)
+    ++begin_[std::size_t(group) + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<std::size_t> next = begin_;
+  for (std::size_t i = 0; i < group_of.size(); ++i)
+    members_[next[std::size_t(group_of[i])]++] = int(i);
+}
+
+/// What flat faces are made of: sets of triangles, and sums over these.
+struct Flat_faces::Units
+{
+  Units(const Flat_faces& mesh, const std::vector<int>& unit)
+      : unit_of(unit),
+        triangles(unit),
+        area_vectors(triangles.size(), Point::Zero()),
+        moments(triangles.size(), Point::Zero()),
+        areas(triangles.size(), 0)
+  {
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (int t : triangles[i]) {
+        const Point& vector = mesh.area_vector(t);
+        const double area = vector.norm();
+        area_vectors[i] += vector;
+        areas[i] += area;
+        moments[i] += area / 3 * (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));
+      }
+  }
+
+  const std::vector<int>& unit_of; ///< by triangle
+  Groups triangles;
+  std::vector<Point> area_vectors;
+  std::vector<Point> moments; ///< centres by area
+  std::vector<double> areas;
+};
+
+Flat_faces::Flat_faces(const Part_mesh& mesh, double tolerance) : tolerance_(tolerance)
+{
+  take_triangles(mesh);
+  find_sides();
+  std::vector<int> own(triangles_.size());
+  std::iota(own.begin(), own.end(), 0);
+  exact_ = grown(Units(*this, own), Point::Zero(), exact_tolerance());
+}
+
+double Flat_faces::exact_tolerance() const { return 2e-4 * tolerance_; }
+
+std::vector<int> Flat_faces::nearly_flat(const Point& direction) const
+{
+  return grown(Units(*this, exact_), direction, tolerance_);
+}
+
+void Flat_faces::take_triangles(const Part_mesh& mesh)
+{
+  std::vector<char> is_used(std::size_t(mesh.points.cols()), 0);
+  for (int v : mesh.triangles.reshaped())
+    is_used[std::size_t(v)] = 1;
+  std::vector<std::pair<std::array<double, 3>, int>> places; // 0. + x, since there are two zeros
+  for (int v = 0; v < int(is_used.size()); ++v)
+    if (is_used[std::size_t(v)])
+      places.push_back({{0. + mesh.points(0, v), 0. + mesh.points(1, v), 0. + mesh.points(2, v)}, v});
+  std::sort(places.begin(), places.end());
+  std::vector<int> number(is_used.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [x, y, z] = places[i].first;
+    if (i == 0 || places[i].first != places[i - 1].first) points_.emplace_back(x, y, z);
+    number[std::size_t(places[i].second)] = int(points_.size()) - 1;
+  }
+  for (const auto& t : mesh.triangles.colwise()) {
+    Corners corners{number[std::size_t(t[0])], number[std::size_t(t[1])], number[std::size_t(t[2])]};
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    triangles_.push_back(corners);
+  }
+  std::sort(triangles_.begin(), triangles_.end());
+  for (int t = 0; t < int(triangles_.size()); ++t)
+    area_vectors_.push_back((corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)));
+}
+
+void Flat_faces::find_sides()
+{
+  sides_.reserve(3 * triangles_.size());
+  for (std::size_t i = 0; i < 3 * triangles_.size(); ++i) {
+    const Corners& corners = triangles_[i / 3];
+    const auto [low, high] = std::minmax(corners[i % 3], corners[(i + 1) % 3]);
+    sides_.push_back({std::uint64_t(low) << 32 | std::uint64_t(high), int(i)});
+  }
+  std::sort(sides_.begin(), sides_.end(), [](const Side_of_triangle& a, const Side_of_triangle& b) {
+    return std::tie(a.edge, a.corner) < std::tie(b.edge, b.corner);
+  });
+  neighbours_.assign(sides_.size(), -1);
+  for_each_edge([&](const Side_range& sides) {
+    const auto count = sides.second - sides.first;
+    if (count == 2 || count == 4) join_sides(sides);
+  });
+}
+
+/// Makes neighbours of triangles that are turned alike; where a sheet has a back, of those of one side.
+void Flat_faces::join_sides(const Side_range& sides)
+{
+  const auto runs_up = [&](const Side_of_triangle& side) {
+    const Corners& corners = triangles_[std::size_t(side.triangle())];
+    return corners[std::size_t(side.corner % 3)] < corners[std::size_t((side.corner + 1) % 3)];
+  };
+  const auto normal = [&](const Side_of_triangle& side) { return area_vector(side.triangle()).normalized(); };
+  for (const Side_of_triangle* i = sides.first; i != sides.second; ++i) {
+    if (!runs_up(*i)) continue;
+    std::pair best(-2., sides.second);
+    for (const Side_of_triangle* j = sides.first; j != sides.second; ++j)
+      if (!runs_up(*j) && neighbour(j->corner) < 0)
+        best = std::max(best, std::pair(sides.second - sides.first == 2 ? 1 : normal(*i).dot(normal(*j)), j));
+    if (best.second == sides.second) continue;
+    neighbours_[std::size_t(i->corner)] = best.second->triangle();
+    neighbours_[std::size_t(best.second->corner)] = i->triangle();
+  }
+}
+
+/// Joins units to flat faces, from the largest one on. \return by triangle, the number of its face
+std::vector<int> Flat_faces::grown(const Units& units, const Point& direction, double tolerance) const
+{
+  const double steps = 3; // per unit of the logarithm of an area: rounding does not decide between equal areas
+  std::vector<std::tuple<double, double, int>> order; // steps down to the area, place along the direction, unit
+  for (std::size_t i = 0; i < units.areas.size(); ++i) {
+    const double area = units.areas[i];
+    const Point centre = area > 0 ? Point(units.moments[i] / area) : corner(*units.triangles[i].begin(), 0);
+    order.emplace_back(area > 0 ? -std::round(steps * std::log(area)) : std::numeric_limits<double>::max(),
+                       direction.dot(centre - points_[0]), int(i));
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<int> rank(order.size()), face(order.size(), -1), members, next;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    rank[std::size_t(std::get<2>(order[i]))] = int(i);
+  int faces = 0;
+  for (const auto& [step, place, seed] : order) {
+    if (face[std::size_t(seed)] >= 0) continue;
+    face[std::size_t(seed)] = faces;
+    members.assign(1, seed);
+    Point normal = Point::Zero(), moment = Point::Zero();
+    double area = 0;
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const auto unit = std::size_t(members[m]);
+      normal += units.area_vectors[unit];
+      moment += units.moments[unit];
+      area += units.areas[unit];
+      if (!(area > 0)) continue;
+      next.clear();
+      for (int t : units.triangles[unit])
+        for (int k = 0; k < 3; ++k) {
+          const int other = neighbour(3 * t + k);
+          const int there = other < 0 ? -1 : units.unit_of[std::size_t(other)];
+          if (there >= 0 && face[std::size_t(there)] < 0) next.push_back(rank[std::size_t(there)]);
+        }
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      for (int i : next) {
+        const int there = std::get<2>(order[std::size_t(i)]);
+        if (!is_flat(units, there, normal.normalized(), moment / area, tolerance)) continue;
+        face[std::size_t(there)] = faces;
+        members.push_back(there);
+      }
+    }
+    ++faces;
+  }
+  std::vector<int> result;
+  for (int unit : units.unit_of)
+    result.push_back(face[std::size_t(unit)]);
+  return result;
+}
+
+/// Whether triangles lie in a plane, without being folded over.
+bool Flat_faces::is_flat(const Units& units, int unit, const Point& normal, const Point& centre, double tolerance) const
+{
+  const double least_cosine = 0.5;
+  const auto i = std::size_t(unit);
+  for (int t : units.triangles[i])
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(normal.dot(corner(t, k) - centre)) > tolerance) return false;
+  if (units.area_vectors[i].dot(normal) > least_cosine * units.areas[i]) return true;
+  double longest = 0;
+  for (int t : units.triangles[i])
+    for (int k = 0; k < 3; ++k)
+      longest = std::max(longest, (corner(t, (k + 1) % 3) - corner(t, k)).norm());
+  return units.areas[i] <= tolerance * longest;
+}
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "shape/divide_polygon.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The members of groups, in ascending order.
+class Groups
+{
+public:
+  struct Range
+  {
+    const int *first, *last;
+    const int* begin() const { return first; }
+    const int* end() const { return last; }
+    std::size_t size() const { return std::size_t(last - first); }
+  };
+
+  explicit Groups(const std::vector<int>& group_of);
+
+  std::size_t size() const { return begin_.size() - 1; }
+  Range operator[](std::size_t group) const
+  {
+    return {members_.data() + begin_[group], members_.data() + begin_[group + 1]};
+  }
+
+private:
+  std::vector<std::size_t> begin_;
+  std::vector<int> members_;
+};
+
+/// An edge of a triangle.
+struct Side_of_triangle
+{
+  std::uint64_t edge; ///< the same for all sides between two vertices
+  int corner;         ///< where it begins: three times the triangle, and the number of the corner
+
+  int triangle() const { return corner / 3; }
+};
+
+using Side_range = std::pair<const Side_of_triangle*, const Side_of_triangle*>;
+
+/// The triangles of a mesh, equal vertices made one, and which of them lie in a plane.
+class Flat_faces
+{
+public:
+  /// \param tolerance distance from a plane that is rounding noise
+  Flat_faces(const Part_mesh& mesh, double tolerance);
+
+  const std::vector<Point>& points() const { return points_; }         ///< sorted by their coordinates
+  const std::vector<Corners>& triangles() const { return triangles_; } ///< sorted, each from its first vertex on
+  const Point& area_vector(int triangle) const { return area_vectors_[std::size_t(triangle)]; } ///< twice the area
+
+  /// The only other triangle, turned alike, at the side that begins at a corner; or -1.
+  int neighbour(int corner) const { return neighbours_[std::size_t(corner)]; }
+
+  double tolerance() const { return tolerance_; }
+  double exact_tolerance() const; ///< of what is exactly flat
+
+  /// By triangle, the number of its exactly flat face.
+  const std::vector<int>& exactly_flat() const { return exact_; }
+
+  /// By triangle, the number of its flat face, which is made of exactly flat ones, from the largest on.
+  /// \param direction along which equally large ones are sorted
+  std::vector<int> nearly_flat(const Point& direction) const;
+
+  template <typename Function>
+  void for_each_edge(const Function& function) const
+  {
+    const Side_of_triangle* const last = sides_.data() + sides_.size();
+    for (const Side_of_triangle *begin = sides_.data(), *end = begin; begin != last; begin = end) {
+      while (end != last && end->edge == begin->edge)
+        ++end;
+      function(Side_range(begin, end));
+    }
+  }
+
+private:
+  struct Units;
+
+  const Point& corner(int triangle, int k) const
+  {
+    return points_[std::size_t(triangles_[std::size_t(triangle)][std::size_t(k)])];
+  }
+  void take_triangles(const Part_mesh& mesh);
+  void find_sides();
+  void join_sides(const Side_range& sides);
+  std::vector<int> grown(const Units& units, const Point& direction, double tolerance) const;
+  bool is_flat(const Units& units, int unit, const Point& normal, const Point& centre, double tolerance) const;
+
+  double tolerance_;
+  std::vector<Point> points_;
+  std::vector<Corners> triangles_;
+  std::vector<Point> area_vectors_;     ///< by triangle, as long as twice its area
+  std::vector<Side_of_triangle> sides_; ///< those of one edge beside each other
+  std::vector<int> neighbours_;         ///< by corner
+  std::vector<int> exact_;
+};
+
+} // namespace CGAL::Shape_correspondence::internal

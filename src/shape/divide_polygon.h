@@ -1,0 +1,24 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CGAL/Shape_correspondence/Points.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+using Corners = std::array<int, 3>;
+using Link = std::array<int, 2>; // from a vertex to another one
+
+/// Triangles of a flat polygon, which may have holes. None if it crosses or touches itself.
+/// \param border edges with the polygon on the left, sorted
+/// \param within sorted vertices that are no ends of the border
+/// \param stretch a linear map before Delaunay triangulation, which settles ties
+std::vector<Corners> divide_polygon(const std::vector<Point>& points, const std::vector<Link>& border,
+                                    const std::vector<int>& within, const Point& normal,
+                                    const Eigen::Matrix3d& stretch);
+
+} // namespace CGAL::Shape_correspondence::internal
