@@ -101,7 +101,7 @@ public:
         add_piece(std::move(piece));
       }
     }
-    sort_pieces(objects);
+    sort_pieces(objects.up());
     name_pieces();
   }
 
