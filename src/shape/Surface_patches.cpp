@@ -124,10 +124,10 @@ struct Triangle_side
   bool is_forward; // from `low` to `high`
 };
 
-class Divider
+class Patch_finder
 {
 public:
-  Divider(const Segmented_shape& objects, const Eigen::Matrix3d& axes, const std::vector<std::vector<int>>& materials)
+  Patch_finder(const Segmented_shape& objects, const Eigen::Matrix3d& axes, const std::vector<std::vector<int>>& materials)
       : objects_(objects)
   {
     collect(axes);
@@ -642,7 +642,7 @@ Patch_contact Patch_contact::reversed() const
 Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes,
                                 const std::vector<std::vector<int>>& materials)
 {
-  return Divider(objects, axes, materials).divided();
+  return Patch_finder(objects, axes, materials).divided();
 }
 
 } // namespace CGAL::Shape_correspondence::internal
