@@ -257,9 +257,9 @@ double confidence(double margin) { return std::min(1 / (1 + std::exp(-std::max(0
 constexpr double forbidden_cost = 1e4;
 
 Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
-                         const Match_constraints& constraints)
+                         const Match_constraints& constraints, const Deadline* deadline)
 {
-  Eigen::MatrixXd costs = part_costs(a, b, options);
+  Eigen::MatrixXd costs = part_costs(a, b, options, deadline);
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
       if (!constraints.allows(i, j)) costs(Eigen::Index(i), Eigen::Index(j)) = forbidden_cost;
@@ -305,17 +305,17 @@ Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& targ
 }
 
 Part_matching match_parts(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
-                          const Match_constraints& constraints)
+                          const Match_constraints& constraints, const Deadline* deadline)
 {
   check(options);
   if (a.assemblies.has_chain() == b.assemblies.has_chain())
-    return matching_of(costs_of(a, b, options, constraints), a, b, options, constraints);
+    return matching_of(costs_of(a, b, options, constraints, deadline), a, b, options, constraints);
 
   // What has a chain hangs from it: one of the two is turned over, whichever costs less
   const Aligned_shape source_over = turned_over(a.shape), target_over = turned_over(b.shape);
   const Shape_features a_over(source_over, options), b_over(target_over, options);
-  Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints),
-                  source_turned = costs_of(a_over, b, options, constraints);
+  Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints, deadline),
+                  source_turned = costs_of(a_over, b, options, constraints, deadline);
   const Steps over_target = quantized(mean_least_cost(target_turned)),
               over_source = quantized(mean_least_cost(source_turned));
   const bool turn_source = over_source < over_target || (over_source == over_target && a.rank < b.rank);

@@ -3,6 +3,7 @@
 
 #include "shape/canonical_surface.h"
 #include "base/generic_direction.h"
+#include "base/library_call.h"
 #include "shape/all_vertices.h"
 #include "shape/has_area.h"
 #include "shape/meshes.h"
@@ -17,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -389,7 +389,11 @@ private:
     std::vector<Corners> added = border.size() == 3   ? triangle_of_border(border)
                                  : border.size() == 4 ? quad_of_border(border, normal.normalized(), stretch)
                                                       : std::vector<Corners>();
-    if (added.empty()) added = triangulated(border, points_within(face, border, outline), normal.normalized(), stretch);
+    if (added.empty()) // CGAL throws on borders that cross
+      added = library_call(
+          "flat face",
+          [&] { return triangulated(border, points_within(face, border, outline), normal.normalized(), stretch); },
+          [] { return std::vector<Corners>(); });
     double sum = 0;
     for (const Corners& corners : added)
       sum += area_vector_of(corners).norm();
@@ -480,12 +484,8 @@ private:
       return std::lower_bound(handles.begin(), handles.end(), number, [](const auto& a, int b) { return a.first < b; })
           ->second;
     };
-    try {
-      for (const Link& link : border)
-        triangulation.insert_constraint(handle_of(link[0]), handle_of(link[1]));
-    } catch (const std::exception&) { // borders that cross
-      return {};
-    }
+    for (const Link& link : border)
+      triangulation.insert_constraint(handle_of(link[0]), handle_of(link[1]));
     if (triangulation.dimension() < 2) return {};
     return inside_of(triangulation, border, handle_of);
   }
