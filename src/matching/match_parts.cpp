@@ -32,7 +32,7 @@ void check(const Part_matching_options& options)
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
   if (options.clearly_better >= 1)
     throw Invalid_input("match_parts: the share by which a front or an alignment is better must be less than 1");
-  if (options.repetition < 2) throw Invalid_input("match_parts: a regular arrangement has two parts or more");
+  if (options.repetition < 2) throw Invalid_input("match_parts: a regular arrangement needs two parts or more");
   for (double value : {options.tolerance, options.anchor, options.warp_width})
     if (!(value > 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the tolerance, the anchor and the width of warps must be finite and above 0");
