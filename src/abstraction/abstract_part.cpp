@@ -231,7 +231,7 @@ std::vector<Part_abstraction> abstract_parts(const Segmented_shape& shape, const
 Points sample_surface(const Part_mesh& mesh, std::size_t n)
 {
   check_triangles("sample_surface", mesh);
-  if (mesh.triangles.cols() == 0) throw Invalid_input("sample_surface: the mesh has no triangles");
+  if (mesh.triangles.cols() == 0) throw Invalid_input("sample_surface: the mesh has no triangles; give one that has");
   return even_surface_points(mesh, n);
 }
 

@@ -58,7 +58,9 @@ Shape_blend::Shape_blend(const Structural_graph& source, const Segmented_shape& 
   if (options.schedule.empty()) return;
   const auto is_other = [&](const Blend_schedule& schedule) { return schedule.name != options.schedule; };
   schedules_.erase(std::remove_if(schedules_.begin(), schedules_.end(), is_other), schedules_.end());
-  if (schedules_.empty()) throw Invalid_input("Shape_blend: there is no schedule '" + options.schedule + "'");
+  if (schedules_.empty())
+    throw Invalid_input("Shape_blend: there is no schedule '" + options.schedule +
+                        "'; give one of schedule_names(), or none");
 }
 
 std::vector<std::string> Shape_blend::schedule_names() { return {"in two steps", "at one time"}; }

@@ -31,12 +31,13 @@ Part_mesh Shape_blend::solid(double t, double detail) const
   const auto wrap = [&] {
     internal::Halfedge_mesh result;
     CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset * alpha, result);
-    return result;
+    const bool is_solid = CGAL::is_closed(result) && CGAL::Polygon_mesh_processing::is_outward_oriented(result);
+    return is_solid ? result : internal::Halfedge_mesh();
   };
   const internal::Halfedge_mesh result =
       internal::library_call("wrap of a blend", wrap, [] { return internal::Halfedge_mesh(); });
-  if (result.is_empty() || !CGAL::is_closed(result) || !CGAL::Polygon_mesh_processing::is_outward_oriented(result))
-    throw Invalid_input("Shape_blend: the shape at this time has no closed surface around it");
+  if (result.is_empty())
+    throw Invalid_input("Shape_blend: the shape at this time has no closed surface around it; repair its parts");
   return internal::to_part_mesh(result);
 }
 

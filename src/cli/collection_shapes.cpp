@@ -8,6 +8,7 @@
 #include "cli/text.h"
 #include "io/read/Json_field.h"
 #include "io/read/model_parts.h"
+#include "io/read/part_hierarchy.h"
 #include "io/system/atomic_file.h"
 #include "io/system/checked_file.h"
 #include "io/system/input_file.h"
@@ -54,10 +55,16 @@ bool are_shapes(const std::vector<std::string>& models)
   return !models.empty() && std::all_of(models.begin(), models.end(), has_several_objects);
 }
 
-/// A folder of part meshes, itself or in its sub-folder `parts`.
+/// Whether the parts of a shape are in a folder's sub-folder.
+bool is_divided(const fs::path& folder)
+{
+  return fs::is_directory(folder / "parts") || IO::hierarchy_in(folder.string());
+}
+
+/// A folder of part meshes, itself or in its sub-folder.
 bool is_shape_folder(const fs::path& folder)
 {
-  if (fs::is_directory(folder / "parts")) return true;
+  if (is_divided(folder)) return true;
   const std::vector<std::string> models = model_files(folder);
   return !models.empty() && !are_shapes(models);
 }
@@ -201,7 +208,7 @@ void make_names_unique(std::vector<Collection_shape>& shapes)
 
 bool is_folder_of_shapes(const std::string& path)
 {
-  if (!fs::is_directory(path) || fs::is_directory(fs::path(path) / "parts") || IO::robot_in(path)) return false;
+  if (!fs::is_directory(path) || is_divided(path) || IO::robot_in(path)) return false;
   const std::vector<std::string> models = model_files(path);
   if (!models.empty()) return are_shapes(models);
   const fs::directory_iterator entries(path);

@@ -14,6 +14,7 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
+#include <filesystem>
 #include <locale>
 #include <ostream>
 #include <set>
@@ -54,8 +55,9 @@ std::vector<int> parts_of_triangles(const Read_model& model, std::size_t object)
   return appearance_on(mesh, labels, model.objects.parts()[object].mesh).materials;
 }
 
-/// A line for each face of the file. A face without area has the part of the face before it.
-void write_face_labels(std::ostream& out, const Read_model& model)
+/// A line for each face of the file, then comments with its name and those of the parts. A face without area has the
+/// part of the face before it.
+void write_face_labels(std::ostream& out, const std::string& path, const Read_model& model)
 {
   constexpr int unknown = -1;
   std::vector<int> labels(model.number_of_faces, unknown);
@@ -67,6 +69,10 @@ void write_face_labels(std::ostream& out, const Read_model& model)
   int last = 0;
   for (int label : labels)
     out << (last = label == unknown ? last : label) << '\n';
+  out << "# faces of " << IO::quote_ply(std::filesystem::path(path).filename().string()) << '\n';
+  const std::vector<Shape_part>& parts = model.split.shape.parts();
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    out << "# part " << part << ' ' << IO::quote_ply(parts[part].name) << '\n';
 }
 
 /// With its materials.
@@ -90,7 +96,7 @@ void write_parts(const Parts_output& output, const std::string& path, const Comm
   if (!output.seg.empty() && model.faces.size() != model.objects.parts().size())
     throw Invalid_input(path + ": labels of faces, " + output.seg +
                         ", are for models in OBJ, OFF, PLY or STL; write the parts as .ply, .obj or .glb");
-  write_output(output.seg, [&](std::ostream& out) { write_face_labels(out, model); });
+  write_output(output.seg, [&](std::ostream& out) { write_face_labels(out, path, model); });
   write_output(output.ply, [&](std::ostream& out) { IO::write_segmented_shape_ply(out, shape); });
   write_output(output.obj, [&](std::ostream& out) { IO::write_segmented_shape_obj(out, shape); });
   write_output(output.glb, [&](std::ostream& out) { write_glb(out, path, options, model); });

@@ -6,6 +6,7 @@
 #include "cli/text.h"
 #include "io/read/model_parts.h"
 #include "io/system/input_file.h"
+#include "io/system/quoting.h"
 #include "roles/up_by_roles.h"
 #include "shape/Shape_in_frame.h"
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -175,6 +177,9 @@ Read_model model_of_objects(const std::string& path, IO::Model_objects objects, 
   Read_model model;
   model.objects = std::move(objects.shape);
   model.warnings = std::move(objects.warnings);
+  for (const std::string& warning : model.warnings)
+    if (options.quiet && warning.rfind(IO::labels_left_out, 0) == 0)
+      std::cerr << "shape_correspondence: note: " + IO::quote_terminal(message_about(path, warning)) + '\n';
   find_up(path, objects.says_up, options, model);
   model.faces = std::move(objects.faces);
   model.number_of_faces = objects.number_of_faces;

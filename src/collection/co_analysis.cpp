@@ -77,7 +77,7 @@ private:
   {
     if (shape + 1 >= first_.size() || first_[shape] + part >= first_[shape + 1])
       throw Invalid_input("co_analysis: there is no part " + std::to_string(part) + " of shape " +
-                          std::to_string(shape));
+                          std::to_string(shape) + "; give pairs of parts that the shapes have");
     return first_[shape] + part;
   }
 

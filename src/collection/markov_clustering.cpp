@@ -29,7 +29,7 @@ void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_o
   for (Eigen::Index j = 0; j < weights.outerSize(); ++j)
     for (Flow_matrix::InnerIterator entry(weights, j); entry; ++entry)
       if (!(entry.value() >= 0) || std::isinf(entry.value()))
-        throw Invalid_input("markov_clustering: a weight is negative or not finite");
+        throw Invalid_input("markov_clustering: a weight is negative or not finite; give finite ones of at least 0");
 }
 
 // The entries of a column, by row.

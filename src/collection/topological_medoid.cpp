@@ -73,7 +73,7 @@ private:
     const double d = evaluate_(std::min(i, j), std::max(i, j));
     if (!(d >= 0) || std::isinf(d))
       throw Invalid_input("sampled_medoid: the distance of shapes " + std::to_string(i) + " and " + std::to_string(j) +
-                          " is not a finite number of at least 0");
+                          " is not a finite number of at least 0; return one");
     ++evaluations_;
     return known = distances_(Eigen::Index(j), Eigen::Index(i)) = d;
   }

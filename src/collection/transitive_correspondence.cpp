@@ -79,7 +79,7 @@ std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>
 std::vector<std::size_t> way(std::size_t from, const std::vector<std::size_t>& next)
 {
   if (from >= next.size() || next[from] == no_shape)
-    throw Invalid_input("tree_path: the tree does not connect the two shapes");
+    throw Invalid_input("tree_path: the tree does not connect the two shapes; give one that connects all");
   std::vector<std::size_t> path{from};
   while (next[path.back()] != path.back())
     path.push_back(next[path.back()]);

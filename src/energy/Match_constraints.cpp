@@ -40,8 +40,9 @@ Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_
   for (const Part_pair& pair : options.pinned) {
     const std::size_t i = place_of(source, pair.source), j = place_of(target, pair.target);
     if (i == n || j == m)
-      throw Invalid_input("find_correspondence: " + name_of(pair) +
-                          " are pinned, but not both of them take part in the match");
+      throw Invalid_input(
+          "find_correspondence: " + name_of(pair) +
+          " are pinned, but not both of them take part in the match; let both take part, or do not pin them");
     pinned_[i].insert(j);
     is_pinned_target[j] = 1;
   }
@@ -55,7 +56,7 @@ Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_
     const std::size_t i = place_of(source, pair.source), j = place_of(target, pair.target);
     if (i == n || j == m) continue; // does not take part
     if (pinned_[i].count(j) > 0)
-      throw Invalid_input("find_correspondence: " + name_of(pair) + " are pinned and forbidden");
+      throw Invalid_input("find_correspondence: " + name_of(pair) + " are pinned and forbidden; choose one of the two");
     allowed_[i][j] = 0;
   }
 }

@@ -140,6 +140,8 @@ private:
       content_.parts.push_back(std::move(part));
       node_of_part_.push_back(number);
       meshes_.push_back(scene_.mMeshes[node.mMeshes[0]]->mName.C_Str());
+    } else if (node.mNumMeshes > 0) {
+      content_.without_faces.push_back(part.name);
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
       visit(*node.mChildren[i], number, to_world);

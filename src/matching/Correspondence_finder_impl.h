@@ -32,6 +32,7 @@ struct Alignment_candidate
 
 constexpr const char* search_was_cancelled = "The search was cancelled";
 constexpr const char* time_is_over = "The time limit ended the search";
+constexpr double small_time = 1; // seconds for what replaces a search that there is no time for
 
 /// The runs of a search for the least energy, of which the best one is kept.
 struct Search_runs
@@ -116,11 +117,12 @@ private:
   // The alignments in which the fronts coincide, as the roles of a category tell them; empty if one alignment is asked
   // for and it is the given one.
   std::vector<Alignment_candidate> candidates_by_roles(const Prepared_shape& target, std::size_t category) const;
+  // \param deadline as of `part_costs()`
   Part_matching matched_in(const Prepared_shape& target, const Shared_shape& shape,
-                           const Alignment_candidate& alignment) const;
+                           const Alignment_candidate& alignment, const Deadline* deadline) const;
   // With either shape turned from its own frame.
   Part_matching matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape, int source_turn,
-                                  int target_turn) const;
+                                  int target_turn, const Deadline* deadline) const;
   std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const Shared_shape& shape, int turn) const;
   static void warn_of_fronts(const Alignment_candidate& alignment, Correspondence& result);
   void join_roles(const Prepared_shape& target, const Aligned_shape& aligned_target, const Pair_category& category,

@@ -155,7 +155,7 @@ struct Surface_distances
 {
   Point_distances a_from_b, b_from_a;
 
-  Surface_distances(const Shape_features& a, const Shape_features& b);
+  Surface_distances(const Shape_features& a, const Shape_features& b, const Deadline& deadline);
 };
 
 void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
@@ -192,11 +192,13 @@ void Point_distances::set_squared(std::size_t part, std::size_t other, const Eig
   if (number_[other] >= 0) Eigen::Map<Eigen::ArrayXd>(values_.data() + place(part, other), n) = distances;
 }
 
-Surface_distances::Surface_distances(const Shape_features& a, const Shape_features& b) : a_from_b(a, b), b_from_a(b, a)
+Surface_distances::Surface_distances(const Shape_features& a, const Shape_features& b, const Deadline& deadline)
+    : a_from_b(a, b), b_from_a(b, a)
 {
   Eigen::ArrayXd p_from_q, q_from_p;
   const Nearest_squared_kernel& kernel = nearest_squared_kernel();
-  for (std::size_t i = 0; i < a.lanes.size(); ++i)
+  for (std::size_t i = 0; i < a.lanes.size(); ++i) {
+    deadline.check();
     for (std::size_t j = 0; j < b.lanes.size(); ++j) {
       const Point_lanes &p = a.lanes[i], &q = b.lanes[j];
       make_room(p_from_q, p.padded());
@@ -205,6 +207,7 @@ Surface_distances::Surface_distances(const Shape_features& a, const Shape_featur
       a_from_b.set_squared(i, j, p_from_q);
       b_from_a.set_squared(j, i, q_from_p);
     }
+  }
 }
 
 // The chamfer distance of two parts: the mean distance of the points of either from the other.
@@ -230,11 +233,13 @@ double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a,
 // Lowers the costs to those of parts of `a` and unions that the parts of `b` are in.
 template <typename Costs>
 void lower_to_unions(const Shape_features& a, const Shape_features& b, const Point_distances& a_from_b,
-                     const Point_distances& b_from_a, const Part_matching_options& options, Costs&& costs)
+                     const Point_distances& b_from_a, const Part_matching_options& options, const Deadline& deadline,
+                     Costs&& costs)
 {
   if (b.unions.empty()) return;
   const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.union_boxes, options);
-  for (std::size_t h = 0; h < b.unions.size(); ++h)
+  for (std::size_t h = 0; h < b.unions.size(); ++h) {
+    deadline.check();
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
       const std::vector<std::size_t>& parts = b.unions[h];
       const double cost = cost_of_kind(a.parts[i], b.union_parts[h], options) +
@@ -245,10 +250,11 @@ void lower_to_unions(const Shape_features& a, const Shape_features& b, const Poi
         least = std::min(least, cost);
       }
     }
+  }
 }
 
-// The costs that warps do not change.
-Eigen::MatrixXd costs_of_kind(const Shape_features& a, const Shape_features& b, const Surface_distances& surfaces,
+// The costs that warps do not change. \param surfaces null: they are not compared
+Eigen::MatrixXd costs_of_kind(const Shape_features& a, const Shape_features& b, const Surface_distances* surfaces,
                               const Part_matching_options& options)
 {
   Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
@@ -256,17 +262,18 @@ Eigen::MatrixXd costs_of_kind(const Shape_features& a, const Shape_features& b, 
     for (std::size_t i = 0; i < a.parts.size(); ++i)
       result(Eigen::Index(i), Eigen::Index(j)) =
           cost_of_kind(a.parts[i], b.parts[j], options) +
-          options.weights.chamfer * chamfer(surfaces.a_from_b, surfaces.b_from_a, i, j);
+          (surfaces ? options.weights.chamfer * chamfer(surfaces->a_from_b, surfaces->b_from_a, i, j) : 0);
   return result;
 }
 
 Eigen::MatrixXd ranked_part_costs(const Shape_features& a, const Shape_features& b,
-                                  const Part_matching_options& options)
+                                  const Part_matching_options& options, const Deadline* deadline)
 {
-  const Surface_distances surfaces(a, b);
-  Eigen::MatrixXd result = costs_after_warping(a, b, costs_of_kind(a, b, surfaces, options), options);
-  lower_to_unions(a, b, surfaces.a_from_b, surfaces.b_from_a, options, result);
-  lower_to_unions(b, a, surfaces.b_from_a, surfaces.a_from_b, options, result.transpose());
+  if (!deadline) return costs_after_warping(a, b, costs_of_kind(a, b, nullptr, options), options);
+  const Surface_distances surfaces(a, b, *deadline);
+  Eigen::MatrixXd result = costs_after_warping(a, b, costs_of_kind(a, b, &surfaces, options), options);
+  lower_to_unions(a, b, surfaces.a_from_b, surfaces.b_from_a, options, *deadline, result);
+  lower_to_unions(b, a, surfaces.b_from_a, surfaces.a_from_b, options, *deadline, result.transpose());
   return result;
 }
 
@@ -279,10 +286,10 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
 
 // In canonical order, since sums of the warp run over pairs source by source.
 Eigen::MatrixXd part_costs(const Shape_features& source, const Shape_features& target,
-                           const Part_matching_options& options)
+                           const Part_matching_options& options, const Deadline* deadline)
 {
-  if (target.rank < source.rank) return ranked_part_costs(target, source, options).transpose();
-  return ranked_part_costs(source, target, options);
+  if (target.rank < source.rank) return ranked_part_costs(target, source, options, deadline).transpose();
+  return ranked_part_costs(source, target, options, deadline);
 }
 
 } // namespace CGAL::Shape_correspondence

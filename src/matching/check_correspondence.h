@@ -38,7 +38,9 @@ inline void check_correspondence(const std::string& function, const Corresponden
     check(deformed, {contact.parts[0], contact.parts[1]});
   const bool has_roles = !c.source_roles.empty() || !c.target_roles.empty();
   if (has_roles && (c.source_roles.size() != source_parts || c.target_roles.size() != target_parts))
-    throw Invalid_input(function + ": the correspondence does not have a role for every part of the two shapes");
+    throw Invalid_input(function +
+                        ": the correspondence does not have a role for every part of the two shapes; give one "
+                        "that was found for them");
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -128,7 +128,7 @@ std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
       internal::check_index("correspondence_blocks", "part", part, internal::most_parts);
   }
   if (!c.source_roles.empty() && (c.source_roles.size() < sources || c.target_roles.size() < targets))
-    throw Invalid_input("correspondence_blocks: there is not a role for every part");
+    throw Invalid_input("correspondence_blocks: there is not a role for every part; give one for each, or none");
   Part_sets sets(c, sources, targets);
   while (sets.unite_closest()) {
   }

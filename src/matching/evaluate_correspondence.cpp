@@ -115,7 +115,7 @@ void set_estimates(Mean_score& score, const Figures& mean, const std::vector<Fig
 
 void check(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options)
 {
-  if (scores.empty()) throw Invalid_input("there are no scores to take means of");
+  if (scores.empty()) throw Invalid_input("there are no scores to take means of; give one or more");
   if (options.resamples < 1) throw Invalid_input("the bootstrap needs at least one resample");
   if (!(options.confidence > 0 && options.confidence < 1))
     throw Invalid_input("the confidence of intervals must be between 0 and 1");

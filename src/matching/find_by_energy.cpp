@@ -21,8 +21,6 @@ using namespace internal;
 
 namespace {
 
-constexpr double small_time = 1; // seconds for what replaces a search that there is no time for
-
 // Pairs of connected parts, and parts that touch nothing.
 std::size_t number_of_counted_pairs(const Aligned_shape& shape)
 {
@@ -42,7 +40,7 @@ void check_size(const Aligned_shape& deformed, const std::string& name, const Se
   throw Invalid_input("find_correspondence: shape '" + name + "' has " + std::to_string(deformed.number_of_groups()) +
                       " groups of parts, and " + (is_beam ? "beam" : "exact") + " search takes at most " +
                       std::to_string(most) +
-                      " at once: match it coarse to fine, match its largest parts only, or use the default method");
+                      " at once; match it coarse to fine, match its largest parts only, or use the default method");
 }
 
 // A lower bound of the energy; 0 where its tables take too much memory.
@@ -125,7 +123,7 @@ Correspondence Correspondence_finder::Impl::by_costs(const Prepared_shape& targe
   result.complete = result.complete && runs.end.empty();
   result.warnings.push_back((runs.end.empty() ? "The search would " + runs.too_large
                                               : std::string(time_is_over) + " before it had found anything") +
-                            "; parts were matched by their costs in its place, as --search parts does.");
+                            "; parts were matched by their costs in its place.");
   return result;
 }
 

@@ -61,14 +61,16 @@ Part_matching likeliest_only(const Part_matching& matching)
 } // namespace
 
 Part_matching Correspondence_finder::Impl::matched_in_frames(const Prepared_shape& target, const Aligned_shape& shape,
-                                                             int source_turn, int target_turn) const
+                                                             int source_turn, int target_turn,
+                                                             const Deadline* deadline) const
 {
   const Shared_shape b = aligned(target, target_turn),
                      a = participating(prepared_source_.alignments_->aligned(source_turn), source_->original,
                                        pinned_.source);
-  Part_matching result = renumbered(match_parts(*features(prepared_source_, a, source_turn),
-                                                *features(target, b, target_turn), options_.parts, constraints(*a, *b)),
-                                    places_of_parts(*a, *source_), places_of_parts(*b, shape));
+  Part_matching result =
+      renumbered(match_parts(*features(prepared_source_, a, source_turn), *features(target, b, target_turn),
+                             options_.parts, constraints(*a, *b), deadline),
+                 places_of_parts(*a, *source_), places_of_parts(*b, shape));
   std::sort(result.pairs.begin(), result.pairs.end(), is_before);
   return result;
 }
@@ -151,17 +153,18 @@ std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates_by_role
 }
 
 Part_matching Correspondence_finder::Impl::matched_in(const Prepared_shape& target, const Shared_shape& shape,
-                                                      const Alignment_candidate& alignment) const
+                                                      const Alignment_candidate& alignment,
+                                                      const Deadline* deadline) const
 {
   if (alignment.by_roles)
     return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + alignment.source_front,
-                             given_quarter_turns(structure(target.graph()).frame) + alignment.target_front);
+                             given_quarter_turns(structure(target.graph()).frame) + alignment.target_front, deadline);
   // Costs treat the side and the front differently, so with an odd quarter turn it matters in whose frame shapes are
   // compared: in that of the first in canonical order, whichever is the source
   if (alignment.turn % 2 != 0 && rank_of(*shape) < rank_of(*source_))
-    return matched_in_frames(target, *shape, -alignment.turn, 0);
+    return matched_in_frames(target, *shape, -alignment.turn, 0, deadline);
   return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, alignment.turn), options_.parts,
-                     constraints(*source_, *shape));
+                     constraints(*source_, *shape), deadline);
 }
 
 Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shape& target, const Deadline& limit) const
@@ -179,7 +182,17 @@ Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shap
       found.end = time_is_over;
     if (!found.end.empty()) break;
     const Shared_shape shape = aligned(target, alignment.turn);
-    Part_matching matching = matched_in(target, shape, alignment);
+    // The first one always has a result: by surfaces, for which a moment is left, or by boxes
+    const Deadline of_first(std::max(limit.left(), small_time));
+    Part_matching matching;
+    try {
+      matching = matched_in(target, shape, alignment, found.tried == 0 ? &of_first : &limit);
+    } catch (const Out_of_time&) {
+      found.end = time_is_over;
+      if (found.tried > 0) break;
+      found.known.warnings.push_back("There is no time to compare the surfaces of parts; their boxes are compared.");
+      matching = matched_in(target, shape, alignment, nullptr);
+    }
     const double preference = found.tried == 0 ? 1 - options_.parts.clearly_better : 1;
     ++found.tried;
     const double cost = alignments.size() == 1 ? 0 : preference * double(alignment_cost(matching, *source_, *shape));
@@ -201,7 +214,7 @@ void Correspondence_finder::Impl::warn_of_fronts(const Alignment_candidate& alig
     if (front != 0)
       result.warnings.push_back(std::string("By the roles of its parts, the ") + shape +
                                 " does not face +z; it was matched as if turned by " + std::to_string(90 * front) +
-                                "° about the up axis. If it does, say so by --front given (`front_is_sure`).");
+                                "° about the up axis. If it does, say that the front is given.");
   };
   warn("source", alignment.source_front);
   warn("target", alignment.target_front);
@@ -247,10 +260,10 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
                                                                                const Prepared_shape& target) const
 {
   if (options_.method != Search_method::PARTS)
-    throw Invalid_input("transfer_labels: labels are transferred by Search_method::PARTS only");
+    throw Invalid_input("transfer_labels: labels are transferred by Search_method::PARTS only; choose it");
   if (labels.size() != number_of_parts_)
     throw Invalid_input("transfer_labels: there are " + std::to_string(labels.size()) + " labels of " +
-                        std::to_string(number_of_parts_) + " parts of the source");
+                        std::to_string(number_of_parts_) + " parts of the source; give one for each");
   if (has_no_pairs(target)) return std::vector<Transferred_label>(structure(target.graph()).parts.size());
   const Part_match_result best = matched_parts(target, deadline());
   std::vector<Transferred_label> result(structure(target.graph()).parts.size());

@@ -25,7 +25,8 @@ Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shap
     const std::size_t place = place_of(*shape, part);
     if (place == is_kept.size())
       throw Invalid_input("find_correspondence: there is no part number " + std::to_string(part) +
-                          " to choose, the shape has " + std::to_string(shape->parts.size()) + " parts");
+                          " to choose, the shape has " + std::to_string(shape->parts.size()) +
+                          " parts; give numbers below that");
     is_kept[place] = 1;
   }
   if (!chosen.empty()) shape = std::make_shared<Deformable_shape>(restricted(*shape, is_kept));
@@ -72,7 +73,8 @@ void check_indices(const Matching_options& matching, std::size_t Part_pair::*sid
     for (const Part_pair& pair : *pairs)
       if (pair.*side >= parts)
         throw Invalid_input("find_correspondence: there is no part number " + std::to_string(pair.*side) +
-                            " to pin or forbid, the " + shape + " has " + std::to_string(parts) + " parts");
+                            " to pin or forbid, the " + shape + " has " + std::to_string(parts) +
+                            " parts; give numbers below that");
 }
 
 void check_role_costs(const Eigen::MatrixXd& costs, std::size_t source_parts, std::size_t target_parts)

@@ -32,7 +32,7 @@ void check(const Part_matching_options& options)
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
   if (options.clearly_better >= 1)
     throw Invalid_input("match_parts: the share by which a front or an alignment is better must be less than 1");
-  if (options.repetition < 2) throw Invalid_input("match_parts: a regular arrangement has two parts or more");
+  if (options.repetition < 2) throw Invalid_input("match_parts: a regular arrangement needs two parts or more");
   for (double value : {options.tolerance, options.anchor, options.warp_width})
     if (!(value > 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the tolerance, the anchor and the width of warps must be finite and above 0");
@@ -257,9 +257,9 @@ double confidence(double margin) { return std::min(1 / (1 + std::exp(-std::max(0
 constexpr double forbidden_cost = 1e4;
 
 Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
-                         const Match_constraints& constraints)
+                         const Match_constraints& constraints, const Deadline* deadline)
 {
-  Eigen::MatrixXd costs = part_costs(a, b, options);
+  Eigen::MatrixXd costs = part_costs(a, b, options, deadline);
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
       if (!constraints.allows(i, j)) costs(Eigen::Index(i), Eigen::Index(j)) = forbidden_cost;
@@ -305,17 +305,17 @@ Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& targ
 }
 
 Part_matching match_parts(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
-                          const Match_constraints& constraints)
+                          const Match_constraints& constraints, const Deadline* deadline)
 {
   check(options);
   if (a.assemblies.has_chain() == b.assemblies.has_chain())
-    return matching_of(costs_of(a, b, options, constraints), a, b, options, constraints);
+    return matching_of(costs_of(a, b, options, constraints, deadline), a, b, options, constraints);
 
   // What has a chain hangs from it: one of the two is turned over, whichever costs less
   const Aligned_shape source_over = turned_over(a.shape), target_over = turned_over(b.shape);
   const Shape_features a_over(source_over, options), b_over(target_over, options);
-  Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints),
-                  source_turned = costs_of(a_over, b, options, constraints);
+  Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints, deadline),
+                  source_turned = costs_of(a_over, b, options, constraints, deadline);
   const Steps over_target = quantized(mean_least_cost(target_turned)),
               over_source = quantized(mean_least_cost(source_turned));
   const bool turn_source = over_source < over_target || (over_source == over_target && a.rank < b.rank);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "energy/Match_constraints.h"
-#include "matching/Shape_features.h"
+#include "matching/Part_costs.h"
 
 #include <CGAL/Shape_correspondence/Part_correspondence.h>
 
@@ -43,9 +43,10 @@ Part_matching match_parts(const Aligned_shape& source, const Aligned_shape& targ
                           const Part_matching_options& options = {},
                           const internal::Match_constraints& constraints = {});
 
-/// The same of shapes with known features, made by the same options.
+/// The same of shapes with known features, made by the same options. \param deadline as of `part_costs()`
 Part_matching match_parts(const internal::Shape_features& source, const internal::Shape_features& target,
-                          const Part_matching_options& options, const internal::Match_constraints& constraints);
+                          const Part_matching_options& options, const internal::Match_constraints& constraints,
+                          const internal::Deadline* deadline = &internal::no_deadline);
 
 /// Removes the pairs that are not allowed and adds those that are pinned.
 void constrain(const internal::Match_constraints& constraints, Part_matching& matching);

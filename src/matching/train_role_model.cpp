@@ -222,7 +222,7 @@ void check(const std::vector<Labelled_graph>& shapes, const Shape_pair& pair)
   if (pair[0] >= shapes.size() || pair[1] >= shapes.size() || pair[0] == pair[1] ||
       shapes[pair[0]].category != shapes[pair[1]].category)
     throw Invalid_input("train_role_model: the pair " + std::to_string(pair[0]) + ", " + std::to_string(pair[1]) +
-                        " is not of two shapes of a category");
+                        " is not of two shapes of a category; give pairs that are");
 }
 
 // What a model learned from all other shapes predicts for a pair. \param all learned from all shapes

@@ -26,13 +26,13 @@ void check(const std::vector<Labelled_graph>& shapes, const Role_training_option
   if (options.trees < 1 || options.trees > maximum_trees)
     throw Invalid_input("train_role_model: the number of trees must be between 1 and " + std::to_string(maximum_trees));
   for (const Labelled_graph& shape : shapes) {
-    if (!shape.graph) throw Invalid_input("train_role_model: a labelled shape has no graph");
+    if (!shape.graph) throw Invalid_input("train_role_model: a labelled shape has no graph; build one");
     const std::string name = "train_role_model: the shape '" + structure(*shape.graph).name + "' ";
-    if (shape.category.empty()) throw Invalid_input(name + "has no category");
+    if (shape.category.empty()) throw Invalid_input(name + "has no category; give it one");
     if (shape.labels.size() != structure(*shape.graph).parts.size())
       throw Invalid_input(name + "needs a role for every part");
     for (const Part_label& label : shape.labels)
-      if (label.coarse.empty()) throw Invalid_input(name + "has a part without a role");
+      if (label.coarse.empty()) throw Invalid_input(name + "has a part without a role; give it one");
     if (!(shape.weight > 0) || !std::isfinite(shape.weight)) throw Invalid_input(name + "must have a weight above 0");
   }
 }
@@ -84,7 +84,7 @@ void set_classes(const std::vector<Example_label>& labels, Category_roles& categ
   category.roles.assign(roles.begin(), roles.end());
   if (sides.size() > maximum_classes)
     throw Invalid_input("train_role_model: the category '" + category.name + "' has more than " +
-                        std::to_string(maximum_classes) + " labels");
+                        std::to_string(maximum_classes) + " labels; use fewer");
   for (const auto& [label, side] : sides)
     category.classes.push_back(
         {std::uint8_t(std::distance(roles.begin(), roles.find(label.first))), label.second, side > 0});

@@ -142,7 +142,9 @@ private:
     for (std::size_t v = 0; is_valid && v < n; ++v)
       is_valid =
           result.best().assignment[v] >= 0 && std::size_t(result.best().assignment[v]) < energy_.number_of_labels(v);
-    if (!is_valid) throw Invalid_input("exact search: min-marginals are asked for of the result of another energy");
+    if (!is_valid)
+      throw Invalid_input(
+          "exact search: min-marginals are asked for of the result of another energy; give that of this one");
   }
 
   // Sets up the bound; where the time does not suffice for it, a solution without.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/divide_polygon.h"
+#include "base/library_call.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -79,16 +79,10 @@ std::vector<Corners> inside_of(const Planar_triangulation& triangulation)
   return result;
 }
 
-} // namespace
-
-std::vector<Corners> divide_polygon(const std::vector<Point>& points, const std::vector<Link>& border,
-                                    const std::vector<int>& within, const Point& normal, const Eigen::Matrix3d& stretch)
+/// A constrained triangulation, of which CGAL throws on borders that cross.
+std::vector<Corners> triangulated(const std::vector<Point>& points, const std::vector<Link>& border,
+                                  const std::vector<int>& within, const Point& normal, const Eigen::Matrix3d& stretch)
 {
-  if (border.size() < 3) return {};
-  if (border.size() < 5) {
-    std::vector<Corners> result = few_triangles(points, border, normal, stretch);
-    if (!result.empty()) return result;
-  }
   const Point up = (stretch.inverse().transpose() * normal).normalized(), u = up.unitOrthogonal(), v = up.cross(u);
   std::vector<int> vertices = within;
   for (const Link& link : border)
@@ -107,15 +101,26 @@ std::vector<Corners> divide_polygon(const std::vector<Point>& points, const std:
   const auto handle_of = [&](int vertex) {
     return handles[std::size_t(std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin())];
   };
-  try {
-    for (const Link& link : border)
-      triangulation.insert_constraint(handle_of(link[0]), handle_of(link[1]));
-  } catch (const std::exception&) { // borders that cross
-    return {};
-  }
+  for (const Link& link : border)
+    triangulation.insert_constraint(handle_of(link[0]), handle_of(link[1]));
   for (auto face : triangulation.all_face_handles())
     face->info() = Side::UNKNOWN;
   return triangulation.dimension() < 2 ? std::vector<Corners>() : inside_of(triangulation);
+}
+
+} // namespace
+
+std::vector<Corners> divide_polygon(const std::vector<Point>& points, const std::vector<Link>& border,
+                                    const std::vector<int>& within, const Point& normal, const Eigen::Matrix3d& stretch)
+{
+  if (border.size() < 3) return {};
+  if (border.size() < 5) {
+    std::vector<Corners> result = few_triangles(points, border, normal, stretch);
+    if (!result.empty()) return result;
+  }
+  return library_call(
+      "flat face", [&] { return triangulated(points, border, within, normal, stretch); },
+      [] { return std::vector<Corners>(); });
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -191,8 +191,8 @@ private:
     if (grouped > most_grouped_pieces)
       throw Invalid_input("it has " + std::to_string(grouped) + " loose pieces, of which at most " +
                           std::to_string(most_grouped_pieces) +
-                          " can be grouped into parts: join pieces to objects in a program for modelling, and take the "
-                          "objects as parts (--parts file)");
+                          " can be grouped into parts; join pieces to objects in a program for modelling, and take the "
+                          "objects as parts");
   }
 
   /// Groups the pieces of an object.

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -43,8 +44,8 @@ Part_mesh in_order(const Part_mesh& mesh)
   return result;
 }
 
-/// The connected components of the manifold that the triangles make; none if CGAL fails.
-std::vector<Halfedge_mesh> components_of(const Part_mesh& mesh)
+/// The connected components of the manifold that the triangles make; none if CGAL fails. \param areas gets theirs
+std::vector<Halfedge_mesh> components_of(const Part_mesh& mesh, std::vector<double>& areas)
 {
   return library_call(
       "components",
@@ -52,8 +53,10 @@ std::vector<Halfedge_mesh> components_of(const Part_mesh& mesh)
         Halfedge_mesh surface = manifold_surface(in_order(mesh));
         std::vector<Halfedge_mesh> components;
         CGAL::Polygon_mesh_processing::split_connected_components(surface, components);
-        for (Halfedge_mesh& component : components)
+        for (Halfedge_mesh& component : components) {
           component.collect_garbage();
+          areas.push_back(CGAL::to_double(CGAL::Polygon_mesh_processing::area(component)));
+        }
         return components;
       },
       [] { return std::vector<Halfedge_mesh>(); });
@@ -80,11 +83,9 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
   if (!(options.probability > 0 && options.probability < 1) || !(options.least_area >= 0 && options.least_area <= 1))
     throw Invalid_input("the probability and the least area of a segmentation must be between 0 and 1");
   check_triangles(name, mesh);
-  std::vector<Halfedge_mesh> components = components_of(mesh);
-  double total_area = 0;
   std::vector<double> areas;
-  for (const Halfedge_mesh& component : components)
-    total_area += areas.emplace_back(CGAL::to_double(CGAL::Polygon_mesh_processing::area(component)));
+  std::vector<Halfedge_mesh> components = components_of(mesh, areas);
+  const double total_area = std::accumulate(areas.begin(), areas.end(), 0.);
   Mesh_segmentation result{Segmented_shape(std::move(name), up)};
   if (components.empty() && has_area(mesh)) {
     result.shape.add_part("segment_0", mesh);

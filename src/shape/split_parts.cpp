@@ -53,12 +53,12 @@ void check_materials(const std::vector<Shape_part>& objects, const std::vector<s
   if (materials.empty()) return;
   if (materials.size() != objects.size())
     throw Invalid_input("split_parts(): there are materials of " + std::to_string(materials.size()) + " objects for " +
-                        std::to_string(objects.size()));
+                        std::to_string(objects.size()) + "; give those of each, or none");
   for (std::size_t i = 0; i < objects.size(); ++i)
     if (materials[i].size() != std::size_t(objects[i].mesh.triangles.cols()))
       throw Invalid_input("split_parts(): '" + objects[i].name + "' has " +
                           std::to_string(objects[i].mesh.triangles.cols()) + " triangles, but materials of " +
-                          std::to_string(materials[i].size()));
+                          std::to_string(materials[i].size()) + "; give one for each triangle");
 }
 
 /// The loose pieces of a model, and the parts made of them.
@@ -200,13 +200,15 @@ public:
       Model_piece& piece = result_.pieces[i];
       known.insert(piece.name);
       const auto part = part_of_piece.find(piece.name);
-      if (part == part_of_piece.end()) throw Invalid_input("the piece '" + piece.name + "' of the model is not listed");
+      if (part == part_of_piece.end())
+        throw Invalid_input("every piece must be listed, and '" + piece.name + "' of the model is not");
       if (part->second.empty()) continue;
       if (groups.count(part->second) == 0) names.push_back(part->second);
       groups[part->second].push_back(i);
     }
     for (const auto& [piece, part] : part_of_piece)
-      if (known.count(piece) == 0) throw Invalid_input("the model has no piece '" + piece + "'");
+      if (known.count(piece) == 0)
+        throw Invalid_input("only pieces of the model must be listed, and it has no '" + piece + "'");
     for (Model_piece& piece : result_.pieces)
       piece.part = no_part;
     for (const std::string& name : names)

@@ -33,7 +33,9 @@ void check_number_of_parts(const std::string& name, std::size_t parts)
 /// Checks numbers that come from the caller.
 void check_numbers(const Shape_structure& shape)
 {
-  const auto fail = [&shape](const std::string& what) { throw Invalid_input("shape '" + shape.name + "': " + what); };
+  const auto fail = [&shape](const std::string& what) {
+    throw Invalid_input("shape '" + shape.name + "': " + what + "; build its graph anew, or correct it");
+  };
   const Shape_frame& frame = shape.frame;
   if (!frame.origin.allFinite() || !frame.axes.allFinite() || !(frame.height > 0) || !std::isfinite(frame.height))
     fail("its frame is not finite, or has no height");
@@ -41,7 +43,7 @@ void check_numbers(const Shape_structure& shape)
     const Points& points = part.control_points();
     if (points.cols() < 2) fail("part '" + part.name + "' has fewer than two control points");
     if (!(points.array().abs() <= largest_coordinate).all()) // nor is NaN
-      fail("part '" + part.name + "' has a control point that is not finite or beyond 1e15; scale the shape down");
+      fail("part '" + part.name + "' has a control point that is not finite or beyond 1e15");
     for (double measure : {part.volume, part.hull_volume, part.area})
       if (!(measure >= 0 && measure <= largest_number))
         fail("part '" + part.name + "' has a volume or an area that is negative, not finite or beyond 1e50");
@@ -66,7 +68,8 @@ void check_groups(const std::vector<Part_group>& groups, std::size_t parts)
     for (std::size_t part : group.parts) {
       check_index("complete_structural_graph", "part", part, parts);
       if (std::exchange(is_in_group[part], 1) != 0)
-        throw Invalid_input("complete_structural_graph: part number " + std::to_string(part) + " is in two groups");
+        throw Invalid_input("complete_structural_graph: part number " + std::to_string(part) +
+                            " is in two groups; leave it in one");
     }
 }
 
@@ -91,9 +94,8 @@ void warn_of_branches(const std::vector<Part_abstraction>& parts, std::vector<st
   for (const Part_abstraction& part : parts)
     if (part.report.branching) names += (names.empty() ? "'" : ", '") + part.name + "'";
   if (!names.empty())
-    warnings.push_back(
-        "Parts that branch, so that a curve or sheet stands for each only roughly: " + names +
-        ". Divide them into parts of one branch (`--parts segments` divides a model file by thickness).");
+    warnings.push_back("Parts that branch, so that a curve or sheet stands for each only roughly: " + names +
+                       ". Divide them into parts of one branch, for example into segments.");
 }
 
 /// Detects groups, unless they are given, and makes the graph.

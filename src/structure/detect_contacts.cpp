@@ -222,7 +222,7 @@ private:
     });
     if (touching > most_contacts)
       throw Invalid_input("more than " + std::to_string(most_contacts) +
-                          " pairs of its parts touch: join parts, or remove those that lie in others");
+                          " pairs of its parts touch; join parts, or remove those that lie in others");
     std::vector<Near_pair> result;
     for (std::size_t k = 0; k < pairs.size(); ++k)
       if (closest[k]) result.push_back(numbered(pairs[k][0], pairs[k][1], *closest[k]));

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"
@@ -31,7 +32,7 @@ void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const S
                         const std::string& library)
 {
   out.precision(17);
-  out << "mtllib " << library << '\n';
+  out << "# " << mark_of_parts(shape.up()) << "\nmtllib " << library << '\n';
   int first = 1, corner = 1;
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
     const Part_mesh& mesh = shape.parts()[i].mesh;
@@ -101,7 +102,7 @@ void write_coloured_ply(std::ostream& out, const Segmented_shape& shape, const T
   std::vector<Ply_part> parts;
   for (std::size_t i = 0; i < shape.parts().size(); ++i)
     parts.push_back(coloured(shape, i, longest_edge, transferred, !labels.empty()));
-  write_ply(out, parts, labels);
+  write_ply(out, shape.up(), parts, labels);
 }
 
 } // namespace

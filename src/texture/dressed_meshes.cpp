@@ -179,6 +179,7 @@ void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, 
   for (std::size_t part = 0; part < shape.parts().size(); ++part) {
     const auto& [name, mesh] = shape.parts()[part];
     nodes.push_back(glb.add_node(name, materials.dressed(shaded(turn * mesh.points, mesh.triangles), part)));
+    glb.set_node_extras(nodes.back(), {{"part", part}});
   }
   glb.write(out, {{shape.name(), {glb.add_node(shape.name(), nodes, Point::Zero())}}});
 }

@@ -228,7 +228,8 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
                         " parts; it has " + std::to_string(source_shape.parts().size()));
   for (int label : labels)
     if (label < 0 || std::size_t(label) >= colours.size())
-      throw Invalid_input(source_shape.name() + ": there is no colour for label " + std::to_string(label));
+      throw Invalid_input(source_shape.name() + ": there is no colour for label " + std::to_string(label) +
+                          "; give one for each label");
   Transfer transfer(source, source_shape, target, target_shape, target_appearance, correspondence, options);
   for (std::size_t part = 0; part < target_shape.parts().size(); ++part) {
     const Part_mesh& mesh = target_shape.parts()[part].mesh;

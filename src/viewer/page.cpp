@@ -59,7 +59,8 @@ void write_text(std::ostream& out, const std::string& text)
 void write_page(std::ostream& out, const Page& page)
 {
   if (!shipped_viewer_is_complete)
-    throw Invalid_input("web pages are not available: the program was built without three.js (see README.md)");
+    throw Invalid_input("web pages are not available: the program was built without three.js; install that and build "
+                        "it again (see README.md)");
   std::string_view rest = text_of(shipped_viewer_page, shipped_viewer_page_size);
   for (std::size_t begin; (begin = rest.find('@')) != std::string_view::npos;) {
     const std::size_t end = rest.find('@', begin + 1);

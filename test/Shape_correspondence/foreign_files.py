@@ -35,6 +35,12 @@ def corners(box):
     return [((low, high)[i >> 2 & 1][0], (low, high)[i >> 1 & 1][1], (low, high)[i & 1][2]) for i in range(8)]
 
 
+def lying(boxes):
+    """The same with z up."""
+    turned = {n: [(p[0], -p[2], p[1]) for p in box] for n, box in boxes.items()}
+    return {n: tuple(tuple(f(a, b) for a, b in zip(*box)) for f in (min, max)) for n, box in turned.items()}
+
+
 def triangles_of(quads):
     return [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
 
@@ -163,12 +169,13 @@ def textured(texture_info, uv_sets, **document):
     return glb.data()
 
 
-def fbx(up, boxes=BOXES):
-    """An FBX file in text, whose axis `up` (y 1, z 2) is upright."""
-    turn = (lambda p: p) if up == 1 else (lambda p: (p[0], -p[2], p[1]))
+def fbx(up, boxes=BOXES, unit=1):
+    """An FBX file in text, whose axis `up` (y 1, z 2) is upright. The unit is in centimetres."""
+    turn = lambda p: tuple(100 / unit * x for x in (p if up == 1 else (p[0], -p[2], p[1])))
     properties = {"UpAxis": up, "UpAxisSign": 1, "FrontAxis": 3 - up, "FrontAxisSign": 1 if up == 1 else -1, "CoordAxis": 0,
                   "CoordAxisSign": 1}
     settings = "".join(f'P: "{n}", "int", "Integer", "",{v}\n' for n, v in properties.items())
+    settings += f'P: "UnitScaleFactor", "double", "Number", "",{unit}\n'
     objects = links = ""
     for i, (name, box) in enumerate(boxes.items()):
         points = ",".join("%g,%g,%g" % turn(p) for p in corners(box))
@@ -222,7 +229,7 @@ class Runner:
         if status:
             return []
         with open(os.path.join(self.folder, "p.json")) as file:
-            return sorted(piece["part"] for piece in json.load(file)["pieces"])
+            return sorted({piece["part"] for piece in json.load(file)["pieces"]})
 
     def match(self, a, b, *options):
         status, _, error, seconds = self.run("match", a, b, *options, "--json", "m.json", "--quiet")
@@ -439,9 +446,7 @@ def _(r):
 
 @kind("upright axis by command")
 def _(r):
-    lying = {n: tuple((p[0], -p[2], p[1]) for p in box) for n, box in BOXES.items()}
-    lying = {n: tuple(tuple(f(a, b) for a, b in zip(*box)) for f in (min, max)) for n, box in lying.items()}
-    r.write("z.obj", obj(lying))
+    r.write("z.obj", obj(lying(BOXES)))
     return f"{'z up' if 'z up' in r.summary('z.obj') else 'y up'}", "z up"
 
 
@@ -454,6 +459,122 @@ def _(r):
     match = r.match("copies.obj", "copies.obj")
     same = all(a == b for a, b in match["pairs"])
     return f"{len(match['pairs'])} pairs, {'the same' if same else 'others'}, {match.get('energy', -1):g}", "12 pairs, the same, 0"
+
+
+@kind("FBX in centimetres and metres")
+def _(r):
+    r.write("cm.fbx", fbx(1))
+    r.write("m.fbx", fbx(2, unit=100))
+    match = r.match("cm.fbx", "m.fbx")
+    return f"{len(match['pairs'])} pairs, {match.get('energy', -1):.4f}", "6 pairs, 0.0000"
+
+
+@kind("parts written and read back")
+def _(r):
+    order = ["back", "left legs", "right%41legs", "seat"]  # legs of two pieces each
+    pairs = obj(lying(BOXES), name=lambda n: {"leg_fl": "o left legs", "leg_fr": "o right%41legs"}.get(n, "" if n[:3] == "leg" else f"o {n}"))
+    r.write("z.obj", pairs)
+    r.run("parts", "z.obj", "--parts", "file", "--parts-json", "list.json")
+    told = []
+    for form in ("o.obj", "o.ply", "o.glb", "folder", "seg/z.seg"):
+        r.write("seg/z.obj", pairs)
+        said = r.said("parts", "z.obj" if form[:3] != "seg" else "seg/z.obj", "--parts", "file", "--up", "z", "-o", form)
+        back = "seg/z.obj" if form[:3] == "seg" else form
+        names = r.names(back)
+        match = r.match("z.obj", back, "--source-parts-from", "list.json", "--source-up", "z")
+        same = names == order and len(match["pairs"]) == 4 and all(a == b for a, b in match["pairs"])
+        if said or not same or (form != "o.glb" and match["energy"] > 1e-6):  # GLB has single precision
+            told.append(f"{form}: {said or names} {match.get('energy')} {match.get('error', '')}")
+    return "; ".join(told) or "the same parts", "the same parts"
+
+
+@kind("lists of labels written for another model")
+def _(r):
+    r.write("a.obj", obj())
+    r.write("b.obj", obj())
+    r.run("parts", "a.obj", "-o", "b.seg")
+    _, _, error, _ = r.run("graph", "b.obj", "-q", "-o", "g.json")
+    with open(os.path.join(r.folder, "g.json")) as file:
+        warnings = " ".join(json.load(file)["warnings"])
+    return f"{'written for' in error} {'written for' in warnings} {' '.join(r.names('b.obj'))}", f"True True {' '.join(sorted(BOXES))}"
+
+
+@kind("lists of labels that are none")
+def _(r):
+    r.write("m.obj", obj())
+    told = []
+    labels = [str(i // 6) for i in range(36)]
+    for line, text in ((4, "0.5"), (4, "-0"), (4, "leg"), (4, "1 2"), (4, "")):
+        r.write("l.seg", "\n".join(labels[:3] + [text] + labels[4:]) + "\n")
+        status, _, error, _ = r.run("parts", "m.obj", "--parts-from", "l.seg")
+        if status != 1 or f"line {line}" not in error or "; write one whole number" not in error:
+            told.append(f"{text}: {status} {error}")
+    r.write("l.seg", "\n".join(labels) + "\n\n# of faces\n\n")
+    told += [said for said in [r.said("parts", "m.obj", "--parts-from", "l.seg")] if said]
+    r.write("m.seg", "3\n" * 36)
+    told += [] if "no parts, since all faces have the label" in r.run("graph", "m.obj")[1] else ["one label: no note"]
+    return "; ".join(told) or "errors", "errors"
+
+
+@kind("labels of PLY in other words")
+def _(r):
+    files = [(f"{n}.ply", ply(face_property=([f"property int {n}"], lambda i: str(i // 6))))
+             for n in ("Label", "LABEL", "segmentation", "scalar_Label", "SegmentID")]
+    head, rest = ply().split("end_header\n")
+    rows = rest.split("\n")
+    rows = [f"{row} {i // 8}" for i, row in enumerate(rows[:48])] + rows[48:]
+    head = head.replace("element face", "property uchar label\nelement face")
+    # The pieces of one object would be six parts, too: three labels
+    files3 = [("vertices.ply", head + "end_header\n" + "\n".join(f"{row.rsplit(' ', 1)[0]} {i // 16}" if i < 48 else row
+                                                               for i, row in enumerate(rows)))]
+    one, six = parts_wanted(r, files3, 3), parts_wanted(r, files)
+    return f"{one[0]}, {six[0]}", f"{one[1]}, {six[1]}"
+
+
+@kind("objects without faces")
+def _(r):
+    r.write("m.obj", obj() + "o curve\nv 0 0 0\nv 1 0 0\nl 49 50\no nothing\n")
+    r.write("m.stl", text_stl() + "solid nothing\nendsolid nothing\n")
+    notes = [r.run("graph", f"m.{kind}", "--parts", "file")[1] for kind in ("obj", "stl")]
+    told = [name for note in notes for name in ("'curve'", "'nothing'") if name in note and "left out" in note]
+    return " ".join(told), "'curve' 'nothing' 'nothing'"
+
+
+@kind("URDF elements that lack something")
+def _(r):
+    told = []
+    for shape, word in (('cylinder length="1"', "radius"), ('cylinder radius="1"', "length"), ('sphere radius="-1"', "radius"),
+                        ("box", "size"), ('box size="1 1 0"', "size"), ('box size="1 1 1 1"', "size"), ("mesh", "filename"),
+                        ('mesh filename="a.obj" scale="1 0 1"', "scale")):
+        r.write("a.obj", obj())
+        links = "".join(f'<link name="{n}"><visual><geometry><{g}/></geometry></visual></link>' for n, g in
+                        (("base", 'sphere radius="1"'), ("arm", shape)))
+        r.write("r.urdf", f'<robot name="r">{links}<joint name="j"><parent link="base"/><child link="arm"/></joint></robot>')
+        status, _, error, _ = r.run("parts", "r.urdf")
+        element = shape.split()[0]
+        if status != 1 or not all(w in error for w in ("r.urdf", "link 'arm'", f"<{element}>", word, "; write" if "1 1 1" not in error else "; correct")):
+            told.append(f"{shape}: {status} {error.strip()[:80]}")
+    return "; ".join(told) or "errors", "errors"
+
+
+@kind("hierarchy of PartNet")
+def _(r):
+    files = {}
+    for i, (name, box) in enumerate(BOXES.items()):
+        files[name] = f"new-{i}"
+        r.write(f"173/objs/new-{i}.obj", obj({name: box}))
+    node = lambda name, objs=(), children=(): {"name": name, "text": name, **({"objs": list(objs)} if objs else {}),
+                                               **({"children": list(children)} if children else {})}
+    legs = [node("leg", [files[n]]) for n in BOXES if n[:3] == "leg"]
+    tree = [node("chair", children=[node("chair_seat", [files["seat"]]), node("chair_back", [files["back"]]),
+                                    node("chair_base", children=legs[:2] + [node("foot_pair", legs[2]["objs"] + legs[3]["objs"])])])]
+    r.write("173/result.json", json.dumps(tree))
+    got = " ".join(r.names("173"))
+    for objs, word in ((["new-9"], "new-9"), ([], "none of its nodes lists files")):
+        r.write("173/result_after_merging.json", json.dumps([node("chair", objs)]))
+        said = r.run("parts", "173")[2]
+        got += "" if word in said else f", {word}: {said}"
+    return got, "chair_back chair_seat foot_pair leg leg#2"
 
 
 @kind("far and tiny parts")

@@ -91,6 +91,22 @@ TEST_CASE("Faces of PLY with a property for parts are read as these parts")
     const std::string file = folder.write("a.ply", ply_boxes("property int "s + name, labels));
     CHECK(parts(IO::read_segmented_shape(file)) == Parts{{name + "_3"s, 8}, {name + "_7"s, 16}});
   }
+  for (const char* name : {"Label", "LABEL", "PartId", "scalar_Segment"}) {
+    const std::string file = folder.write("a.ply", ply_boxes("property int "s + name, labels));
+    CHECK(IO::read_segmented_shape(file).parts().size() == 2);
+  }
+  // Of corners of two labels a face has the more frequent one, else the lower one
+  const auto of_vertices = [](const std::string& numbers) {
+    return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+           "property uchar label\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+           "0 0 0 " +
+           numbers.substr(0, 1) + "\n1 0 0 " + numbers.substr(1, 1) + "\n0 1 0 " + numbers.substr(2, 1) + "\n0 0 1 " +
+           numbers.substr(3, 1) + "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  };
+  CHECK(parts(IO::read_segmented_shape(folder.write("a.ply", of_vertices("5511")))) ==
+        Parts{{"label_1", 2}, {"label_5", 2}});
+  CHECK(parts(IO::read_segmented_shape(folder.write("a.ply", of_vertices("9123")))) ==
+        Parts{{"label_1", 3}, {"label_2", 1}});
   CHECK(parts(IO::read_segmented_shape(folder.write(
             "a.ply", ply_boxes("property uchar part", labels, "comment part 3 front leg\ncomment part 7 %20a\n")))) ==
         Parts{{"front leg", 8}, {" a", 16}});
@@ -123,6 +139,17 @@ TEST_CASE("Lists of labels of faces make the parts of OBJ, OFF, PLY and STL")
   for (const char* text : {"0\n1\n", "seat\n1 2 3\n", "seat\n1 2 3 3 4 5 6 7 8 9 10 11 12\n", ""})
     CHECK_THAT(complaint([&] { read_with(obj, folder.write("l.seg", text)); }),
                Contains("l.seg") && (Contains("12 faces") || Contains("empty")));
+  const auto refusal = [&](const std::string& text) {
+    return complaint([&] { read_with(obj, folder.write("l.seg", text)); });
+  };
+  for (const char* second : {"leg", "0.5", "-0", "1 0", "1e0", "01"})
+    CHECK_THAT(refusal("0\n" + list("0", second)),
+               Contains("l.seg, line 8: '" + std::string(second) + "' is not a whole"));
+  CHECK_THAT(refusal("0\n\n" + list("0", "1").substr(4)), Contains("11 labels") && Contains("line 2 has none"));
+  CHECK_THAT(refusal("seat\n1 2 3\nback\n4 x\n"), Contains("line 4: 'x' is not the number of a face"));
+  CHECK_THAT(refusal("seat\n1 2 3\nback\n4 3\n"), Contains("line 4: face '3' has a label already"));
+  CHECK(parts(read_with(obj, folder.write("l.seg", "# part -1 seat\n" + list("-1", "1") + "\n# end\n\n"))) ==
+        Parts{{"seat", 12}, {"label_1", 12}});
   CHECK_THAT(complaint([&] { read_with(obj, folder.write("l.eseg", list("0", "1"))); }), Contains("edges"));
   CHECK_THAT(complaint([&] { read_with(obj, folder.path("none.seg")); }), Contains("none.seg"));
   // A face without area counts
@@ -142,6 +169,10 @@ TEST_CASE("A list of labels beside a model is read with it, if it fits")
   folder.write("m.seg", "1\n2\n");
   CHECK(IO::read_segmented_shape(model, Point::UnitY(), &warnings).parts().size() == 1);
   CHECK_THAT(warnings.at(1), Contains("m.seg") && Contains("left out"));
+  CHECK_THAT(run("graph " + quoted(model) + " --parts components --quiet").error, Contains("left out"));
+  folder.write("m.seg", list("0", "1") + "# faces of other.obj\n");
+  CHECK(IO::read_segmented_shape(model, Point::UnitY(), &warnings).parts().size() == 1);
+  CHECK_THAT(warnings.at(2), Contains("left out") && Contains("other.obj"));
 }
 
 TEST_CASE("Labels of faces are parts for every command, as they are")
@@ -193,15 +224,18 @@ TEST_CASE("Parts are written as objects, files and labels that read back as the 
   std::string expected;
   for (int face = 0; face < 30; ++face)
     expected += std::to_string(face / 6) + '\n';
-  CHECK(text_of(folder.path("all.seg")) == expected);
+  CHECK(text_of(folder.path("all.seg")) ==
+        expected +
+            "# faces of table.obj\n# part 0 top\n# part 1 leg_1\n# part 2 leg_2\n# part 3 leg_3\n# part 4 leg_4\n");
   // Labels of the parts that the program makes, of a model that is one object, are those of the list that it reads
   std::string boxes;
   for (int i = 0; i < 5; ++i)
     boxes += obj_box("", i, 2 * i, 0, 0, 1, 1, 1);
   const std::string whole = folder.write("whole.obj", boxes + "f 1 1 2\n");
   REQUIRE(run("parts " + quoted(whole) + " --parts components -o " + quoted(folder.path("whole.seg"))).status == 0);
-  CHECK(text_of(folder.path("whole.seg")) == expected + "4\n");
-  CHECK(IO::read_segmented_shape(whole).parts().size() == 5);
+  CHECK_THAT(text_of(folder.path("whole.seg")), Catch::Matchers::StartsWith(expected + "4\n# faces of whole.obj\n"));
+  CHECK(parts(IO::read_segmented_shape(whole)) ==
+        Parts{{"whole", 12}, {"whole#2", 12}, {"whole#3", 12}, {"whole#4", 12}, {"whole#5", 12}});
   for (const char* output : {"out.xyz", "-"})
     CHECK(run("parts " + quoted(model) + " -o " + output).status == 2);
   CHECK(run("parts " + quoted(model) + " " + quoted(whole) + " -o " + quoted(folder.path("two.obj"))).status == 2);
@@ -226,5 +260,8 @@ TEST_CASE("Files of parts have names that every system takes, all different")
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   CHECK(names == Names{"A_B#3", "__", "_con", "a_b", "a_b#2", std::string(200, 'n'), "object", "x_"});
-  CHECK(IO::read_segmented_shape(folder.path("parts")).parts().size() == wanted.size());
+  Parts expected;
+  for (const std::string& name : wanted)
+    expected[name.empty() ? "object" : name] = 12;
+  CHECK(parts(IO::read_segmented_shape(folder.path("parts"))) == expected);
 }

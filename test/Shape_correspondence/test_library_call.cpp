@@ -144,16 +144,30 @@ TEST_CASE("No failure of a library ends a command in another way than by a resul
       {"match", a, b, "--html", folder.path("match.html")},
       {"match", a, b, "--paper"},
       {"blend", a, b, "-o", folder.path("blend.glb")},
+      {"blend", a, b, "-o", folder.path("solid.obj"), "--at", "0.5", "--solid"},
       {"transfer", a, b, "-o", folder.path("transfer.ply"), "--labels", a},
       {"collection", folder.path("set"), "--skip-bad"}};
-  for (const char* call :
-       {"repair", "flow", "convex hull", "components", "segments", "polygon", "simplification", "section", "reading"}) {
+  for (const char* call : {"repair", "flow", "convex hull", "components", "segments", "polygon", "simplification",
+                           "section", "flat face", "wrap of a blend", "reading"}) {
     const Failing_calls failing(call);
     for (const std::vector<std::string>& words : commands) {
       CAPTURE(call, words[0]);
       CHECK_NOTHROW(outcome(words[0], {words.begin() + 1, words.end()}));
     }
   }
+}
+
+TEST_CASE("Without flat faces a surface keeps its triangles, and a blend without a wrap says what to do")
+{
+  const Temporary_folder folder;
+  const std::string table = folder.write("table.obj", table_text());
+  {
+    const Failing_calls failing("flat face");
+    CHECK_THAT(outcome("graph", {table}), Contains("leg_0") && !Contains("failed"));
+  }
+  const Failing_calls failing("wrap of a blend");
+  CHECK_THAT(outcome("blend", {table, table, "-o", folder.path("solid.obj"), "--at", "0.5", "--solid"}),
+             Contains("no closed surface around it; repair"));
 }
 
 TEST_CASE("A failure where a model is read is an error that names the file; collections skip it")

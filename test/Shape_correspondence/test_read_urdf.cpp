@@ -140,10 +140,26 @@ TEST_CASE("What is wrong in a URDF file is refused by its link, and what to do i
   CHECK_THAT(refused(link_of("a", box) + link_of("b", box) + joint("a", "b", "") + joint("a", "b", "")),
              Contains("link 'b' is the child of two joints"));
   CHECK_THAT(refused(link_of("a", "<box size=\"1 2\"/>")),
-             Contains("link 'a' has size='1 2'") && Contains("3 numbers"));
-  CHECK_THAT(refused(link_of("a", "<box size=\"1 2 nan\"/>")), Contains("link 'a' has size="));
+             Contains("link 'a' has a <box> with size='1 2'") && Contains("3 numbers"));
+  CHECK_THAT(refused(link_of("a", "<box size=\"1 2 nan\"/>")), Contains("link 'a' has a <box> with size="));
   CHECK_THAT(refused(link_of("a", "<box size=\"${w} 2 3\"/>")), Contains("xacro"));
   CHECK_THAT(refused("<xacro:property name=\"w\" value=\"2\"/>" + link_of("a", box)), Contains("xacro"));
+  const std::vector<std::pair<std::string, std::string>> incomplete{
+      {"<cylinder length=\"1\"/>", "<cylinder> without radius; write radius="},
+      {"<cylinder radius=\"1\"/>", "<cylinder> without length; write length="},
+      {"<cylinder radius=\"-1\" length=\"1\"/>", "radius='-1', which has no surface; write lengths over 0"},
+      {"<sphere/>", "<sphere> without radius; write radius="},
+      {"<sphere radius=\"1 2\"/>", "radius='1 2', which is not a number"},
+      {"<box/>", "<box> without size; write size="},
+      {"<box size=\"0 1 1\"/>", "size='0 1 1', which has no surface"},
+      {"<mesh/>", "<mesh> without filename; write filename="},
+      {"<mesh filename=\"b.obj\" scale=\"0 1 1\"/>", "scale='0 1 1', which leaves no surface"},
+      {"<box size=\"1 1 1\"/></geometry><origin xyz=\"1 2\"/><geometry>", "<origin> with xyz='1 2'"}};
+  for (const auto& [geometry, message] : incomplete)
+    CHECK_THAT(refused(link_of("a", box) + joint("a", "b", "") + link_of("b", geometry)),
+               Contains("link 'b' has a ") && Contains(message) && !Contains("--allow"));
+  CHECK_THAT(refused("<link/>"), Contains("a <link> has no name"));
+  CHECK_THAT(refused(link_of("a", box) + "<visual/>"), Contains("<visual> is in no link"));
   CHECK_THAT(refused(link_of("a", "<capsule radius=\"1\"/>")),
              Contains("link 'a'") && Contains("replace it by a mesh"));
   CHECK_THAT(refused(link_of("a", "<mesh filename=\"none.stl\"/>")), Contains("link 'a' has the mesh 'none.stl'"));

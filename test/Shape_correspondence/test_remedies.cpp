@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <random>
+#include <regex>
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -129,6 +130,29 @@ TEST_CASE("The remedies of the table say what to do, and are added where there i
         IO::remedy::install_again, IO::remedy::write_elsewhere}) {
     CHECK(says_what_to_do(IO::with_remedy("a: it is 'x; y'", remedy)));
     CHECK(IO::with_remedy("a: it is bad; repair it", remedy) == "a: it is bad; repair it");
+  }
+}
+
+TEST_CASE("Messages of the library name no switch of the program, and its errors say what to do")
+{
+  const fs::path sources = fs::path(SHAPE_CORRESPONDENCE_DATA_DIR).parent_path() / "src";
+  const std::regex literals("\"([^\"\\\\\n]|\\\\.)*\""), switches("(\"|[ (`])--[a-z]");
+  const std::regex errors("throw Invalid_input\\(([^;]|; )*\\);");
+  const std::regex remedies(
+      "; |must|between|needs?[ \"]|at (least|most)|too_many_parts|numbered from 0|\\((fault|text\\.str\\(\\)|what)\\)");
+  for (const auto& entry : fs::recursive_directory_iterator(sources)) {
+    const std::string room = *fs::relative(entry.path(), sources).begin();
+    const bool is_source = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
+    if (!is_source || room == "cli" || room == "io" || room == "import" || entry.path().stem() == "image_file")
+      continue;
+    const std::string text = text_of(entry.path());
+    INFO(entry.path());
+    for (std::sregex_iterator literal(text.begin(), text.end(), literals), end; literal != end; ++literal)
+      CHECK_FALSE(std::regex_search(literal->str(), switches));
+    for (std::sregex_iterator error(text.begin(), text.end(), errors), end; error != end; ++error) {
+      INFO(error->str());
+      CHECK(std::regex_search(error->str(), remedies));
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/deadline.h"
 #include "hand_made_graphs.h"
+#include "matching/match_parts.h"
 #include "random_tables.h"
 #include "search/Tangents.h"
 #include "search/beam_search.h"
@@ -113,6 +114,22 @@ TEST_CASE("The tables of a search look at the clock")
   internal::Tangents tangents(energy, order, 4, after(30));
   internal::Tangent_bound bound = tangents.make();
   CHECK_THROWS_AS(tangents.touch({1}, bound), internal::Out_of_time);
+}
+
+TEST_CASE("Distances of surfaces look at the clock; without time for them boxes are compared")
+{
+  const Aligned_shape chair = align_shape(hand_made::slatted_chair());
+  const Part_matching_options options;
+  const internal::Shape_features features(chair, options);
+  for (int looks : {1, 3}) {
+    const internal::Deadline late = after(looks);
+    CHECK_THROWS_AS(part_costs(features, features, options, &late), internal::Out_of_time);
+  }
+  const Eigen::MatrixXd costs = part_costs(features, features, options, nullptr);
+  CHECK(costs.diagonal().isApprox(costs.rowwise().minCoeff()));
+  const internal::Deadline over(0);
+  CHECK_THROWS_AS(match_parts(features, features, options, {}, &over), internal::Out_of_time);
+  CHECK(match_parts(features, features, options, {}, nullptr).pairs.size() >= chair.parts.size());
 }
 
 TEST_CASE("A search that would take gigabytes gives the match by parts, and says so")

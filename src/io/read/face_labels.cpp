@@ -4,96 +4,155 @@
 #include "base/limits.h"
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
+#include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// Collects labels of faces by their texts.
-class Label_collector
+struct Line
+{
+  std::size_t number;
+  std::string_view text;
+};
+
+/// Reads a list of labels; complaints name it, the line, and what to write.
+class Label_list
 {
 public:
-  explicit Label_collector(std::size_t faces) { labels_.of_faces.reserve(faces); }
-
-  int index_of(std::string_view text)
+  Label_list(std::string_view text, const std::string& name, std::size_t faces) : name_(name), faces_(faces)
   {
-    const auto [known, is_new] = known_.emplace(text, int(labels_.names.size()));
+    for (std::size_t number = 1; !text.empty(); ++number) {
+      const std::string_view line = trimmed(next_line(text));
+      if (begins_with(line, "#"))
+        read_comment(line.substr(1));
+      else if (const std::string_view label = trimmed(without_comment(line)); !label.empty())
+        lines_.push_back({number, label});
+    }
+  }
+
+  Face_labels read()
+  {
+    if (lines_.empty()) throw Invalid_input(name_ + ": it has no labels; " + wanted());
+    if (!begins_with_number(lines_[0].text))
+      read_names();
+    else if (lines_.size() == 1)
+      for (std::string_view rest = lines_[0].text; !trimmed(rest).empty();)
+        add_number({lines_[0].number, next_word(rest)});
+    else
+      for (const Line& line : lines_)
+        add_number(line);
+    if (const std::size_t labels = labels_.of_faces.size(); labels != faces_)
+      throw Invalid_input(name_ + ": it has " + std::to_string(labels) + " labels, but the model has " +
+                          std::to_string(faces_) + " faces" + blank_line() + "; " + wanted());
+    return std::move(labels_);
+  }
+
+private:
+  std::string wanted() const
+  {
+    return "write one whole number for each of the model's " + std::to_string(faces_) +
+           " faces, a line each, in the order of the model file";
+  }
+
+  [[noreturn]] void fail(const Line& line, const std::string& what) const
+  {
+    throw Invalid_input(name_ + ", line " + std::to_string(line.number) + ": " + what + "; " + wanted());
+  }
+
+  /// Where a label may be missing.
+  std::string blank_line() const
+  {
+    for (std::size_t i = 1; i < lines_.size(); ++i)
+      if (lines_[i].number != lines_[i - 1].number + 1)
+        return ", and line " + std::to_string(lines_[i - 1].number + 1) + " has none";
+    return "";
+  }
+
+  /// What `parts` writes at the end: the model, and the names of numbers.
+  void read_comment(std::string_view comment)
+  {
+    const std::string_view keyword = next_word(comment);
+    if (keyword == "faces" && next_word(comment) == "of")
+      labels_.model = percent_decoded(std::string(trimmed(comment)));
+    if (keyword != "part") return;
+    const std::string number(next_word(comment));
+    names_.emplace(number, percent_decoded(std::string(trimmed(comment))));
+  }
+
+  static bool begins_with_number(std::string_view text)
+  {
     double number = 0;
-    if (is_new) labels_.names.push_back((parse(text, number) ? "label_" : "") + known->first);
+    return parse(next_word(text), number);
+  }
+
+  int index_of(const std::string& name)
+  {
+    const auto [known, is_new] = known_.emplace(name, int(labels_.names.size()));
+    if (is_new) labels_.names.push_back(name);
     return known->second;
   }
 
-  void add(std::string_view text) { labels_.of_faces.push_back(index_of(text)); }
+  void add_number(const Line& line)
+  {
+    long long number = 0;
+    const bool is_whole = parse(line.text, number) && std::to_string(number) == line.text;
+    if (!is_whole) fail(line, cited(line.text) + " is not a whole number");
+    const auto name = names_.find(std::string(line.text));
+    labels_.of_faces.push_back(index_of(name == names_.end() ? "label_" + std::string(line.text) : name->second));
+  }
 
-  Face_labels& labels() { return labels_; }
+  void read_names()
+  {
+    const bool are_names =
+        std::none_of(lines_.begin(), lines_.end(), [](const Line& line) { return begins_with_number(line.text); });
+    if (!are_names) return read_numbers_by_name();
+    for (const Line& line : lines_)
+      labels_.of_faces.push_back(index_of(std::string(line.text)));
+  }
 
-private:
-  std::map<std::string, int> known_;
+  void read_numbers_by_name()
+  {
+    std::vector<int> labels(faces_, -1);
+    int label = -1;
+    for (const Line& line : lines_) {
+      if (!begins_with_number(line.text)) {
+        label = index_of(std::string(line.text));
+        continue;
+      }
+      std::string_view rest = line.text;
+      for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+        std::size_t face = 0;
+        if (!parse(word, face) || face < 1 || face > faces_) fail(line, cited(word) + " is not the number of a face");
+        if (std::exchange(labels[face - 1], label) >= 0) fail(line, "face " + cited(word) + " has a label already");
+      }
+    }
+    const auto missing = std::find(labels.begin(), labels.end(), -1);
+    if (missing != labels.end())
+      throw Invalid_input(name_ + ": face " + std::to_string(missing - labels.begin() + 1) + " of the model's " +
+                          std::to_string(faces_) + " faces has no label; give each face one");
+    labels_.of_faces = std::move(labels);
+  }
+
+  const std::string& name_;
+  std::size_t faces_;
+  std::vector<Line> lines_;
+  std::map<std::string, std::string> names_; ///< of parts, by number
+  std::map<std::string, int> known_;         ///< index of a name
   Face_labels labels_;
 };
-
-/// The lines of a list that are more than blanks and a comment.
-std::vector<std::string_view> lines_of(std::string_view text)
-{
-  std::vector<std::string_view> result;
-  while (!text.empty())
-    if (const std::string_view line = trimmed(without_comment(next_line(text))); !line.empty()) result.push_back(line);
-  return result;
-}
-
-std::vector<std::string_view> words_of(const std::vector<std::string_view>& lines)
-{
-  std::vector<std::string_view> result;
-  for (std::string_view line : lines)
-    for (std::string_view word = next_word(line); !word.empty(); word = next_word(line))
-      result.push_back(word);
-  return result;
-}
-
-/// Reads a list that has a line with a name, and then lines with the numbers of its faces, for each part.
-/// \return whether it is such a list, of each face once
-bool read_numbers_by_name(const std::vector<std::string_view>& lines, std::size_t faces, Label_collector& collector)
-{
-  std::vector<int>& labels = collector.labels().of_faces;
-  labels.assign(faces, -1);
-  int label = -1;
-  std::size_t labelled = 0;
-  for (std::string_view line : lines) {
-    std::string_view rest = line;
-    std::size_t number = 0;
-    if (!parse(next_word(rest), number)) {
-      label = collector.index_of(line);
-      continue;
-    }
-    for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
-      if (label < 0 || !parse(word, number) || number < 1 || number > faces || labels[number - 1] >= 0) return false;
-      labels[number - 1] = label;
-      ++labelled;
-    }
-  }
-  return labelled == faces;
-}
 
 } // namespace
 
 Face_labels read_face_labels(std::string_view text, const std::string& name, std::size_t number_of_faces)
 {
-  const std::vector<std::string_view> lines = lines_of(text), words = words_of(lines);
-  Label_collector collector(number_of_faces);
-  const bool has_lines = lines.size() == number_of_faces;
-  if (has_lines || words.size() == number_of_faces)
-    for (std::string_view label : has_lines ? lines : words)
-      collector.add(label);
-  else if (!read_numbers_by_name(lines, number_of_faces, collector))
-    throw Invalid_input(name + ": it has " + std::to_string(words.size()) + " labels, but the model has " +
-                        std::to_string(number_of_faces) +
-                        " faces; a list has a label for each face, in the order of the model file, not for vertices, "
-                        "edges or points");
-  return std::move(collector.labels());
+  return Label_list(text, name, number_of_faces).read();
 }
 
 void divide_by_labels(const Face_labels& labels, Model_content& content)
@@ -102,7 +161,11 @@ void divide_by_labels(const Face_labels& labels, Model_content& content)
   if (number > internal::most_parts)
     content.warnings.push_back("The labels of faces make no parts, since there are " +
                                internal::too_many_parts(number) + ".");
-  if (number == 1 && content.parts.size() == 1) content.parts[0].name = labels.names[std::size_t(labels.of_faces[0])];
+  const std::string& only = labels.names[std::size_t(labels.of_faces[0])];
+  if (number == 1 && content.parts.size() == 1) content.parts[0].name = only;
+  if (number == 1 && content.parts.size() > 1)
+    content.warnings.push_back("The labels of faces make no parts, since all faces have the label " + cited(only) +
+                               ".");
   if (number < 2 || number > internal::most_parts) return;
   std::vector<Model_part> parts(labels.names.size());
   for (const Model_part& part : content.parts) {

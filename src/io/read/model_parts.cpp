@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/read/model_parts.h"
+#include "base/number_text.h"
 #include "io/read/Gltf_document.h"
+#include "io/read/text_words.h"
 #include "shape/first_in_place.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <cmath>
 
 namespace CGAL::Shape_correspondence::IO {
 
@@ -21,6 +25,31 @@ Model_content read_gltf_parts(std::string_view text, const std::string& file, co
       throw Invalid_input(error.what() + (" (it needs " + needs.what + ")"));
     }
   }
+}
+
+namespace {
+
+constexpr std::string_view beginning_of_mark = "shape_correspondence parts, up ";
+
+} // namespace
+
+std::string mark_of_parts(const Point& up)
+{
+  std::string result(beginning_of_mark);
+  for (int axis = 0; axis < 3; ++axis)
+    result += (axis > 0 ? " " : "") + internal::number_text(up[axis]);
+  return result;
+}
+
+std::optional<Point> up_in_mark(std::string_view comment)
+{
+  if (!begins_with(comment, beginning_of_mark)) return std::nullopt;
+  comment.remove_prefix(beginning_of_mark.size());
+  Point up;
+  for (double& coordinate : up)
+    if (!parse(next_word(comment), coordinate)) return std::nullopt;
+  if (!(std::abs(up.norm() - 1) < 1e-6)) return std::nullopt; // nor is NaN
+  return up;
 }
 
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept)

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,7 +33,15 @@ struct Face_labels
 {
   std::vector<int> of_faces; ///< index of its name for each face
   std::vector<std::string> names = {};
+  std::string model = {}; ///< the name of the file that they were written for; empty: not known
 };
+
+/// What comments say in files that the program writes: that the objects of the file are the parts, whose names have
+/// %XX for special characters, and which direction is up.
+std::string mark_of_parts(const Point& up);
+
+/// The upright direction in such a comment; none if it is another one.
+std::optional<Point> up_in_mark(std::string_view comment);
 
 /// What a model file holds.
 struct Model_content
@@ -41,11 +50,12 @@ struct Model_content
   std::size_t faces_left_out = 0;  ///< those of fewer than three corners
   std::size_t number_of_faces = 0; ///< that `Model_part::faces` number
   std::vector<Surface_material> materials = {};
-  std::vector<Texture> textures = {};      ///< those without bytes are files of that name
-  bool are_labelled = false;               ///< the parts are labels of faces
-  std::vector<std::string> warnings = {};  ///< on what was left out or replaced
-  bool materials_are_names = false;        ///< they are defined in libraries
-  std::vector<std::string> libraries = {}; ///< files of materials
+  std::vector<Texture> textures = {};          ///< those without bytes are files of that name
+  bool are_labelled = false;                   ///< the parts are labels of faces, or marked as parts
+  std::vector<std::string> without_faces = {}; ///< the names of objects that were left out
+  std::vector<std::string> warnings = {};      ///< on what was left out or replaced
+  bool materials_are_names = false;            ///< they are defined in libraries
+  std::vector<std::string> libraries = {};     ///< files of materials
   std::vector<std::string> warnings_of_looks = {};
   Point up = Point::Zero(); ///< as the file says; zero: it does not
 };
@@ -70,8 +80,11 @@ Model_content read_urdf_parts(const std::string& text, const std::string& file, 
 /// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
 Model_content import_parts(const std::string& file, const Reading_options& options);
 
-/// The labels in a list for the faces of a model, in their order: a line or word for each face, or lines with a name
-/// and lines with the numbers of its faces, from 1 on. \param name of the list, for messages \throw Invalid_input
+/// The labels in a list for the faces of a model, in their order: a line with a whole number for each face, or with a
+/// name for each; or lines with a name, each with lines of the numbers of its faces after it, from 1 on. Blank lines
+/// and comments, which begin with #, are none; `# part NUMBER NAME` names a number. \param name of the list, for
+/// messages
+/// \throw Invalid_input
 Face_labels read_face_labels(std::string_view text, const std::string& name, std::size_t number_of_faces);
 
 /// Makes parts of a model anew, one for each label of its faces; if it is one label only, or they are more than parts

@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::IO {
 // What the program shape_correspondence_import writes: the mark of its version, a character that says what follows, and
 // the content of a model, or a complaint. Both ends are of one machine and one build.
 
-constexpr std::string_view import_mark = "shape_correspondence import 3\n";
+constexpr std::string_view import_mark = "shape_correspondence import 4\n";
 constexpr char has_content = 'c', has_complaint = 'e';
 constexpr int out_of_memory_status = 3; ///< of the program, which then writes nothing
 
@@ -33,9 +33,11 @@ void exchange(Stream& stream, Content& content)
   };
   value(content.faces_left_out);
   value(content.up);
-  stream.size(content.warnings_of_looks, 1);
-  for (auto& warning : content.warnings_of_looks)
-    values(warning);
+  for (auto* texts : {&content.warnings_of_looks, &content.without_faces}) {
+    stream.size(*texts, 1);
+    for (auto& text : *texts)
+      values(text);
+  }
   stream.size(content.materials, 1);
   for (auto& material : content.materials) {
     values(material.name);

@@ -4,6 +4,7 @@
 #include "base/limits.h"
 #include "io/read/Gltf_document.h"
 #include "io/read/part_names.h"
+#include "io/read/text_words.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -80,11 +81,15 @@ public:
 
   Model_content read(const std::string& file)
   {
+    const Json_field& root = document_.root();
+    is_written_ = root.has("asset") && root["asset"].has("generator") &&
+                  begins_with(root["asset"]["generator"].text(), "Shape_correspondence ");
     for (const Json_field& material : document_.list("materials"))
       add_material(material);
     visit_nodes();
     if (content_.parts.empty()) throw Invalid_input(file + ": there is no triangle in it; give every part a mesh");
-    name_parts_by_tree(tree_, node_of_part_, meshes_, content_.parts);
+    content_.are_labelled = is_written_ && parts_written_ == content_.parts.size();
+    if (!content_.are_labelled) name_parts_by_tree(tree_, node_of_part_, meshes_, content_.parts);
     content_.warnings_of_looks = document_.warnings_of_looks();
     return std::move(content_);
   }
@@ -289,7 +294,8 @@ private:
     if (part.name.empty()) part.name = mesh_name;
     for (const Json_field& primitive : mesh["primitives"].elements())
       add_primitive(primitive, to_world, part);
-    if (part.corners.empty()) return;
+    if (part.corners.empty()) return content_.without_faces.push_back(part.name);
+    parts_written_ += is_written_ && node.has("extras") && node["extras"].has("part");
     content_.parts.push_back(std::move(part));
     meshes_.push_back(mesh_name);
   }
@@ -365,7 +371,9 @@ private:
   std::vector<Place> places_;   ///< by material
   std::vector<Tree_node> tree_; ///< each node after its parent
   std::vector<int> node_of_part_;
-  std::vector<std::string> meshes_;                                             ///< the names of those of the parts
+  bool is_written_ = false;         ///< by this program
+  std::size_t parts_written_ = 0;   ///< those whose nodes say that they are parts
+  std::vector<std::string> meshes_; ///< the names of those of the parts
   std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image
 };
 

@@ -6,6 +6,7 @@
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
+#include "io/system/quoting.h"
 #include "shape/Loose_piece.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -71,6 +72,8 @@ private:
   {
     std::string_view line = lines_.next();
     if (begins_with(line, painted_vertices)) read_painted_vertices(line.substr(painted_vertices.size()));
+    if (begins_with(line, "# "))
+      if (const std::optional<Point> up = up_in_mark(line.substr(2))) up_ = up;
     line = trimmed(without_comment(line));
     if (line.empty() || line.back() != '\\' || !has_numbers(line)) return line;
     joined_.clear();
@@ -154,10 +157,10 @@ private:
     coordinates_.emplace_back(at.x(), 1 - at.y());
   }
 
-  static std::string name_of(std::string_view statement, const std::string& otherwise)
+  std::string name_of(std::string_view statement, const std::string& otherwise) const
   {
     const std::string name(trimmed(statement));
-    return name.empty() ? otherwise : name;
+    return name.empty() ? otherwise : up_ ? percent_decoded(name) : name;
   }
 
   void read_face(std::string_view statement)
@@ -278,12 +281,24 @@ private:
     return sets;
   }
 
+  /// Leaves them out. Groups may be empty: programs write `g` before vertices, too.
+  void note_objects_without_faces()
+  {
+    std::set<std::string> have_faces;
+    for (const Section& section : sections_)
+      if (!section.polygons.empty()) have_faces.insert(section.object);
+    for (const Section& section : sections_)
+      if (have_faces.insert(section.object).second && !section.object.empty()) without_faces_.push_back(section.object);
+    const auto is_empty = [](const Section& section) { return section.polygons.empty(); };
+    sections_.erase(std::remove_if(sections_.begin(), sections_.end(), is_empty), sections_.end());
+  }
+
   /// Joins groups that are no parts: one that is named again and goes on with its own vertices, and those of an object
   /// that share vertices, which name faces of a surface - unless the file would then be one part.
   void join_groups()
   {
-    const auto is_empty = [](const Section& section) { return section.polygons.empty(); };
-    sections_.erase(std::remove_if(sections_.begin(), sections_.end(), is_empty), sections_.end());
+    note_objects_without_faces();
+    if (up_) return; // the objects are parts
     internal::Disjoint_sets sets = sections_with_shared_vertices(true);
     if (sets.number_of_sets() == 1) sets = sections_with_shared_vertices(false);
     std::vector<Section> joined;
@@ -304,7 +319,7 @@ private:
   /// In a file of one object materials stand for objects where its pieces do not.
   void divide_by_materials()
   {
-    if (sections_.size() != 1) return;
+    if (sections_.size() != 1 || up_) return;
     const Section whole = sections_[0];
     std::map<std::string, std::size_t> number;
     std::vector<Section> divided;
@@ -345,6 +360,9 @@ private:
       result.materials.push_back({material, Eigen::Vector4d::Ones(), -1});
     result.materials_are_names = true;
     result.libraries = libraries_;
+    result.without_faces = without_faces_;
+    result.are_labelled = up_.has_value();
+    result.up = up_.value_or(Point::Zero());
     if (result.parts.empty())
       throw Invalid_input(
           file_ + ": there is no face in it: it is not a Wavefront OBJ model, or an empty one; give every part a mesh");
@@ -363,7 +381,9 @@ private:
   std::vector<Eigen::Vector2f> coordinates_;
   std::vector<std::string> materials_, libraries_; ///< names
   std::map<std::string, int> material_numbers_;
-  int material_ = -1; ///< of the faces that come next
+  int material_ = -1;                      ///< of the faces that come next
+  std::vector<std::string> without_faces_; ///< names of objects
+  std::optional<Point> up_;                ///< of a file that this program wrote
 };
 
 } // namespace

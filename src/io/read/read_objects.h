@@ -15,6 +15,9 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
+/// The beginning of the warning that a list of labels beside a model cannot be used.
+constexpr const char* labels_left_out = "The labels of faces beside the model were left out: ";
+
 /// The objects of a model, as its files have them.
 struct Model_objects
 {

@@ -15,6 +15,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 
 // An own reader for PLY, of all its encodings and number types: CGAL's and assimp's trust the counts in the file.
 
@@ -75,10 +76,19 @@ int use_of(const std::string& name)
 
 constexpr int most_textures = 1000; // of a file
 
-/// Properties of faces that say which part they are of, the finest first.
-constexpr const char* part_properties[] = {"part",       "part_id",     "segment",   "segment_id", "seg",
-                                           "instance",   "instance_id", "object_id", "label",      "labels",
-                                           "face_label", "category_id", "class",     "class_id"};
+/// Properties of faces or vertices that say which part they are of, the finest first: in small letters, and without
+/// underscores and the "scalar" that CloudCompare writes before them.
+constexpr const char* part_properties[] = {
+    "part",         "partid",   "partlabel",  "segment",  "segmentid",  "segments", "segid",   "seg",
+    "segmentation", "instance", "instanceid", "objectid", "label",      "labels",   "labelid", "facelabel",
+    "vertexlabel",  "semantic", "semanticid", "category", "categoryid", "class",    "classid", "classification"};
+
+bool is_part_property(const Ply_property& property, std::string_view wanted)
+{
+  std::string name = lower(property.name);
+  name.erase(std::remove(name.begin(), name.end(), '_'), name.end());
+  return !property.count_type && (name == wanted || name == "scalar" + std::string(wanted));
+}
 
 struct Ply_element
 {
@@ -117,7 +127,9 @@ public:
     add_textures(part.appearance);
     result_.number_of_faces = faces_.size() + result_.faces_left_out;
     result_.parts.push_back(std::move(part));
+    if (!labels_of_vertices_.empty() && labels_.empty()) label_faces_by_vertices();
     if (!labels_.empty()) divide_by_labels(face_labels(), result_);
+    result_.are_labelled = result_.are_labelled || is_written_;
     return std::move(result_);
   }
 
@@ -203,6 +215,18 @@ private:
     }
   }
 
+  /// A face has the label of most of its corners, of equally many the lowest.
+  void label_faces_by_vertices()
+  {
+    for (const std::vector<double>& face : faces_) {
+      std::map<double, int> corners; // by label
+      for (double index : face)
+        ++corners[labels_of_vertices_[std::size_t(index)]];
+      const auto fewer = [](const auto& one, const auto& other) { return one.second < other.second; };
+      labels_.push_back(std::max_element(corners.begin(), corners.end(), fewer)->first);
+    }
+  }
+
   /// The labels of all faces, in the order of their numbers.
   Face_labels face_labels() const
   {
@@ -251,6 +275,10 @@ private:
   /// A texture, or what this program writes: the name of a number of a part or label.
   void read_comment(std::string_view line)
   {
+    if (const std::optional<Point> up = up_in_mark(trimmed(line))) {
+      result_.up = *up;
+      is_written_ = true;
+    }
     const std::string_view keyword = next_word(line);
     if (keyword == "TextureFile" && textures_.size() < most_textures) textures_.emplace_back(trimmed(line));
     if (keyword != "part" && keyword != "label") return;
@@ -258,16 +286,18 @@ private:
     names_.emplace(std::string(keyword) + ' ' + std::string(number), percent_decoded(std::string(trimmed(line))));
   }
 
-  /// Finds the property of faces that makes parts, if there is one.
+  /// Finds the property of faces, or else of vertices, that makes parts, if there is one.
   void choose_part_property()
   {
-    for (Ply_element& element : elements_)
-      for (const char* name : part_properties)
-        for (Ply_property& property : element.properties)
-          if (element.name == "face" && !property.count_type && property.name == name && part_property_.empty()) {
-            property.use = part_number;
-            part_property_ = name;
-          }
+    for (const char* wanted : {"face", "vertex"})
+      for (Ply_element& element : elements_)
+        for (const char* name : part_properties)
+          for (Ply_property& property : element.properties)
+            if (element.name == wanted && part_property_.empty() && is_part_property(property, name)) {
+              property.use = part_number;
+              part_property_ = lower(property.name);
+              vertices_are_labelled_ = element.name == "vertex";
+            }
   }
 
   void read_format(std::string_view word)
@@ -339,7 +369,7 @@ private:
           is_face = read_list(element, property, values) || is_face;
         else
           values.set(property, next(*property.type));
-      if (is_face && !part_property_.empty()) labels_.push_back(values.label);
+      if (is_face && !part_property_.empty() && !vertices_are_labelled_) labels_.push_back(values.label);
       if (is_face && (values.has_looks() || !face_looks_.empty())) {
         faces_have_coordinates_ = faces_have_coordinates_ || !values.corners.empty();
         face_looks_.resize(faces_.size());
@@ -354,6 +384,7 @@ private:
   {
     if (values.coordinates != 3) fail("its vertices do not have the properties x, y and z");
     points_.push_back(values.point);
+    if (vertices_are_labelled_) labels_of_vertices_.push_back(values.label);
     if (!values.has_looks()) return;
     vertices_.resize(points_.size());
     vertices_.back() = std::move(values);
@@ -440,10 +471,12 @@ private:
   std::vector<Values> vertices_, face_looks_; ///< of `points_` and `faces_`, as far as they are known
   std::vector<std::size_t> numbers_;          ///< of `faces_`, with those that are left out
   bool faces_have_coordinates_ = false;
-  std::vector<std::string> textures_;        ///< files
-  std::string part_property_;                ///< of faces; empty: there is none
-  std::vector<double> labels_;               ///< of `faces_`, by this property
-  std::map<std::string, std::string> names_; ///< of parts and labels, by keyword and number
+  std::vector<std::string> textures_;               ///< files
+  std::string part_property_;                       ///< of faces or vertices; empty: there is none
+  bool vertices_are_labelled_ = false;              ///< by this property, not faces
+  std::vector<double> labels_, labels_of_vertices_; ///< of `faces_` and `points_`, by this property
+  bool is_written_ = false;                         ///< by this program
+  std::map<std::string, std::string> names_;        ///< of parts and labels, by keyword and number
   Model_content result_;
 };
 

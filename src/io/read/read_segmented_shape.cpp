@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
+#include "io/read/part_hierarchy.h"
 #include "io/read/read_objects.h"
+#include "io/read/text_words.h"
 #include "io/system/checked_file.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
@@ -82,11 +84,16 @@ void label_faces(const std::string& file, const Reading_options& options, Model_
   const Named_file found = Named_files{file, options, largest_model, rest}.read(list.filename().string());
   try {
     if (!found.fault.empty()) throw Invalid_input("it " + found.fault);
-    divide_by_labels(read_face_labels(found.bytes, list.string(), content.number_of_faces), content);
-    content.warnings.push_back("The parts are the labels of faces in " + list.filename().string() + ".");
+    const Face_labels labels = read_face_labels(found.bytes, list.string(), content.number_of_faces);
+    const std::string name = fs::path(file).filename().string();
+    if (!labels.model.empty() && labels.model != name)
+      throw Invalid_input(list.string() + ": it was written for the faces of " + cited_file(labels.model) +
+                          "; if it is for this model, say so with --parts-from");
+    divide_by_labels(labels, content);
+    if (content.are_labelled)
+      content.warnings.push_back("The objects are the labels of faces in " + list.filename().string() + ".");
   } catch (const Invalid_input& fault) {
-    content.warnings.push_back("The labels of faces beside the model were left out: " + std::string(fault.what()) +
-                               ".");
+    content.warnings.push_back(labels_left_out + std::string(fault.what()) + ".");
   }
 }
 
@@ -98,11 +105,13 @@ Model_content read_robot(const std::string& text, const std::string& file, const
                          const Reading_options& options, const Complete_looks& complete,
                          std::vector<std::string>& warnings)
 {
-  return read_urdf_parts(text, file, folder, options, [&](const std::string& mesh) {
+  Model_content robot = read_urdf_parts(text, file, folder, options, [&](const std::string& mesh) {
     Model_content content = read_parts(mesh, true, folder, options, {}, warnings);
     if (complete) complete(mesh, content, warnings);
     return content;
   });
+  if (complete) warnings.insert(warnings.end(), robot.warnings_of_looks.begin(), robot.warnings_of_looks.end());
+  return robot;
 }
 
 /// What a file holds. \param complete for the meshes that a robot names, which have materials of their own; may be
@@ -125,6 +134,8 @@ Model_content read_parts(const std::string& file, bool are_parts, const std::str
                           : is_urdf(extension) ? read_robot(text, file, folder, options, complete, warnings)
                                                : import_parts(file, options);
   if (!are_parts) label_faces(file, options, content);
+  for (std::string& name : content.without_faces)
+    name = utf8_text(name);
   for (Model_part& part : content.parts)
     part.name = utf8_text(part.name);
   return content;
@@ -179,9 +190,20 @@ void check_number_of_parts(const std::string& path, std::size_t parts)
   if (parts > internal::most_parts) throw Invalid_input(path + ": it has " + internal::too_many_parts(parts));
 }
 
-void warn(std::size_t number, const std::string& of_what, std::vector<std::string>& warnings)
+void warn(std::size_t number, const std::string& of_what, std::vector<std::string>& warnings,
+          const std::string& names = "")
 {
-  if (number > 0) warnings.push_back(of_what + " were left out: " + std::to_string(number) + ".");
+  if (number > 0) warnings.push_back(of_what + " were left out: " + std::to_string(number) + names + ".");
+}
+
+/// Names in brackets, the first ones.
+std::string in_brackets(const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 8;
+  std::string result;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    result += (i == 0 ? " (" : ", ") + cited(names[i]);
+  return result + (names.size() > most ? ", ...)" : names.empty() ? "" : ")");
 }
 
 /// \param is_of_robots whether those that describe robots are meant, or all others
@@ -202,10 +224,10 @@ std::vector<fs::path> model_files(const fs::path& folder, bool is_of_robots = fa
   return files;
 }
 
-/// All objects of a file as one part.
-Model_part joined(const fs::path& file, const std::vector<Model_part>& objects)
+/// Objects as one part.
+Model_part joined(const std::string& name, const std::vector<Model_part>& objects)
 {
-  Model_part part{utf8_text(file.stem().string()), {}};
+  Model_part part{name, {}};
   for (const Model_part& object : objects) {
     add_looks(object.appearance, object.corners.size() / 3, part.corners.size() / 3, part.appearance);
     part.corners.insert(part.corners.end(), object.corners.begin(), object.corners.end());
@@ -219,6 +241,7 @@ void add_content(Model_content more, Model_content& all)
   append_looks(more, all);
   std::move(more.parts.begin(), more.parts.end(), std::back_inserter(all.parts));
   std::move(more.warnings.begin(), more.warnings.end(), std::back_inserter(all.warnings));
+  std::move(more.without_faces.begin(), more.without_faces.end(), std::back_inserter(all.without_faces));
   all.faces_left_out += more.faces_left_out;
   all.number_of_faces += more.number_of_faces;
   all.are_labelled = more.are_labelled;
@@ -236,12 +259,15 @@ std::string folder_name(const fs::path& folder)
 /// Where the part meshes of a folder are.
 fs::path folder_of_parts(const fs::path& path) { return fs::is_directory(path / "parts") ? path / "parts" : path; }
 
-/// The files of a model: one, or those of a folder of parts.
-std::vector<fs::path> files_of(const std::string& path)
+/// The parts that a folder names, or a file for each; of a file, it alone.
+std::vector<Part_files> files_of(const std::string& path)
 {
-  if (!fs::is_directory(path)) return {path};
+  if (!fs::is_directory(path)) return {{"", {path}}};
+  if (const std::optional<std::string> hierarchy = hierarchy_in(path)) return parts_of_hierarchy(*hierarchy);
   const fs::path folder = folder_of_parts(path);
-  std::vector<fs::path> files = model_files(folder);
+  std::vector<Part_files> files;
+  for (const fs::path& file : model_files(folder))
+    files.push_back({"", {file.string()}});
   if (files.empty())
     throw Invalid_input(folder.string() + ": there is no part in the folder; give it a mesh file for every part (" +
                         known_formats + ")");
@@ -290,44 +316,54 @@ Model_objects read_objects(const std::string& given, const Point& up, const Read
   check_exists(given);
   const std::string path = robot_in(given).value_or(given);
   const bool is_folder = fs::is_directory(path);
-  const std::vector<fs::path> files = files_of(path);
+  const std::vector<Part_files> files = files_of(path);
   if (is_folder && !options.face_labels.empty())
     throw Invalid_input(path + ": labels of faces are for a model file; the files of a folder are its parts");
-  const std::string name = is_folder ? folder_name(path) : utf8_text(files[0].stem().string());
+  const std::string name = is_folder ? folder_name(path) : utf8_text(fs::path(path).stem().string());
   Model_objects result;
   Model_content content;
-  bool agree = true; // on the upright axis
-  for (const fs::path& file : files) {
-    Model_content of_file = read_parts(file.string(), is_folder, fs::is_directory(given) ? given : "", options,
-                                       complete, result.appearance.warnings);
-    check_number_of_parts(file.string(), is_folder ? 1 : of_file.parts.size());
-    if (complete && !is_urdf(lower_extension(file.string())))
-      complete(file.string(), of_file, result.appearance.warnings);
-    if (is_folder) of_file.parts = {joined(file, of_file.parts)};
-    if (file == files[0]) content.up = of_file.up;
-    agree = agree && of_file.up == content.up;
-    add_content(std::move(of_file), content);
+  bool agree = true, is_first = true; // on the upright axis
+  for (const Part_files& part : files) {
+    const std::size_t first = content.parts.size();
+    std::string name_of_part = part.name;
+    for (const std::string& file : part.files) {
+      Model_content of_file = read_parts(file, is_folder, fs::is_directory(given) ? given : "", options, complete,
+                                         result.appearance.warnings);
+      check_number_of_parts(file, is_folder ? 1 : of_file.parts.size());
+      if (complete && !is_urdf(lower_extension(file))) complete(file, of_file, result.appearance.warnings);
+      if (name_of_part.empty())
+        name_of_part = of_file.are_labelled && of_file.parts.size() == 1 ? of_file.parts[0].name
+                                                                         : utf8_text(fs::path(file).stem().string());
+      if (is_first) content.up = of_file.up;
+      is_first = false;
+      agree = agree && of_file.up == content.up;
+      add_content(std::move(of_file), content);
+    }
+    if (!is_folder) continue;
+    const auto begin = content.parts.begin() + std::ptrdiff_t(first);
+    const std::vector<Model_part> objects(std::make_move_iterator(begin), std::make_move_iterator(content.parts.end()));
+    content.parts.resize(first);
+    content.parts.push_back(joined(name_of_part, objects));
   }
   result.says_up = agree && content.up != Point::Zero();
   result.shape = Segmented_shape(name, result.says_up && up == Point::UnitY() ? content.up : up);
   complete_names(name, content.parts);
-  std::string left_out;
-  std::size_t number_left_out = 0;
+  std::vector<std::string> left_out = std::move(content.without_faces);
   for (std::size_t i = 0; i < content.parts.size(); ++i) {
-    const std::string file = files[is_folder ? i : 0].string();
+    const std::string file = files[is_folder ? i : 0].files[0];
     const Model_part part = std::move(content.parts[i]); // whose memory is free for the next ones
     if (add_part(file, part, result)) continue;
     if (is_folder) throw Invalid_input(file + ": all triangles have zero area; remove the file or give it a surface");
-    left_out = part.name;
-    ++number_left_out;
+    left_out.push_back(part.name);
   }
   if (result.shape.parts().empty())
-    throw Invalid_input(path + ": part '" + left_out + "': all triangles have zero area; give it a surface");
+    throw Invalid_input(path + ": part " + cited(left_out.back()) +
+                        ": all triangles have zero area; give it a surface");
   result.warnings = std::move(content.warnings);
   result.are_labelled = content.are_labelled && !is_folder;
   result.number_of_faces = content.number_of_faces;
   warn(content.faces_left_out, "Faces of fewer than three corners", result.warnings);
-  warn(number_left_out, "Parts without a surface", result.warnings);
+  warn(left_out.size(), "Parts without a surface", result.warnings, in_brackets(left_out));
   result.appearance.materials = std::move(content.materials);
   result.appearance.textures = std::move(content.textures);
   if (!is_folder) result.materials = materials_of(result);
@@ -344,7 +380,7 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up, s
 
 std::optional<std::string> digest_of_folder(const std::string& path)
 {
-  if (!fs::is_directory(path) || robot_in(path)) return std::nullopt; // a robot names its meshes
+  if (!fs::is_directory(path) || robot_in(path) || hierarchy_in(path)) return std::nullopt; // these name their meshes
   std::string all = digest(folder_name(path));
   for (const fs::path& file : model_files(folder_of_parts(path))) {
     if (!text_reader_of(lower_extension(file.string()))) return std::nullopt; // a glTF file names its buffers

@@ -70,6 +70,8 @@ public:
     while (is_text(rest_) || begins_with_binary(rest_));
     name_binary_parts();
     const auto is_empty = [](const Model_part& part) { return part.corners.empty(); };
+    for (const Model_part& part : result_.parts)
+      if (is_empty(part)) result_.without_faces.push_back(part.name);
     result_.parts.erase(std::remove_if(result_.parts.begin(), result_.parts.end(), is_empty), result_.parts.end());
     if (result_.parts.empty()) throw Invalid_input(file_ + ": there is no triangle in it; give every part a mesh");
     if (rest_.find_first_not_of(std::string_view(" \t\r\n\0\x1A", 6)) != std::string_view::npos)

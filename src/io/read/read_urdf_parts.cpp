@@ -158,9 +158,13 @@ public:
     for (const auto& [kind, element] : robot) {
       if (begins_with(kind, "xacro:"))
         throw Invalid_input(file_ + ": it is a xacro file; make a URDF of it by the program xacro, and give that");
+      if (kind == "visual" || kind == "geometry" || kind == "mesh")
+        throw Invalid_input(file_ + ": <" + kind + "> is in no link; put it into the <link> that it belongs to");
+      if (kind == "link" && attribute(element, "name").empty())
+        throw Invalid_input(file_ + ": a <link> has no name; write <link name=\"...\">, and name it in its joint");
       if (kind == "link" && !links_.emplace(attribute(element, "name"), &element).second)
         fail_at(attribute(element, "name"), "is there twice; give it another name");
-      if (kind == "material") add_material(element);
+      if (kind == "material") add_material(element, "");
     }
     for (const auto& [kind, element] : robot)
       if (kind == "joint") add_joint(element);
@@ -181,23 +185,47 @@ private:
 
   [[noreturn]] void fail_at(const std::string& link, const std::string& what) const
   {
-    throw Invalid_input(file_ + ": link " + cited(link) + " " + what);
+    throw Invalid_input(file_ + (links_.count(link) > 0 ? ": link " : ": ") + cited(link) + " " + what);
   }
 
-  /// The numbers of an attribute, or `otherwise` where it is missing.
+  /// The numbers of an attribute. \param element, the name of which is `kind`
   template <int size>
-  Eigen::Matrix<double, size, 1> numbers(const Element& element, const std::string& name, double otherwise,
+  Eigen::Matrix<double, size, 1> numbers(const Element& element, const std::string& kind, const std::string& name,
                                          const std::string& link) const
   {
-    using Vector = Eigen::Matrix<double, size, 1>;
-    const std::string text = attribute(element, name);
-    if (text.empty()) return Vector::Constant(otherwise);
-    Vector result;
+    const std::string text = attribute(element, name),
+                      wanted = size == 1 ? "a number" : std::to_string(size) + " numbers";
+    if (trimmed(text).empty())
+      fail_at(link, "has a <" + kind + "> without " + name + "; write " + name + "=\"...\" with " + wanted + " in it");
+    Eigen::Matrix<double, size, 1> result;
     std::string_view rest = text;
+    bool are_numbers = true;
     for (double& number : result)
-      if (!parse(next_word(rest), number) || !(std::abs(number) <= largest_value)) // nor is NaN
-        fail_at(link, "has " + name + "=" + cited(text) + " where it needs " + std::to_string(size) +
-                          " numbers of at most 1e9; if this is a xacro file, run the program xacro first");
+      are_numbers = are_numbers && parse(next_word(rest), number) && std::abs(number) <= largest_value; // nor is NaN
+    if (!are_numbers || !trimmed(rest).empty())
+      fail_at(link, "has a <" + kind + "> with " + name + "=" + cited(text) + ", which is not " + wanted +
+                        " of at most 1e9; correct it or, if this is a xacro file, run the program xacro first");
+    return result;
+  }
+
+  /// The same, or `otherwise` where the attribute is missing.
+  template <int size>
+  Eigen::Matrix<double, size, 1> numbers(const Element& element, const std::string& kind, const std::string& name,
+                                         double otherwise, const std::string& link) const
+  {
+    if (attribute(element, name).empty()) return Eigen::Matrix<double, size, 1>::Constant(otherwise);
+    return numbers<size>(element, kind, name, link);
+  }
+
+  /// The same for lengths, which are over 0.
+  template <int size>
+  Eigen::Matrix<double, size, 1> lengths(const Element& element, const std::string& kind, const std::string& name,
+                                         const std::string& link) const
+  {
+    const Eigen::Matrix<double, size, 1> result = numbers<size>(element, kind, name, link);
+    if (result.minCoeff() <= 0)
+      fail_at(link, "has a <" + kind + "> with " + name + "=" + cited(attribute(element, name)) +
+                        ", which has no surface; write lengths over 0, in metres");
     return result;
   }
 
@@ -206,8 +234,8 @@ private:
     Transform result = Transform::Identity();
     const Element* const origin = child(element, "origin");
     if (!origin) return result;
-    const Point turns = numbers<3>(*origin, "rpy", 0, link);
-    result.translate(numbers<3>(*origin, "xyz", 0, link));
+    const Point turns = numbers<3>(*origin, "origin", "rpy", 0, link);
+    result.translate(numbers<3>(*origin, "origin", "xyz", 0, link));
     for (int axis : {2, 1, 0})
       result.rotate(Eigen::AngleAxisd(turns[axis], Point(Point::Unit(axis))));
     return result;
@@ -253,15 +281,20 @@ private:
   }
 
   /// The number of a material, which may be named only, and is then one of the robot; -1: none.
-  int add_material(const Element& element)
+  /// \param link that has it; empty: the robot
+  int add_material(const Element& element, const std::string& link)
   {
     const std::string name = attribute(element, "name");
     const Element* const colour = child(element, "color");
     if (!colour) {
       const auto found = materials_.find(name);
-      return found == materials_.end() ? -1 : found->second;
+      if (found != materials_.end()) return found->second;
+      if (!link.empty())
+        content_.warnings_of_looks.push_back("Link " + cited(link) + " has the material " + cited(name) +
+                                             ", which has no <color>; it has no colour.");
+      return -1;
     }
-    const Eigen::Vector4d rgba = numbers<4>(*colour, "rgba", 1, "material " + name);
+    const Eigen::Vector4d rgba = numbers<4>(*colour, "color", "rgba", link.empty() ? "material " + name : link);
     Surface_material material;
     material.name = name;
     material.colour << linear_colour(rgba.head<3>()), rgba[3];
@@ -276,9 +309,9 @@ private:
     for (const auto& [kind, visual] : link) {
       if (kind != "visual") continue;
       const Element* const geometry = child(visual, "geometry");
-      if (!geometry) fail_at(name, "has a <visual> without <geometry>; add one, or remove it");
+      if (!geometry) fail_at(name, "has a <visual> without <geometry>; add one, or remove the <visual>");
       const Element* const of_visual = child(visual, "material");
-      add_geometry(*geometry, place * origin_of(visual, name), of_visual ? add_material(*of_visual) : -1, part);
+      add_geometry(*geometry, place * origin_of(visual, name), of_visual ? add_material(*of_visual, name) : -1, part);
     }
     if (!part.corners.empty()) content_.parts.push_back(std::move(part));
   }
@@ -288,15 +321,16 @@ private:
     const std::string& link = part.name;
     if (const Element* const mesh = child(geometry, "mesh"))
       add_mesh(*mesh, place, material, part);
-    else if (const Element* const size = child(geometry, "box"))
-      add_corners(box(numbers<3>(*size, "size", 0, link)), place, {}, material, part);
+    else if (const Element* const brick = child(geometry, "box"))
+      add_corners(box(lengths<3>(*brick, "box", "size", link)), place, {}, material, part);
     else if (const Element* const ball = child(geometry, "sphere"))
-      add_corners(sphere(numbers<1>(*ball, "radius", 0, link)[0]), place, {}, material, part);
+      add_corners(sphere(lengths<1>(*ball, "sphere", "radius", link)[0]), place, {}, material, part);
     else if (const Element* const roll = child(geometry, "cylinder")) {
-      const double radius = numbers<1>(*roll, "radius", 0, link)[0], half = numbers<1>(*roll, "length", 0, link)[0] / 2;
+      const double radius = lengths<1>(*roll, "cylinder", "radius", link)[0],
+                   half = lengths<1>(*roll, "cylinder", "length", link)[0] / 2;
       add_corners(turned({{0, -half}, {radius, -half}, {radius, half}, {0, half}}), place, {}, material, part);
     } else
-      fail_at(link, "has a geometry that is neither mesh, box, cylinder nor sphere; replace it by a mesh");
+      fail_at(link, "has a <geometry> that is neither mesh, box, cylinder nor sphere; replace it by a mesh");
   }
 
   void add_corners(const std::vector<Point>& corners, const Transform& place, Part_appearance looks, int material,
@@ -314,14 +348,21 @@ private:
 
   void add_mesh(const Element& mesh, const Transform& place, int material, Model_part& part)
   {
-    const std::string uri = attribute(mesh, "filename"), path = finder_.path_of(uri);
+    const std::string uri = attribute(mesh, "filename");
+    if (trimmed(uri).empty())
+      fail_at(part.name, "has a <mesh> without filename; write filename=\"...\" with the mesh file in it");
+    const Point scale = numbers<3>(mesh, "mesh", "scale", 1, part.name);
+    if (scale.cwiseAbs().minCoeff() == 0)
+      fail_at(part.name, "has a <mesh> with scale=" + cited(attribute(mesh, "scale")) +
+                             ", which leaves no surface; write numbers other than 0");
+    const std::string path = finder_.path_of(uri);
     if (path.empty())
       fail_at(part.name,
               "has the mesh " + cited_file(uri) +
                   ", which is not in the folder of the file or below; put it there, name the folder that has "
                   "all of the robot or, if it is elsewhere, add --allow-outside-files");
     Transform scaled = place;
-    scaled.scale(Point(numbers<3>(mesh, "scale", 1, part.name)));
+    scaled.scale(scale);
     for (const Model_part& object : mesh_of(path, part.name))
       add_corners(object.corners, scaled, object.appearance, material, part);
   }

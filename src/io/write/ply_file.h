@@ -22,7 +22,8 @@ struct Ply_part
 };
 
 /// Writes parts as one mesh in binary PLY, with the number of the part, and that of its label, for every face; comments
-/// list the names of parts and labels.
-void write_ply(std::ostream& out, const std::vector<Ply_part>& parts, const std::vector<std::string>& labels = {});
+/// list the names of parts and labels, and say which direction is up.
+void write_ply(std::ostream& out, const Point& up, const std::vector<Ply_part>& parts,
+               const std::vector<std::string>& labels = {});
 
 } // namespace CGAL::Shape_correspondence::IO

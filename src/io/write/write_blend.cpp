@@ -4,6 +4,7 @@
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "base/number_text.h"
+#include "io/read/model_parts.h"
 #include "io/system/little_endian.h"
 #include "io/system/quoting.h"
 #include "io/write/Json.h"
@@ -52,7 +53,7 @@ void append_line(std::string& lines, char keyword, const Numbers& numbers)
 
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
 {
-  std::string lines;
+  std::string lines = "# " + mark_of_parts(shape.up()) + '\n';
   int first = 1;
   for (const Shape_part& part : shape.parts()) {
     lines += "o " + quote_obj(part.name) + '\n';
@@ -66,12 +67,13 @@ void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape)
   }
 }
 
-void write_ply(std::ostream& out, const std::vector<Ply_part>& parts, const std::vector<std::string>& labels)
+void write_ply(std::ostream& out, const Point& up, const std::vector<Ply_part>& parts,
+               const std::vector<std::string>& labels)
 {
   const bool has_colours = !parts.empty() && !parts[0].colours.empty();
   std::string vertices, faces;
   std::int32_t points = 0, triangles = 0, number = 0;
-  out << "ply\nformat binary_little_endian 1.0\n";
+  out << "ply\nformat binary_little_endian 1.0\ncomment " << mark_of_parts(up) << '\n';
   for (const Ply_part& part : parts) {
     out << "comment part " << number << ' ' << quote_ply(part.name) << '\n';
     for (Eigen::Index v = 0; v < part.mesh.points.cols(); ++v) {
@@ -104,7 +106,7 @@ void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape)
   std::vector<Ply_part> parts;
   for (const Shape_part& part : shape.parts())
     parts.push_back({part.name, part.mesh});
-  write_ply(out, parts);
+  write_ply(out, shape.up(), parts);
 }
 
 void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,
