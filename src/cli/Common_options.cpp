@@ -234,7 +234,8 @@ void add_reading_options(Option_table& table, Common_options& options)
       .usual();
   add("parts", "MODE", choice(options.parts, part_splittings),
       "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
-      "divided where they are concave) or auto (its objects, but objects of unrelated loose pieces are split). "
+      "divided where they are concave) or auto (its objects, or parts found by what parts look like, if objects are of "
+      "unrelated loose pieces). "
       "`shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they are")
       .in_python()
       .usual();

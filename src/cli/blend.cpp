@@ -37,7 +37,7 @@ source part s becomes t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
-    nodes or links are the parts; an object of unrelated loose pieces is split into them (--parts);
+    nodes or links are the parts; where objects are none, parts are found by what parts look like (--parts);
   - a folder of part meshes: one file for each part, named after the part;
   - a structural graph (.json) whose parts name their meshes (key "mesh", a path relative to the graph file).
 

@@ -31,7 +31,7 @@ least deformation energy is searched for instead. Shapes are assumed to face +z.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
-    nodes or links are the parts; an object of unrelated loose pieces is split into them (--parts);
+    nodes or links are the parts; where objects are none, parts are found by what parts look like (--parts);
   - a folder of part meshes: one file for each part, named after the part;
   - a structural graph (.json, .xml) that `graph` wrote.
 
