@@ -105,12 +105,6 @@ inline double distance(const Segmented_shape& from, const Segmented_shape& to)
   return distance(from, to, [](const Shape_part&, const Point&) { return false; });
 }
 
-/// The Hausdorff distance, as vertices tell.
-inline double hausdorff_distance(const Segmented_shape& a, const Segmented_shape& b)
-{
-  return std::max(distance(a, b), distance(b, a));
-}
-
 /// How far what is seen of a shape of a blend is from an input, or the input from the shape. Not seen are parts that
 /// have shrunk to nothing, and what is inside the input's parts, where pieces of divided parts meet.
 inline double seen_distance(const Segmented_shape& blended, const Segmented_shape& input, double height)
