@@ -22,7 +22,6 @@ from ._collections import (
     CoAnalysis,
     Collection,
     CollectionShape,
-    Estimate,
     Evaluation,
     MeanScore,
     Medoid,
@@ -58,7 +57,7 @@ from ._shapes import Graph, Part, PartAbstraction, PartGroup, Shape, build_graph
 
 __all__ = [
     "Blend", "BlendTask", "Block", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
-    "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
+    "EnergyTerms", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
     "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
     "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks",
     "TransferredPart", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",

@@ -4,7 +4,6 @@
 #include "options.h"
 
 #include "cli/blend.h"
-#include "cli/evaluate.h"
 #include "cli/text.h"
 
 #include <pybind11/stl.h>
@@ -222,18 +221,6 @@ struct Collection_keywords : Keywords
   Collection_keywords() { add_collection_options(table, common, options); }
 };
 
-struct Evaluation_keywords : Keywords
-{
-  SC::cli::Common_options common;
-  SC::cli::Evaluate_options options;
-
-  Evaluation_keywords()
-  {
-    add_evaluate_options(table, options, common);
-    add("seed", options.evaluation.seed, "seed of the random numbers");
-  }
-};
-
 py::list listed(const Option_table& table, const std::function<bool(const Option&)>& is_wanted = {})
 {
   py::list result;
@@ -309,13 +296,6 @@ SC::cli::Collection_options collection_options(const py::dict& values)
   return keywords.options;
 }
 
-SC::Evaluation_options evaluation_options(const py::dict& values)
-{
-  Evaluation_keywords keywords;
-  keywords.read(values);
-  return keywords.options.evaluation;
-}
-
 py::list options_of(const std::string& function)
 {
   const auto is_of_reading = [](const Option& option) {
@@ -328,7 +308,6 @@ py::list options_of(const std::string& function)
   if (function == "build_graph") return listed(Model_keywords().table, is_of_graphs);
   if (function == "blend") return listed(Blend_keywords().table);
   if (function == "collection") return listed(Collection_keywords().table);
-  if (function == "evaluate") return listed(Evaluation_keywords().table);
   if (function == "paper") return listed(Search_keywords(SC::paper_options()).table);
   if (function == "part_matching") {
     SC::Part_matching_options options;

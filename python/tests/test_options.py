@@ -15,7 +15,7 @@ def defaults(function):
     return {name: p.default for name, p in inspect.signature(function).parameters.items() if p.default is not p.empty}
 
 
-@pytest.mark.parametrize("function", [sc.match, sc.read, sc.build_graph, sc.blend, sc.collection, sc.evaluate])
+@pytest.mark.parametrize("function", [sc.match, sc.read, sc.build_graph, sc.blend, sc.collection])
 def test_options_are_those_of_the_table(function):
     python = defaults(function)
     options = _core.options_of(function.__name__)
