@@ -7,7 +7,7 @@
 #include "cli/labels.h"
 #include "cli/text.h"
 
-#include <CGAL/Shape_correspondence/match_as_in_paper.h>
+#include <CGAL/Shape_correspondence/paper_structure_options.h>
 
 #include <limits>
 
@@ -161,9 +161,9 @@ void add_match_options(Option_table& table, Match_options& match)
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
       "that `roles train` wrote. Shapes must be upright and face +z");
   add("examples", "FOLDER", &match.examples,
-      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition, where they "
-      "match each other better by what is learned from the others, by more than chance; three or more of a category. "
-      "If they are of one category, both shapes are taken to be of it")
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; of a "
+      "category "
+      "that the model does not know, three or more. If they are of one category, both shapes are taken to be of it")
       .usual();
   add("category", "NAME", &search.category,
       "category of both shapes for --roles, such as chair; default: the most similar one")

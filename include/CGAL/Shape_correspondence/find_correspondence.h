@@ -121,14 +121,6 @@ private:
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 
-/// \ingroup PkgShapeCorrespondenceFunctions
-/// Finds the best correspondences, at most `Search_options::solutions` of them, in ascending order of their energies:
-/// those of the direction and alignment of the best one. `Search_method::EXACT` proves that they are the best ones,
-/// `Search_method::BEAM` takes the last level of the beam, and `Search_method::PARTS` finds one only. Parameters,
-/// preconditions and errors are those of `find_correspondence()`.
-std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
-                                                 const Search_options& options);
-
 } // namespace Shape_correspondence
 } // namespace CGAL
 
