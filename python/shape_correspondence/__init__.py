@@ -49,7 +49,6 @@ from ._matches import (
     TransferredLooks,
     TransferredPart,
     match,
-    paper_options,
     transfer,
     transfer_looks,
 )
@@ -61,5 +60,5 @@ __all__ = [
     "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
     "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks",
     "TransferredPart", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",
-    "paper_options", "read", "roles", "schedule_names", "transfer", "transfer_labels", "transfer_looks",
+    "read", "roles", "schedule_names", "transfer", "transfer_labels", "transfer_looks",
 ]

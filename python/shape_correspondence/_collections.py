@@ -252,7 +252,9 @@ def transfer_labels(
 
 def _of_graphs(options: Dict[str, Any], cache: Optional[Path], threads: int) -> Dict[str, Any]:
     """The options of graphs, which are taken out of those of `match()`."""
-    chosen = {name: options.pop(name) for name in ("abstraction", "closest_points") if name in options}
+    chosen = {"abstraction": options.pop("abstraction")} if "abstraction" in options else {}
+    if "paper" in options:
+        chosen["paper"] = options["paper"]
     return {**chosen, "cache": cache, "threads": threads}
 
 

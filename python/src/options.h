@@ -25,8 +25,7 @@ SC::Blend_options blend_options(const py::dict& values, bool& has_size);
 SC::cli::Collection_options collection_options(const py::dict& values);
 
 /// The options of a function: tuples of name, default and help. \param function `match`, `read`, `build_graph`,
-/// `blend`, `collection`, `evaluate`; `paper` has the values of the paper's method, `part_matching` those of a part
-/// of `match`
+/// `blend`, `collection`; `part_matching` has those of a part of `match`
 py::list options_of(const std::string& function);
 
 } // namespace shape_correspondence_python

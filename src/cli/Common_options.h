@@ -70,7 +70,7 @@ std::vector<std::string> words_of(const std::string& list);
 
 constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
-constexpr const char *abstraction_option = "abstraction", *contact_points_option = "contact-points";
+constexpr const char* abstraction_option = "abstraction";
 
 // Each adds options to the table of a command
 
