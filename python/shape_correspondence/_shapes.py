@@ -236,7 +236,7 @@ def read(path: Path, **options: Any) -> Shape:
 def build_graph(shape: Input, *, progress: Progress = None, **options: Any) -> Graph:
     """Builds the structural graph of a shape: a curve or sheet for every part, symmetry groups and contacts.
 
-    :param shape: a `Shape`, what makes a `Shape`, a model file, or a saved graph (``.json``, ``.xml``)
+    :param shape: a `Shape`, what makes a `Shape`, a model file, or a saved graph (``.json``)
     :param progress: called with the fraction done, in [0, 1], and the name of the current step
     :raises InvalidInput: if the shape has fewer than two parts or more than 2000, or an option is out of its range
     """

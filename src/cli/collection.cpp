@@ -37,7 +37,7 @@ Matches all ordered pairs of a set of shapes and computes
   - pairs of shapes that are matched better by way of a third one (bridges);
   - clusters of parts that correspond over the whole set, by Markov clustering.
 
-The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json, .xml). Others
+The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json). Others
 are left out, with a note.
 
 With --labels-from, the labels of one shape are transferred to all shapes of the set instead, by matching it with each.

@@ -10,7 +10,6 @@
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
-#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
@@ -47,10 +46,7 @@ void load_graph(const Common_options& common, Loaded_shape& shape)
   const Structure_options& options = common.structure;
   const double begin = now();
   std::ifstream in = IO::open_input(path);
-  if (has_extension(path, ".xml") && common.finds_up())
-    throw Invalid_input("the upright axis of a graph without surfaces cannot be estimated; give --up x, y or z");
-  shape.graph = has_extension(path, ".xml") ? IO::read_structural_graph_xml(in, path, common.up_vector(), options)
-                                            : IO::read_structural_graph_json(in, path, options);
+  shape.graph = IO::read_structural_graph_json(in, path, options);
   const bool is_flow_wanted = options.abstraction.abstractor.target<Mean_curvature_abstraction>() != nullptr;
   if (const std::string note = note_on_abstraction(shape.graph, is_flow_wanted); !note.empty())
     structure(shape.graph).warnings.push_back(note);
@@ -141,7 +137,7 @@ std::string message_about(const std::string& path, const std::string& message)
   return message.rfind(path, 0) == 0 ? message : path + ": " + message;
 }
 
-bool is_graph_file(const std::string& path) { return has_extension(path, ".json") || has_extension(path, ".xml"); }
+bool is_graph_file(const std::string& path) { return has_extension(path, ".json"); }
 
 void rethrow_about(const std::string& path)
 {

@@ -114,7 +114,7 @@ auto with_path(const std::string& path, const Read& read)
   }
 }
 
-/// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds the graph of a model.
+/// Reads a model, or a structural graph from a file that ends in `.json`, and builds the graph of a model.
 /// With `Common_options::graphs_suffice`, a folder of part meshes that the cache knows has no model.
 /// \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);

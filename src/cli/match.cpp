@@ -33,7 +33,7 @@ SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
     nodes or links are the parts; an object of unrelated loose pieces is split into them (--parts);
   - a folder of part meshes: one file for each part, named after the part;
-  - a structural graph (.json, .xml) that `graph` wrote.
+  - a structural graph (.json) that `graph` wrote.
 
 The table lists sets of parts that correspond. The operation is how the source becomes the target: match (one to one),
 split (one to several), merge (several to fewer), duplicate (several to more), cut (a curve into segments) and join (its

@@ -97,9 +97,6 @@ TEST_CASE("Files for graph tools")
   CHECK_THAT(text_of(graphml), Contains("<graphml"));
   CHECK_THAT(text_of(dot), Contains("graph"));
   CHECK(run("graph " + a + " --graphml " + quoted(folder.path("no/folder.graphml"))).status == 1);
-  const Run xml = run("graph " + quoted(folder.write("g.xml", "<document/>")) + " --up auto");
-  CHECK(xml.status == 1);
-  CHECK_THAT(xml.error, Contains("--up x, y or z"));
 }
 
 TEST_CASE("Kinds and bounding boxes on demand")
