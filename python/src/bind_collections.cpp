@@ -77,7 +77,7 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
     };
     SC::cli::Team team;
     const SC::cli::Collection_shapes shapes = shapes_of(graphs);
-    SC::cli::Collection_work pairs(shapes, options.store.empty() ? "" : options.store + "/tiles", key, matching,
+    SC::cli::Collection_work pairs(shapes, options.store.empty() ? "" : options.store + "/pairs", key, matching,
                                    common);
     pairs.run(team);
     const SC::cli::Analysis analysis = SC::cli::analysed(shapes, options, pairs);

@@ -126,10 +126,10 @@ def test_store_of_a_collection(cache, tmp_path):
     expected = sc.collection(shapes, cache=cache).to_dict()
     store = tmp_path / "store"
     assert sc.collection(shapes, cache=cache, store=store).to_dict() == expected
-    tiles = {path: path.stat().st_mtime_ns for path in (store / "tiles").iterdir()}
-    assert tiles
+    rows = {path: path.stat().st_mtime_ns for path in (store / "pairs").iterdir()}
+    assert rows
     assert sc.collection(shapes, cache=cache, store=store).to_dict() == expected
-    assert {path: path.stat().st_mtime_ns for path in (store / "tiles").iterdir()} == tiles
+    assert {path: path.stat().st_mtime_ns for path in (store / "pairs").iterdir()} == rows
     other = sc.collection(shapes, cache=cache, store=store, search_method="exact")  # work of other options is apart
     assert other.to_dict() == sc.collection(shapes, cache=cache, search_method="exact").to_dict()
 

@@ -191,7 +191,6 @@ private:
   void work() override
   {
     const bool shows_looks = !common.glb.empty() || !common.html.empty();
-    common.graphs_suffice = !shows_looks;
     load();
     Matched_shapes matched = match_shapes(source(), target(), search);
     const std::vector<Correspondence>& ranked = matched.ranked;
