@@ -6,6 +6,7 @@
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/input_file.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
