@@ -58,4 +58,19 @@ inline std::filesystem::path running_file()
   return std::filesystem::read_symlink("/proc/self/exe", error);
 }
 
+/// A pipe whose ends started programs do not get. \return -1 if it is not made
+inline int make_pipe(int (&ends)[2]) { return pipe2(ends, O_CLOEXEC); }
+
+#endif
+
+/// Lets a started program get no files but the standard streams, where the system can.
+inline void close_other_files([[maybe_unused]] posix_spawn_file_actions_t& actions)
+{
+#if defined(__GLIBC__) && defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 34)
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+#endif
+#endif
+}
+
 } // namespace CGAL::Shape_correspondence::IO
