@@ -239,7 +239,7 @@ inline void figure16(const Dataset& dataset, const Options& options)
   write_heading({"most prominent parts of the source", "method", "P", "coarse P", "R of all parts"});
   for (const std::size_t count : counts)
     for (const auto& [name, method] : methods) {
-      const Mean_score mean = run(dataset, of_prominent_parts(method, count)).evaluation.mean;
+      const Mean_estimates mean = run(dataset, of_prominent_parts(method, count)).evaluation.mean;
       write_row({std::to_string(count), name, text(mean.precision.mean), text(mean.coarse_precision.mean),
                  text(mean.recall.mean)});
     }

@@ -18,9 +18,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {
 
-inline void compare(const Dataset& dataset, const std::vector<std::pair<std::string, peers::Peer>>& methods)
+inline void compare(const Dataset& dataset, const std::vector<std::pair<std::string, peers::Peer>>& methods,
+                    const std::string& what = "method")
 {
-  write_run_heading(dataset, "method");
+  write_run_heading(dataset, what);
   for (const auto& [name, method] : methods)
     write_run_row(name, run(dataset, method));
 }

@@ -75,9 +75,9 @@ public:
   /// The correspondences of the source with the target, and of the target with the source, with the same options.
   /// `Search_method::PARTS`, which treats both shapes alike, matches them once for both.
   std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
-  /// Like `find_correspondences()`.
+  /// The best `Search_options::solutions` in ascending order of energy; `PARTS` finds one, `EXACT` proves its own.
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
-  /// Like `find_correspondences()`.
+  /// The same.
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
   /// Transfers the labels of the source's parts to the parts of a target. Each gets the label of the source part to
