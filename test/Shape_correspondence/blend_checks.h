@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is checked of blends by tests and benchmarks alike.
+// What is checked of blends by several tests.
 #ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 #define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 
@@ -103,6 +103,12 @@ double distance(const Segmented_shape& from, const Segmented_shape& to, const Is
 inline double distance(const Segmented_shape& from, const Segmented_shape& to)
 {
   return distance(from, to, [](const Shape_part&, const Point&) { return false; });
+}
+
+/// The Hausdorff distance, as vertices tell.
+inline double hausdorff_distance(const Segmented_shape& a, const Segmented_shape& b)
+{
+  return std::max(distance(a, b), distance(b, a));
 }
 
 /// How far what is seen of a shape of a blend is from an input, or the input from the shape. Not seen are parts that
