@@ -146,7 +146,7 @@ TEST_CASE("Correspondences of other shapes are refused")
 
   const Shape_blend blend(of_table, table, of_table, table, boxed_graphs::identity(table));
   CHECK_THROWS_AS(blend(not_a_number), Invalid_input);
-  CHECK_THROWS_AS(blend.check(not_a_number), Invalid_input);
+  CHECK_THROWS_AS(blend.quality(not_a_number), Invalid_input);
   CHECK_THROWS_AS(blend.points(not_a_number), Invalid_input);
   const Surface_map map(of_table, table, of_table, table, boxed_graphs::identity(table));
   CHECK_THROWS_AS(map.source_of(99, 0), Invalid_input);
