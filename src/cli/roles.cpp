@@ -99,7 +99,7 @@ public:
   Roles_command() : Command(roles_help, 2, any_number)
   {
     Option_table::Group add = table.group("Options of roles");
-    add("output,o", "MODEL", &roles_.output, "write the model to this file").output().required();
+    add("output,o", "MODEL", &roles_.output, "write the model to this file").output();
     add("manifest", "FILE", &roles_.manifest,
         "write the training shapes and the weights of the model as JSON; - is standard output")
         .output();
@@ -117,6 +117,7 @@ private:
     if (inputs[0] != "train")
       throw Usage_error("there is no 'roles " + inputs[0] +
                         "'; known is: train. `label` predicts roles, and `evaluate` scores matches");
+    if (roles_.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
     roles_.training.folders.assign(inputs.begin() + 1, inputs.end());
     roles_.training.options.seed = std::uint64_t(common.seed);
   }
