@@ -28,12 +28,12 @@ if(SHAPE_CORRESPONDENCE_PROGRAM)
     install(TARGETS shape_correspondence_import DESTINATION ${CMAKE_INSTALL_LIBEXECDIR} COMPONENT Program)
   endif()
   install(DIRECTORY data/ DESTINATION ${data_dir} COMPONENT Program)
-  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/shape_correspondence.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-          COMPONENT Program)
+  if(HELP2MAN)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/shape_correspondence.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+            COMPONENT Program)
+  endif()
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/completion.bash RENAME shape_correspondence
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT Program)
-  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/completion.zsh RENAME _shape_correspondence
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT Program)
 endif()
 configure_package_config_file(cmake/Shape_correspondenceConfig.cmake.in Shape_correspondenceConfig.cmake
                               INSTALL_DESTINATION ${config_dir} PATH_VARS CMAKE_INSTALL_LIBEXECDIR)

@@ -7,7 +7,7 @@ import {unpacked} from './unpacked.js';
 
 // The page that chooses two models, runs the program on them, and shows the pages that it writes.
 
-const modelFormats = /\.(obj|ply|off|stl|gltf|glb|dae|fbx|3ds|dxf|ac|json|xml)$/i;
+const modelFormats = /\.(obj|ply|off|stl|gltf|glb|dae|fbx|3ds|dxf|ac|json)$/i;
 const largestInput = 256 << 20; // bytes of all files of a model
 const mostFiles = 5000;
 const categories = ['airplane', 'bed', 'car', 'chair', 'lamp', 'plant', 'shelf', 'sofa', 'table', 'velocipede'];
@@ -311,7 +311,7 @@ function matchOptions() {
 /** Shows the parts of a model. Graph files have none to show. */
 async function preview(side) {
   for (const name of ['match', 'blend']) shown.delete(name);
-  if (/\.(json|xml)$/i.test(chosen[side].path)) return update();
+  if (/\.json$/i.test(chosen[side].path)) return update();
   const up = cards[side].up.value, outputs = ['parts.html', 'parts.json'];
   if (chosen[side].parts) program.put(side + '_parts', [['parts.json', new TextEncoder().encode(JSON.stringify(chosen[side].parts))]]);
   const {files} = await work('Reading', () => program.run(

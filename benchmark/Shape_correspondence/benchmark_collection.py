@@ -6,7 +6,7 @@
   benchmark_collection.py PROGRAM FOLDER [--kills 20] [--threads 1,2] [--ranks 2,4] [--options "--roles none"]
 
 Every run must write the same bytes. Kills: a run is killed (SIGKILL) at random moments and started again until it ends; no finished
-tile may be done again, so that a kill costs at most the tile that was being done. Ranks need PROGRAM_mpi, built with MPI, beside it. Prints
+row may be done again, so that a kill costs at most the rows that were being done. Ranks need PROGRAM_mpi, built with MPI, beside it. Prints
 seconds on the wall and of CPU. Ends with exit status 1 if a run differs.
 """
 import argparse
@@ -51,25 +51,25 @@ class Runs:
 
     def kill(self, moments, usual_seconds):
         store = os.path.join(self.scratch, "killed")
-        tiles, redone, survived = {}, 0, 0
+        rows, redone, survived = {}, 0, 0
         for moment in moments:
             process = subprocess.Popen(self.command("--store", store))
             time.sleep(moment * usual_seconds)
             process.send_signal(signal.SIGKILL)
             survived += process.wait() == 0
-            found = self.tiles(store)
-            redone += sum(found.get(name) != stamp for name, stamp in tiles.items())
-            tiles = found
+            found = self.rows(store)
+            redone += sum(found.get(name) != stamp for name, stamp in rows.items())
+            rows = found
         subprocess.run(self.command("--store", store), check=True)
-        found = self.tiles(store)
-        redone += sum(found.get(name) != stamp for name, stamp in tiles.items())
+        found = self.rows(store)
+        redone += sum(found.get(name) != stamp for name, stamp in rows.items())
         self.failed |= redone > 0
-        print(f"{len(moments)} kills, {survived} too late; {len(found)} tiles, {redone} finished ones done again; {self.verdict()}")
+        print(f"{len(moments)} kills, {survived} too late; {len(found)} rows, {redone} finished ones done again; {self.verdict()}")
 
     @staticmethod
-    def tiles(store):
-        folder = os.path.join(store, "tiles")
-        names = [n for n in os.listdir(folder) if n.endswith(".tile")] if os.path.isdir(folder) else []
+    def rows(store):
+        folder = os.path.join(store, "pairs")
+        names = [n for n in os.listdir(folder) if n.endswith(".row")] if os.path.isdir(folder) else []
         stats = {n: os.stat(os.path.join(folder, n)) for n in names}
         return {n: (s.st_ino, s.st_mtime_ns) for n, s in stats.items()}
 

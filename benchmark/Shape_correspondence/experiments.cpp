@@ -6,13 +6,10 @@
 // The experiments of the paper, and others, on folders of labelled shapes; tables as Markdown on standard output.
 
 #include "experiments/abstraction.h"
-#include "experiments/default_method.h"
 #include "experiments/energy.h"
-#include "experiments/fit.h"
 #include "experiments/gallery.h"
 #include "experiments/segmentations.h"
 #include "experiments/tables.h"
-#include "experiments/worst_results.h"
 
 #include <functional>
 #include <map>
@@ -48,17 +45,9 @@ of shapes of a category are matched, or those of DATA/pairs.json: [[CATEGORY, SO
   figure18     FURTHER_DATA damaged (generate_models --degrade): scores on each
   figure19     FURTHER_DATA segmented in other ways: energy against the quality of the correspondence
   abstraction  methods of part abstraction: deviation from structure.json, kinds, residual, scores, seconds
-  ablation     the default method without each of its costs and rules; also by halves of the shapes
-  fit          the constants of the default method without roles, fitted to DATA and FURTHER_DATA by coordinate descent from
-               the present values, and tested on the category that the fit does not see; FOLDER/Part_matching_options.h
-  constants    the default method with and without roles, with every constant changed and every rule switched off; roles
-               are learned from all shapes but the two
-  pose         the default method on shapes turned about the up axis
   reliability  how often pairs of a confidence are right; FOLDER/reliability.svg
-  worst        the twenty worst results with pictures; FOLDER/worst.html
 
   --out FOLDER      where pictures go; default: the current one
-  --generated FOLDER  constants: further labelled shapes to learn roles from
   --cache FOLDER    keep structural graphs there
   --category A,B    only these categories
   --pairs N         match every n-th pair only, so that a category has at most N pairs
@@ -93,12 +82,7 @@ Experiment experiment(const std::string& name)
                                                       {"figure18", figure18},
                                                       {"figure19", figure19},
                                                       {"abstraction", of_data_alone(compare_abstractions)},
-                                                      {"ablation", of_data_alone(ablation)},
-                                                      {"fit", fit},
-                                                      {"constants", constants},
-                                                      {"pose", of_data_alone(pose)},
-                                                      {"reliability", reliability},
-                                                      {"worst", worst}};
+                                                      {"reliability", reliability}};
   const auto found = experiments.find(name);
   if (found == experiments.end()) throw std::invalid_argument("there is no experiment '" + name + "'");
   return found->second;

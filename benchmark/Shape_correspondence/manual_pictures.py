@@ -16,10 +16,7 @@ import struct
 import subprocess
 import tempfile
 
-import blend_figure
-from blend_study import find_model
-from contact_sheet import screenshot
-from picture import GREY, Picture, colours_of_match, connected_blocks, numbered_colour, read_model
+from picture import GREY, Picture, colours_of_match, connected_blocks, draw_blend, numbered_colour, read_model, screenshot
 
 DEMO = "chair_four_legged", "chair_swivel"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
@@ -304,22 +301,26 @@ class Pictures:
             self.draw_pair(picture, *shapes, options=["--paper"], column=i % 4 * 2, row=i // 4)
         picture.write(self.out("gallery_figure1"))
 
+    def blends(self, name, pairs, frames=7):
+        """A row of frames for each pair of shapes."""
+        picture = Picture(frames, len(pairs))
+        for row, pair in enumerate(pairs):
+            with tempfile.TemporaryDirectory() as scratch:
+                out = os.path.join(scratch, "frames")
+                self.run("blend", *pair, "-o", out, "--frames", str(frames))
+                draw_blend(picture, out, row)
+        picture.write(self.out(name))
+
     def blend(self):
-        blend_figure.write_figure(self.args.program, self.data("table_pedestal"), self.data("table_trestle"), self.out("blend"), 7)
+        self.blends("blend", [(self.data("table_pedestal"), self.data("table_trestle"))])
 
     def gallery_figure12(self):
         """Figure 12: blends, of the pairs that `results.py` measures, too."""
-        folders, frames = [self.generated("--benchmark"), self.generated("--gallery")], 7
+        folders = [self.generated("--benchmark"), self.generated("--gallery")]
         with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "figure12_pairs.txt")) as file:
             pairs = [line.split() for line in file if line.strip() and not line.startswith("#")]
-        picture = Picture(frames, len(pairs))
-        for row, (category, *names) in enumerate(pairs):
-            source, target = (find_model(folders, category, name) for name in names)
-            with tempfile.TemporaryDirectory() as scratch:
-                out = os.path.join(scratch, "frames")
-                self.run("blend", source, target, "-o", out, "--frames", str(frames))
-                blend_figure.draw_row(picture, out, row)
-        picture.write(self.out("gallery_figure12"))
+        found = lambda *names: next(path for path in (os.path.join(folder, *names, "parts") for folder in folders) if os.path.isdir(path))
+        self.blends("gallery_figure12", [[found(category, name) for name in names] for category, *names in pairs])
 
     def gallery_figure13(self):
         """Figure 13: a pair directly, and by way of the chain of least energy."""

@@ -49,13 +49,7 @@ The exponents are those of a least squares line through the logarithms, where n 
 \\section sc_pf_pair A Pair from Files
 
 Wall-clock seconds of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
-`--cache` once their graphs are known (medians of three and of nine). With `--cache`, the meshes of a folder are parsed only where they are needed (`--glb`,
-`--html`); model files are parsed each time.
-
-\\section sc_pf_compare Comparing Builds
-
-`paired_times.py BEFORE AFTER MODEL...` runs two builds of the program in turn on the same models, and prints medians of the ratios of their processor
-seconds. Unlike seconds, these ratios can be trusted on a machine that does other work.
+`--cache` once their graphs are known (medians of three and of nine). Models are read each time.
 */
 """
 METHODS = ["default", "exact search", "beam search"]

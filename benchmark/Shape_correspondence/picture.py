@@ -1,10 +1,11 @@
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws shapes side by side, as PNG files. Needs nothing but Python."""
+"""Draws shapes side by side, as PNG files, with nothing but Python; and pages, with a browser that takes screenshots without a window."""
 import colorsys
 import math
 import os
 import struct
+import subprocess
 import zlib
 
 WIDTH, HEIGHT = 200, 240  # pixels of a shape
@@ -13,6 +14,18 @@ GREY = 0.72, 0.72, 0.72
 COLOURS = ("2f91f2 dc5b90 b7cb30 203aa1 af2e0b 7e0360 b68629 46d6d2 734f9a 7c2621 a879c4 a82964 4cdd8b 1e5dc2 cfaafc 50367f ce7066 "
            "297538 ff9cb4 772548 8b467e f8a96e").split()
 GOLDEN_RATIO = 0.618034  # far hues for subsequent numbers
+BROWSER_FLAGS = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                 "--hide-scrollbars", "--allow-file-access-from-files"]
+# Style of a page of which only the picture is shown
+PICTURE_ALONE = """#side, #tools { display: none; }
+body { grid-template: "stage" 100vh / 100%; }
+#stage { height: 100vh; border: 0; }
+</style>"""
+
+
+def screenshot(browser, page, picture, width, height):
+    subprocess.run([browser, *BROWSER_FLAGS, "--virtual-time-budget=4000", f"--window-size={width},{height}",
+                    f"--screenshot={picture}", "file://" + os.path.abspath(page)], check=True, capture_output=True, timeout=120)
 
 
 def read_obj(file):
@@ -136,3 +149,26 @@ def colours_of_match(blocks):
         number = {part: i for i, block in enumerate(blocks) for part in block[side]}
         return lambda name: numbered_colour(number[name]) if name in number else GREY
     return [of_side("source"), of_side("target")]
+
+
+def draw_blend(picture, folder, row):
+    """Draws the frames in a folder of OBJ files, the first one the source and the last one the target. A part and its counterpart have one colour."""
+    shapes = [read_obj(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
+    numbers = {}  # of source parts that stay
+    of_source, of_target = {}, {}  # the ends have the names of the parts alone
+    for name, _ in shapes[1]:
+        a, _, b = name.partition("~")
+        if a and b:
+            number = numbers.setdefault(a, len(numbers))
+            of_source.setdefault(a, number)
+            of_target.setdefault(b, number)
+
+    def colour_in_between(name):
+        a, _, b = name.partition("~")
+        return numbered_colour(numbers[a]) if a and b else GREY
+
+    def colour_by(known):
+        return lambda name: numbered_colour(known[name]) if name in known else GREY
+    for i, parts in enumerate(shapes):
+        colours = {0: colour_by(of_source), len(shapes) - 1: colour_by(of_target)}
+        picture.draw(parts, colours.get(i, colour_in_between), i, row)

@@ -36,12 +36,7 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("figure18", 15, "Figure 18: uneven segmentations, and shapes damaged in other ways"),
     ("figure19", 8, "Figure 19: quality of the segmentation against energy"),
     ("abstraction", 20, "Methods of part abstraction: deviations from the true curves and sheets, and F1 of matching"),
-    ("ablation", 0, "The default method without each of its costs and rules"),
-    ("fit", 15, "Constants of the default method without roles, fitted, and judged on the category left out"),
-    ("constants", 0, "The default method with every constant changed and every rule switched off, without and with roles"),
-    ("pose", 0, "Shapes turned about the up axis"),
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),
-    ("worst", 0, "The twenty worst results"),
 ]
 ROLES = [("shapes", "the training sees neither shape of a pair"), ("sources", "the training sees no shape of either one's source"),
          ("category", "the training sees nothing of the category")]
@@ -83,21 +78,15 @@ ROLES_TABLES = [
     ("Roles in the energy", "least energy", "weight of roles", ENERGY_NOTE,
      [(weight, ["--leave-out", "shapes", "--role-weight", weight]) for weight in ("0.1", "0.3", "1", "3")]),
 ]
-FIT_NOTE = ("Coordinate descent by factors of 1.25 on the mean F1 of all categories but one, from the present values, which were chosen on these shapes: their\n"
-            "F1 is in sample. The command writes the header of the constants, `Part_matching_options.h`: with the values of the last row, if those that are\n"
-            "fitted score more than the present ones on the categories that they did not see, else with the present ones. They score less; so these stay.")
-CONSTANTS_NOTE = ("F1 is the mean of pairs by category, then of categories. Geometry is the method as it matches categories that are not known; with roles, the\n"
-                  "training sees neither shape of a pair, and the weights of the terms are fitted anew without them. The changes are against the first row.")
 FIGURE12 = "Figure 12: blends"
-FIGURE12_NOTE = ("The four blends of the manual's gallery. The worst of 25 frames by each measure of a blend, in bold above its tolerance; 0 is best. Height, hull, volume:\n"
-                 "how much of the interpolation of the ends is missing; the manual's page on blends has the others.")
+FIGURE12_NOTE = ("The four blends of the manual's gallery. The worst of 25 frames: share of the parts due to stand on the ground that do not, and increase of the gaps\n"
+                 "that it takes to join all parts, as a share of the height.")
 PRINCETON_NOTE = ("Label transfer: share of the area that gets its label from 1, 3 or 12 examples of the category, for segments as the labels give them (`given`) and for\n"
                   "those of `segment_mesh()` (`raw`); a mesh that is refused counts as 0. Rand error: share of the pairs of faces that only one of two segmentations has in one\n"
                   "segment, here of `segment_mesh()` and of the connected faces of one label. Nothing was fitted to or chosen on this benchmark.")
-NOTES = {"fit": FIT_NOTE, "constants": CONSTANTS_NOTE}  # of the experiments on all labelled shapes
 # They name shapes, or need large categories, closed surfaces or damaged shapes
 WITH_GALLERY = "gallery", "table1", "figure15"  # they show boats and carts, too
-GENERATED_ONLY = ("gallery", "table1", "figure15", "worst", "figure17", "figure18", "figure19")
+GENERATED_ONLY = ("gallery", "table1", "figure15", "figure17", "figure18", "figure19")
 # A check: shapes that nothing was chosen on, so only what says how good the methods are
 DRAWN, DRAWN_SEED, OF_DRAWN = "shapes of random styles", 101, ("peers", "reliability")
 
@@ -108,11 +97,11 @@ def generate(generator, folder, *options, shapes="--benchmark"):
     return folder
 
 
-def table(args, programs, data, further_data, name, pairs, out, generated):
+def table(args, programs, data, further_data, name, pairs, out):
     path = os.path.join(out, name + ".md")
     if not os.path.exists(path):
         command = [os.path.join(programs, "experiments"), name, data, *further_data, "--out", out, "--cache",
-                   os.path.join(args.work, "cache")] + (["--pairs", str(pairs)] if pairs else []) + (["--generated", generated] if name == "constants" else [])
+                   os.path.join(args.work, "cache")] + (["--pairs", str(pairs)] if pairs else [])
         done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
         with open(path, "w") as file:
             file.write(f"{done.stdout.strip()}\n\nCommit {commit()}.\n")
@@ -129,12 +118,20 @@ def commit():
 
 
 def figure12(args, out, folders):
-    pairs = os.path.join(HERE, "figure12_pairs.txt")
-    command = [os.path.join(HERE, "blend_study.py"), os.path.join(args.build, "shape_correspondence"), os.path.join(out, "figure12"), "--data", *folders,
-               "--pairs", pairs, "--frames", "25", "--no-pictures", "--cache", os.path.join(args.work, "cache")]
-    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-    return (f"## {FIGURE12}: generated shapes\n\n`blend_study.py PROGRAM OUT --data DATA GALLERY --pairs figure12_pairs.txt --frames 25`\n\n{FIGURE12_NOTE}\n\n"
-            f"{done.stdout.strip()}\n\nCommit {commit()}.\n")
+    with open(os.path.join(HERE, "figure12_pairs.txt")) as file:
+        pairs = [line.split() for line in file if line.strip() and not line.startswith("#")]
+    lines = ["| blend | schedule | support | apart |", "|---|---|---|---|"]
+    for category, *names in pairs:
+        models = [next(path for path in (os.path.join(folder, category, name, "parts") for folder in folders) if os.path.isdir(path)) for name in names]
+        result = os.path.join(out, "figure12.json")
+        subprocess.run([os.path.join(args.build, "shape_correspondence"), "blend", *models, "-o", os.path.join(out, "figure12"), "--frames", "25", "--json", result,
+                        "--quiet", "--cache", os.path.join(args.work, "cache")], check=True)
+        with open(result) as file:
+            blend = json.load(file)
+        worst = [max(frame["quality"][measure] for frame in blend["frames"]) for measure in ("support", "apart")]
+        lines.append(f"| {' → '.join(names)} | {blend['schedules'][0]['name']} | {worst[0]:.3f} | {worst[1]:.3f} |")
+    table = "\n".join(lines)
+    return f"## {FIGURE12}: generated shapes\n\n`blend SOURCE TARGET --frames 25 --json FILE`\n\n{FIGURE12_NOTE}\n\n{table}\n\nCommit {commit()}.\n"
 
 
 def with_kept(sections, path):
@@ -227,20 +224,14 @@ def main():
         for set_name, data in sets:
             if (set_name != "generated shapes" and name in GENERATED_ONLY) or (set_name == DRAWN and name not in OF_DRAWN):
                 continue
-            if name in NOTES and (not args.labelled or data != args.labelled[0]):
-                continue  # once, of all labelled shapes
             worse = [generate(generator, os.path.join(args.work, way), "--degrade", way) for way in ways.get(name, ())]
             if name in WITH_GALLERY:
                 worse = [gallery]
-            if name in NOTES:
-                worse = args.labelled[1:]
             out = os.path.join(args.work, "out", set_name.replace(" ", "_"))
             os.makedirs(out, exist_ok=True)
-            text = table(args, programs, data, worse, name, pairs, out, training)
-            words = ["experiments", name, "DATA", *("FURTHER_DATA" if name in NOTES else os.path.basename(w) for w in worse)] + (["--pairs", str(pairs)] if pairs else [])
-            words += ["--generated", "training"] if name == "constants" else []
-            note = NOTES[name] + "\n\n" if name in NOTES else ""
-            sections.append(f"## {title}: {set_name}\n\n`{' '.join(words)}`\n\n{note}{text}\n")
+            text = table(args, programs, data, worse, name, pairs, out)
+            words = ["experiments", name, "DATA", *map(os.path.basename, worse)] + (["--pairs", str(pairs)] if pairs else [])
+            sections.append(f"## {title}: {set_name}\n\n`{' '.join(words)}`\n\n{text}\n")
             print(name, set_name, flush=True)
     if not only or "figure12" in only:
         sections.append(figure12(args, os.path.join(args.work, "out"), [sets[0][1], gallery]))
@@ -264,7 +255,7 @@ def main():
                    "are made of the same components as the generated shapes, lamps and velocipedes differ mostly in numbers and measures, the last rules were\n"
                    "chosen with the shapes of seed 102, and the last removal of rules was checked on those of seed 101. Constants of the other methods were set on\n"
                    "the development set. Halves are by source family. Times are wall-clock times on two cores that had other work: compare them within a table\n"
-                   "only; the manual's page on performance has times of an idle machine. WORST.md discusses the worst results and what was tried. A table that names\n"
+                   "only; the manual's page on performance has times of an idle machine. The manual's page on accuracy says what was tried. A table that names\n"
                    "no commit is older than those that do: there, the paper's method is what the row `all three` of the table of switches is now.\n\n" + "\n".join(sections))
     for script, page in (("paper_figures.py", "The_paper.txt"), ("accuracy_page.py", "Accuracy.txt")):
         page = os.path.join(HERE, "..", "..", "doc", "Shape_correspondence", page)

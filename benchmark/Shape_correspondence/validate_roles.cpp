@@ -8,8 +8,10 @@
 #include "cli/labels.h"
 #include "cli/text.h"
 #include "command_line.h"
+#include "experiments/intervals.h"
 #include "experiments/role_validation.h"
-#include "matching/mean_differences.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <set>
 
 using namespace CGAL::Shape_correspondence;
 using namespace CGAL::Shape_correspondence::experiments;
@@ -40,10 +43,6 @@ of the training.
                            shapes with their `source` in labels.json) or category (all shapes of their category)
   --number-of-examples N   the training sees at most N shapes of the pair's category that are not generated, drawn for every
                            pair; with --leave-out category, no others of the category. Default: all that are not left out
-  --own-examples N         what a user gains who gives the matcher N labelled shapes of the category, as --examples of
-                           `match`, drawn for every pair, of one source as far as possible; the training does not see
-                           them. `geometry` and `with roles` are then without and with them; `always`: if they were
-                           used wherever they are given, `used`: share of the pairs for which they are
   --told                   give the category to the matcher
   --turned HOW             turn every shape about the up axis by an angle drawn for the pair: no (the default), quarters (a
                            multiple of 90°) or any
@@ -55,12 +54,14 @@ of the training.
   --seed N                 of the trees and of the intervals (0)
   --cache FOLDER           keep structural graphs there
   --json FILE              write the evaluation, the weights and all pairs
+  --model FILE             write the model that is learned from all shapes, with the weights of the terms and of
+                           confidences fitted to these pairs; this needs 50 of them or more
 )";
 
 struct Options
 {
   std::vector<std::string> folders, generated;
-  std::string json, left_out = "shapes";
+  std::string json, model, left_out = "shapes";
   std::size_t pairs = 45;
   Validation_options validation;
   Role_training_options training;
@@ -89,8 +90,6 @@ Options parsed(int argc, char** argv)
        }},
       {"--number-of-examples",
        [&](const std::string& word) { options.validation.examples = whole_number(word, "--number-of-examples"); }},
-      {"--own-examples",
-       [&](const std::string& word) { options.validation.own_examples = whole_number(word, "--own-examples"); }},
       {"--turned",
        [&](const std::string& word) {
          options.validation.turns = Validation_turns(index_of("--turned", word, {"no", "quarters", "any"}));
@@ -104,6 +103,7 @@ Options parsed(int argc, char** argv)
       {"--trees", [&](const std::string& word) { options.training.trees = int(whole_number(word, "--trees")); }},
       {"--seed", [&](const std::string& word) { options.training.seed = whole_number(word, "--seed"); }},
       {"--cache", [&](const std::string& word) { options.common.cache = word; }},
+      {"--model", [&](const std::string& word) { options.model = word; }},
       {"--json", [&](const std::string& word) { options.json = word; }}};
   while (!line.is_at_end()) {
     const std::string& word = line.word();
@@ -128,6 +128,53 @@ std::string decimals(double number)
   return text;
 }
 
+/// The pairs that FOLDER/pairs.json lists: [[CATEGORY, SOURCE, TARGET], ...].
+std::vector<Shape_pair> pairs_in(const std::string& file, const std::vector<cli::Labelled_model>& models,
+                                 const std::string& folder)
+{
+  std::vector<Shape_pair> result;
+  const Json list = Json::parse(std::ifstream(file));
+  for (const auto& [category, source, target] : list.get<std::vector<std::array<std::string, 3>>>()) {
+    const auto index = [&, &of = category](const std::string& name) {
+      const auto found = std::find_if(models.begin(), models.end(), [&](const cli::Labelled_model& model) {
+        return model.folder == folder && model.labels.category == of && model.labels.name == name;
+      });
+      if (found == models.end())
+        throw Invalid_input(file + ": '" + name + "' is not a shape of the category '" + of + "'");
+      return std::size_t(found - models.begin());
+    };
+    result.push_back({index(source), index(target)});
+  }
+  return result;
+}
+
+/// Pairs of shapes of a category and folder: those that are listed, or else at most `most` of a category, spread
+/// evenly.
+std::vector<Shape_pair> listed_pairs(const std::vector<cli::Labelled_model>& models, std::size_t most)
+{
+  std::set<std::string> folders;
+  std::vector<Shape_pair> result;
+  for (const auto& [folder, labels, graph, part_labels] : models) {
+    if (!folders.insert(folder).second) continue;
+    if (const std::string file = folder + "/pairs.json"; std::ifstream(file)) {
+      cli::append(result, pairs_in(file, models, folder));
+      continue;
+    }
+    std::map<std::string, std::vector<Shape_pair>> all;
+    for (std::size_t i = 0; i < models.size(); ++i)
+      for (std::size_t j = i + 1; j < models.size(); ++j)
+        if (models[i].folder == folder && models[j].folder == folder &&
+            models[i].labels.category == models[j].labels.category)
+          all[models[i].labels.category].push_back({i, j});
+    for (const auto& [category, pairs] : all) {
+      const std::size_t count = std::min(most, pairs.size());
+      for (std::size_t k = 0; k < count; ++k)
+        result.push_back(pairs[k * pairs.size() / count]);
+    }
+  }
+  return result;
+}
+
 /// Labelled shapes, the real ones first, and pairs of real ones that were matched.
 struct Validated_shapes
 {
@@ -139,7 +186,7 @@ struct Validated_shapes
   {
     add(options.folders, options);
     const std::size_t number_of_real = models.size();
-    const std::vector<Shape_pair> pairs = cli::listed_pairs(models, options.pairs);
+    const std::vector<Shape_pair> pairs = listed_pairs(models, options.pairs);
     if (pairs.empty()) throw Invalid_input(options.folders[0] + ": it takes two shapes of a category to match any");
     add(options.generated, options);
     for (const cli::Labelled_model& model : models) {
@@ -238,17 +285,15 @@ Calibration calibration_of(const Validated_shapes& set, const std::string& categ
 struct Row
 {
   std::string name, category; // the latter empty for the mean
-  Mean_score geometric, joined, gain;
+  Mean_estimates geometric, joined, gain;
 };
 
 std::vector<Row> rows_of(const Validated_shapes& set, std::uint64_t seed)
 {
   const std::vector<Scored_correspondence> without = set.scores(&Validated_pair::geometric),
                                            with = set.scores(&Validated_pair::joined);
-  Evaluation_options options;
-  options.seed = seed;
-  const Evaluation geometric = mean_scores(without, options), joined = mean_scores(with, options),
-                   gain = mean_differences(with, without, options);
+  const Estimated_scores geometric = mean_estimates(without, {}, seed), joined = mean_estimates(with, {}, seed),
+                         gain = mean_estimates(with, without, seed);
   std::vector<Row> result;
   for (std::size_t c = 0; c < gain.categories.size(); ++c) {
     const std::string& name = gain.categories[c].first;
@@ -259,22 +304,17 @@ std::vector<Row> rows_of(const Validated_shapes& set, std::uint64_t seed)
   return result;
 }
 
-double always_f1(const Validated_pair& pair) { return pair.always.f1(); }
-
-double examples_help(const Validated_pair& pair) { return pair.gain.is_clear(); }
-
-void write_table(const Validated_shapes& set, const std::vector<Row>& rows, bool has_own_examples)
+void write_table(const Validated_shapes& set, const std::vector<Row>& rows)
 {
   std::vector<std::vector<std::string>> table{{"category",     "pairs",  "geometry P", "R",      "F1",
                                                "with roles P", "R",      "F1",         "95 %",   "gain",
                                                "95 %",         "stated", "right",      "AUC",    "P sure",
                                                "share",        "front",  "sure front", "labels", "with roles"}};
-  if (has_own_examples) table[0].insert(table[0].end(), {"always", "used"});
   const auto interval = [](const Estimate& e) { return decimals(e.low) + ".." + decimals(e.high); };
   const auto text = [](const std::optional<double>& number) { return number ? decimals(*number) : "-"; };
   for (const Row& row : rows) {
     std::vector<std::string> cells{row.name, std::to_string(row.geometric.correspondences)};
-    for (const Mean_score* score : {&row.geometric, &row.joined})
+    for (const Mean_estimates* score : {&row.geometric, &row.joined})
       for (const Estimate* estimate : {&score->precision, &score->recall, &score->f1})
         cells.push_back(decimals(estimate->mean));
     cells.insert(cells.end(), {interval(row.joined.f1), decimals(row.gain.f1.mean), interval(row.gain.f1)});
@@ -288,14 +328,12 @@ void write_table(const Validated_shapes& set, const std::vector<Row>& rows, bool
     for (const auto labels : {&Validated_pair::labels_by_geometry, &Validated_pair::labels_joined})
       cells.push_back(text(set.share(
           row.category, [&](const Validated_pair& pair) { return pair.*labels; }, one)));
-    for (const auto value : {always_f1, examples_help})
-      if (has_own_examples) cells.push_back(text(set.share(row.category, value, one)));
     table.push_back(std::move(cells));
   }
   cli::write_table(std::cout, table);
 }
 
-Json json_of(const Mean_score& score)
+Json json_of(const Mean_estimates& score)
 {
   Json result;
   for (const auto& [name, e] :
@@ -304,14 +342,20 @@ Json json_of(const Mean_score& score)
   return result;
 }
 
-Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const std::string& left_out,
-             bool has_own_examples)
+Json json_of(const Pair_weights& w)
+{
+  return {{"same_label", w[SAME_LABEL]},         {"same_role", w[SAME_ROLE]}, {"votes_agree", w[VOTES_AGREE]},
+          {"geometric_pair", w[GEOMETRIC_PAIR]}, {"excess", w[EXCESS]},       {"constant", w[CONSTANT]}};
+}
+
+Json json_of(const Confidence_weights& w) { return {{"slope", w[SLOPE]}, {"offset", w[OFFSET]}}; }
+
+Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const std::string& left_out)
 {
   const auto labels = [&](const Row& row, double Validated_pair::*share) {
     return *set.share(
         row.category, [&](const Validated_pair& pair) { return pair.*share; }, one);
   };
-  const Pair_weights w = set.validation->weights();
   Json result{{"format", "shape_correspondence/role_evaluation"}, {"version", 1}, {"left_out", left_out}};
   for (const Row& row : rows)
     result["categories"].push_back({{"category", row.name},
@@ -321,13 +365,13 @@ Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const st
                                     {"gain", json_of(row.gain)},
                                     {"labels", labels(row, &Validated_pair::labels_by_geometry)},
                                     {"labels_with_roles", labels(row, &Validated_pair::labels_joined)}});
-  for (std::size_t i = 0; has_own_examples && i < rows.size(); ++i) {
-    result["categories"][i]["always"] = *set.share(rows[i].category, always_f1, one);
-    result["categories"][i]["used"] = *set.share(rows[i].category, examples_help, one);
+  result["weights"] = json_of(set.validation->weights());
+  for (const Category_roles& fitted : Role_model_access::data(set.validation->fitted_model()).categories) {
+    Json& entry = result["fitted"][fitted.name];
+    entry["weights"] = json_of(fitted.weights);
+    entry["confidence"] = json_of(fitted.confidence);
+    entry["geometric_confidence"] = json_of(fitted.geometric_confidence);
   }
-  result["weights"] = {{"same_label", w[SAME_LABEL]},   {"same_role", w[SAME_ROLE]},
-                       {"votes_agree", w[VOTES_AGREE]}, {"geometric_pair", w[GEOMETRIC_PAIR]},
-                       {"excess", w[EXCESS]},           {"constant", w[CONSTANT]}};
   for (const Validated_pair& pair : set.pairs()) {
     Json entry{{"category", set.category(pair)},
                {"source", set.models[pair.shapes[0]].labels.file},
@@ -336,11 +380,6 @@ Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const st
                {"geometry", pair.geometric.f1()},
                {"with_roles", pair.joined.f1()},
                {"confidences", Json::array()}};
-    if (has_own_examples) {
-      entry["always"] = always_f1(pair);
-      entry["gain_of_examples"] = {
-          {"pairs", pair.gain.pairs}, {"with", pair.gain.with}, {"without", pair.gain.without}};
-    }
     for (const Judged_pair& judged : pair.judged)
       entry["confidences"].push_back(Json::array({judged.confidence, judged.is_right, judged.has_one_role}));
     result["pairs"].push_back(std::move(entry));
@@ -360,10 +399,9 @@ int main(int argc, char** argv)
     const Options options = parsed(argc, argv);
     const Validated_shapes set(options);
     const std::vector<Row> rows = rows_of(set, options.training.seed);
-    const bool has_own_examples = options.validation.own_examples > 0;
-    write_table(set, rows, has_own_examples);
-    if (!options.json.empty())
-      std::ofstream(options.json) << json_of(set, rows, options.left_out, has_own_examples).dump(1) << '\n';
+    write_table(set, rows);
+    if (!options.json.empty()) std::ofstream(options.json) << json_of(set, rows, options.left_out).dump(1) << '\n';
+    if (!options.model.empty()) IO::write_role_model(options.model, set.validation->fitted_model());
   } catch (const std::invalid_argument& error) {
     std::cerr << "validate_roles: " << error.what() << " (see --help)\n";
     return bad_usage;

@@ -40,12 +40,6 @@ int main()
   for (const auto& [a, b] : SC::minimum_spanning_tree(distances))
     std::cout << "  " << names[a] << " - " << names[b] << '\n';
 
-  // The same medoid from a sample of the distances, as for thousands of shapes
-  const SC::Sampled_medoid sampled = SC::sampled_medoid(shapes.size(), [&](std::size_t i, std::size_t j) {
-    return SC::energy_matrix({shapes[i], shapes[j]}).energies.sum() / 2;
-  });
-  std::cout << "sampled medoid: " << names[sampled.shape] << " after " << sampled.evaluations << " distances\n";
-
   // What is like a query, without matching it with all
   const SC::Structural_graph query = read_shapes({"table_trestle"}).front();
   const SC::Nearest_shapes nearest = SC::nearest_shapes(query, shapes, 2);

@@ -13,7 +13,7 @@
 
 /// \file Shape_correspondence.h
 /// Includes all of the package except reading and writing files (`Shape_correspondence/IO/`) and the solvers that can
-/// be used without shapes (`exact_search.h`, `markov_clustering.h`, `part_matrix.h`).
+/// be used without shapes (`exact_search.h`, `markov_clustering.h`).
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 #include <CGAL/Shape_correspondence/Surface_map.h>

@@ -22,7 +22,6 @@ from ._collections import (
     CoAnalysis,
     Collection,
     CollectionShape,
-    Estimate,
     Evaluation,
     MeanScore,
     Medoid,
@@ -50,7 +49,6 @@ from ._matches import (
     TransferredLooks,
     TransferredPart,
     match,
-    paper_options,
     transfer,
     transfer_looks,
 )
@@ -58,9 +56,9 @@ from ._shapes import Graph, Part, PartAbstraction, PartGroup, Shape, build_graph
 
 __all__ = [
     "Blend", "BlendTask", "Block", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
-    "EnergyTerms", "Estimate", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
+    "EnergyTerms", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
     "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
     "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks",
     "TransferredPart", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",
-    "paper_options", "read", "roles", "schedule_names", "transfer", "transfer_labels", "transfer_looks",
+    "read", "roles", "schedule_names", "transfer", "transfer_labels", "transfer_looks",
 ]

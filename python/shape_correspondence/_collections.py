@@ -252,7 +252,9 @@ def transfer_labels(
 
 def _of_graphs(options: Dict[str, Any], cache: Optional[Path], threads: int) -> Dict[str, Any]:
     """The options of graphs, which are taken out of those of `match()`."""
-    chosen = {name: options.pop(name) for name in ("abstraction", "closest_points") if name in options}
+    chosen = {"abstraction": options.pop("abstraction")} if "abstraction" in options else {}
+    if "paper" in options:
+        chosen["paper"] = options["paper"]
     return {**chosen, "cache": cache, "threads": threads}
 
 
@@ -267,25 +269,14 @@ def _collection_graphs(shapes: Union[Path, Sequence[Input]], of_graphs: Dict[str
 
 
 @dataclass
-class Estimate(Record):
-    """A mean and its confidence interval, by bootstrap."""
-
-    mean: float  #: the mean
-    low: float  #: lower end of the interval
-    high: float  #: upper end of the interval
-
-
-@dataclass
 class MeanScore(Record):
     """The scores of several results."""
 
     category: Optional[str] = None  #: of the shapes; None: the mean of all, in which every category weighs the same
     results: int = 0  #: number of results
-    empty: int = 0  #: results without a pair
-    precision: Optional[Estimate] = None  #: right pairs among those found
-    recall: Optional[Estimate] = None  #: pairs found among the right ones
-    f1: Optional[Estimate] = None  #: harmonic mean of precision and recall
-    coarse_precision: Optional[Estimate] = None  #: pairs of equal coarse labels among those found
+    precision: float = 0  #: right pairs among those found
+    recall: float = 0  #: pairs found among the right ones
+    f1: float = 0  #: harmonic mean of precision and recall
 
 
 @dataclass
@@ -299,7 +290,6 @@ class Score(Record):
     precision: float  #: right pairs among those found
     recall: float  #: pairs found among the right ones
     f1: float  #: harmonic mean of precision and recall
-    coarse_precision: float  #: pairs of equal coarse labels among those found
     right: List[Tuple[str, str]]  #: pairs that are right
     wrong: List[Tuple[str, str]]  #: pairs that are not
     missed: List[Tuple[str, str]]  #: right pairs that were not found
@@ -312,22 +302,18 @@ class Evaluation(Record):
     `to_dict()` is what ``shape_correspondence evaluate --json`` writes.
     """
 
-    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/evaluation", "version": 1}
+    _header: ClassVar[Dict[str, Any]] = {"format": "shape_correspondence/evaluation", "version": 2}
 
     categories: List[MeanScore]  #: by category
     mean: MeanScore  #: every category weighs the same
     results: List[Score]  #: by result
 
     def __repr__(self) -> str:
-        return f"<Evaluation of {len(self.results)} results: F1 {self.mean.f1.mean:.3f}>"
+        return f"<Evaluation of {len(self.results)} results: F1 {self.mean.f1:.3f}>"
 
 
-@with_options
-def evaluate(
-    results: Union[Match, Path, Sequence[Union[Match, Path]]],
-    ground_truth: Union[Path, Sequence[Path]],
-    **options: Any,
-) -> Evaluation:
+def evaluate(results: Union[Match, Path, Sequence[Union[Match, Path]]],
+             ground_truth: Union[Path, Sequence[Path]]) -> Evaluation:
     """Scores results against labelled parts: precision, recall, F1.
 
     The labels of a shape are found by the name of the folder of its ``labels.json``, which must be in the path or name of
@@ -341,4 +327,4 @@ def evaluate(
     labels = [ground_truth] if isinstance(ground_truth, (str, os.PathLike)) else list(ground_truth)
     matches = [result._handle for result in every if isinstance(result, Match)]
     files = [os.fspath(result) for result in every if not isinstance(result, Match)]
-    return Evaluation.from_dict(json.loads(_core.evaluate(files, matches, [os.fspath(l) for l in labels], options)))
+    return Evaluation.from_dict(json.loads(_core.evaluate(files, matches, [os.fspath(l) for l in labels])))

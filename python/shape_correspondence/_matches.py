@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._options import defaults, paper_options, with_options
+from ._options import defaults, with_options
 from ._pages import Page
 from ._records import Record
 from ._shapes import Graph, Input, Path, Progress, _graphs
@@ -200,13 +200,14 @@ def match(
     """
     of_shapes = {name: options.pop(name) for name in (*defaults("read"), *defaults("build_graph")) if name in options}
     graphs = _graphs([source, target], True, {**of_shapes, "cache": cache, "threads": threads}, progress)
-    search: Dict[str, Any] = {**options, "part_matching": part_matching}
+    paper = of_shapes.get("paper", False)
+    search: Dict[str, Any] = {**options, "part_matching": part_matching, "paper": paper}
     for name, parts, graph in zip(("source_parts", "target_parts"), (source_parts, target_parts), graphs):
         search[name] = _part_indices(parts, graph)
     for name, pairs in (("pinned", pinned), ("forbidden", forbidden)):
         search[name] = [tuple(_part_indices([part], graph)[0] for part, graph in zip(pair, graphs)) for pair in pairs]
-    abstraction = of_shapes.get("abstraction", "fitted")
-    handle = _core.match(graphs[0]._handle, graphs[1]._handle, abstraction, _model_of(roles, options), threads, search,
+    abstraction = of_shapes.get("abstraction", "flow" if paper else "fitted")
+    handle = _core.match(graphs[0]._handle, graphs[1]._handle, abstraction, _model_of(roles, search), threads, search,
                          progress)
     return Match.from_dict(json.loads(handle.json()), _handle=handle)
 

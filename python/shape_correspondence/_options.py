@@ -19,30 +19,10 @@ def defaults(function: str) -> Dict[str, Any]:
     return {name: default for name, default, _ in _core.options_of(function)}
 
 
-#: Options of `build_graph()` for the paper's method
-PAPER_GRAPHS: Dict[str, Any] = {"abstraction": "flow", "closest_points": True}
-
-
-def paper_options() -> Dict[str, Any]:
-    """Options of `match()` for the paper's method: graphs by mean curvature flow, and beam search of all alignments, in
-    both directions."""
-    usual = defaults("match")
-    search = {name: value for name, value in defaults("paper").items() if value != usual[name]}
-    return {**search, **PAPER_GRAPHS}
-
-
 def _one_of(name: str, value: Any, words: Dict[str, Any]) -> Any:
     if value not in words:
         raise _core.InvalidInput(f"{name} cannot be {value!r}; known are: {', '.join(words)}")
     return words[value]
-
-
-def _weights(value: Any) -> Dict[str, Any]:
-    try:
-        connectedness, split = (float(weight) for weight in _words(value))
-    except (TypeError, ValueError):
-        raise _core.InvalidInput(f"weights takes two numbers, w_c,w_s, not {value!r}") from None
-    return {"connectedness_weight": connectedness, "split_weight": split}
 
 
 def _words(value: Any) -> Any:
@@ -62,20 +42,9 @@ _OF_PROGRAM: Dict[str, Callable[[Any], Dict[str, Any]]] = {
     "alignments": lambda value: {} if value == "auto" else {"alignments": value},
     "source_parts": lambda value: {"source_parts": _words(value)},
     "target_parts": lambda value: {"target_parts": _words(value)},
-    "direction": lambda value: _one_of("direction", value, {
-        "both": {"both_directions": True, "direction_by_energy": False},
-        "least": {"both_directions": True, "direction_by_energy": True}, "forward": {"both_directions": False}}),
-    "fit": lambda value: {"deform_to_fit": value},
-    "proximity": lambda value: {"hard_proximity": _one_of("proximity", value, {"soft": False, "hard": True})},
-    "contact_points": lambda value: {"closest_points": _one_of("contact_points", value, {"middle": False, "closest": True})},
     "max_parts": lambda value: {"maximum_parts": value},
-    "max_parts_of": lambda value: {"coarse_target": _one_of("max_parts_of", value, {"both": True, "source": False})},
     "front": lambda value: _one_of("front", value, {"given": {"front_is_sure": True}, "likely": {"front_is_sure": False},
                                                    "auto": {"alignments": 0}}),
-    "weights": _weights,
-    "without": lambda value: {_one_of("without", value, {term: f"{term}_weight" for term in (
-        "distortion", "connectedness", "split")}): 0},
-    "norm": lambda value: {"energy_norm": value},
     "no_cut": lambda value: {"cut_curves": not value},
     "allow_unmatched": lambda value: {"unmatched_cost": 0.5 if value is True else value},
     "pin": lambda value: {"pinned": _pairs(value)},
@@ -114,13 +83,13 @@ def with_names_of_program(function: Function, options: Sequence[str] = ()) -> Fu
     known = {*options, *(p.name for p in parameters if p.kind is not p.VAR_KEYWORD)}
     if "roles" in known or name == "blend":
         known |= {*defaults("match"), "part_matching", "roles", "pinned", "forbidden", "source_parts", "target_parts",
-                  "abstraction", "closest_points"}
+                  "abstraction"}
     if name in ("match", "blend", "build_graph"):
         known |= {*defaults("read"), *defaults("build_graph")}
 
     @functools.wraps(function)
     def call(*arguments: Any, **values: Any) -> Any:
-        result = paper_options() if "search_method" in known and values.pop("paper", False) else {}
+        result: Dict[str, Any] = {}
         for given, value in values.items():
             for key, of_key in _OF_PROGRAM.get(given, lambda value: {given: value})(value).items():
                 if key not in known:
@@ -134,7 +103,7 @@ def with_names_of_program(function: Function, options: Sequence[str] = ()) -> Fu
 
 
 def _suggestion(name: str, known: Any) -> str:
-    close = difflib.get_close_matches(name, [*known, *_OF_PROGRAM, "paper"], 1)
+    close = difflib.get_close_matches(name, [*known, *_OF_PROGRAM], 1)
     return f"; did you mean '{close[0]}'?" if close else ""
 
 

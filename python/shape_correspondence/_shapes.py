@@ -16,7 +16,7 @@ import numpy as np
 
 from . import _core
 from ._inputs import is_mesh, parts_of
-from ._options import PAPER_GRAPHS, defaults, with_options
+from ._options import defaults, with_options
 from ._pages import Page
 from ._records import Record
 
@@ -236,7 +236,7 @@ def read(path: Path, **options: Any) -> Shape:
 def build_graph(shape: Input, *, progress: Progress = None, **options: Any) -> Graph:
     """Builds the structural graph of a shape: a curve or sheet for every part, symmetry groups and contacts.
 
-    :param shape: a `Shape`, what makes a `Shape`, a model file, or a saved graph (``.json``, ``.xml``)
+    :param shape: a `Shape`, what makes a `Shape`, a model file, or a saved graph (``.json``)
     :param progress: called with the fraction done, in [0, 1], and the name of the current step
     :raises InvalidInput: if the shape has fewer than two parts or more than 2000, or an option is out of its range
     """
@@ -251,7 +251,7 @@ def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], pro
     result = []
     # What the paper's method asks of graphs may be given beside graphs of another kind: a match warns of them
     further = {name for name, value in options.items() if value is not None} - {"cache", "threads", "allow_outside_files"}
-    further -= {name for name, value in PAPER_GRAPHS.items() if options.get(name) == value}
+    further -= {"paper"} if options.get("abstraction") != "flow" else {"paper", "abstraction"}
     for shape in shapes:
         done = further if isinstance(shape, Graph) else further & {*defaults("read")} if isinstance(shape, Shape) else {}
         if done:

@@ -125,7 +125,7 @@ def _label(labels: Mapping[str, Union[str, Tuple[str, str]]], part: str, graph: 
 
 def _model_of(roles: Optional[Model], search: Mapping[str, Any]) -> Optional[RoleModel]:
     """The model that a search takes: roles are for matching by parts, or have a weight in the energy."""
-    has_roles = search.get("search_method", "parts") == "parts" or search.get("role_weight", 0) > 0
+    has_roles = search.get("search_method", "beam" if search.get("paper") else "parts") == "parts" or search.get("role_weight", 0) > 0
     if not has_roles and not (roles is None or roles == "auto"):
         raise _core.InvalidInput('roles need search_method="parts", or a role_weight')
     if roles is None or not has_roles:

@@ -77,7 +77,7 @@ std::string collection(const Graphs& graphs, const std::optional<Role_model>& ro
     };
     SC::cli::Team team;
     const SC::cli::Collection_shapes shapes = shapes_of(graphs);
-    SC::cli::Collection_work pairs(shapes, options.store.empty() ? "" : options.store + "/tiles", key, matching,
+    SC::cli::Collection_work pairs(shapes, options.store.empty() ? "" : options.store + "/pairs", key, matching,
                                    common);
     pairs.run(team);
     const SC::cli::Analysis analysis = SC::cli::analysed(shapes, options, pairs);
@@ -151,15 +151,14 @@ SC::cli::Named_result named(const Match& match)
 
 /// The JSON of the scores of results in files and of matches.
 std::string evaluate(const std::vector<std::string>& files, const std::vector<std::shared_ptr<Match>>& matches,
-                     const std::vector<std::string>& labels, const py::dict& values)
+                     const std::vector<std::string>& labels)
 {
-  const SC::Evaluation_options options = evaluation_options(values);
   py::gil_scoped_release unlocked;
   const std::vector<SC::IO::Labelled_shape> shapes = SC::cli::read_labels(labels);
   std::vector<SC::cli::Named_result> results = SC::cli::read_results(files);
   for (const auto& match : matches)
     results.push_back(named(*match));
-  return text([&](std::ostream& out) { SC::cli::write_evaluation_json(out, results, shapes, options); });
+  return text([&](std::ostream& out) { SC::cli::write_evaluation_json(out, results, shapes); });
 }
 
 } // namespace

@@ -4,8 +4,9 @@
 #include "options.h"
 
 #include "cli/blend.h"
-#include "cli/evaluate.h"
 #include "cli/text.h"
+
+#include <CGAL/Shape_correspondence/paper_structure_options.h>
 
 #include <pybind11/stl.h>
 
@@ -152,20 +153,8 @@ struct Search_keywords : Keywords
                          "beam search) or exact (least deformation energy, with a proof)")
         .in_python();
     add_match_options(table, match);
-    SC::Energy_weights& weights = match.search.matching.weights;
-    add("distortion_weight", weights.distortion, "weight of E_d in Eq. 1");
-    add("connectedness_weight", weights.connectedness, "w_c, weight of E_c");
-    add("split_weight", weights.split, "w_s, weight of E_s");
+    add("paper", match.paper, "the method of the paper, its graphs included");
     add("cut_curves", match.search.matching.cut_curves, "whether curves may be cut into segments and joined");
-    add("both_directions", match.search.both_directions,
-        "deform either shape into the other, and keep the lower energy per pair of connected parts");
-    add("direction_by_energy", match.search.direction_by_energy,
-        "take the direction with less energy, as in the paper, not with less energy per pair of connected parts");
-    add("hard_proximity", match.search.matching.hard_proximity,
-        "whether parts that are not matched yet follow those that they touch to the point, as in the paper; otherwise "
-        "they resist being stretched a little");
-    add("coarse_target", match.search.coarse_target,
-        "whether `maximum_parts` applies to both shapes, or to the source only");
     add("alignments", match.search.alignments,
         "number of turns of the target about the up axis to try, nearest to the given one first; 0: all");
     add("front_is_sure", match.search.front_is_sure,
@@ -177,6 +166,7 @@ struct Search_keywords : Keywords
 struct Model_keywords : Keywords
 {
   SC::cli::Common_options common;
+  bool paper = false;
 
   Model_keywords()
   {
@@ -188,9 +178,7 @@ struct Model_keywords : Keywords
     add("detect_reflections", symmetry.reflection, "whether to look for reflections");
     add("detect_rotations", symmetry.rotation, "whether to look for rotations");
     add("detect_translations", symmetry.translation, "whether to look for translations");
-    add("closest_points", common.structure.contacts.closest_points,
-        "whether parts touch at a closest pair of points, as in the paper, not in the middle of all that is nearly as "
-        "close");
+    add("paper", paper, "graphs as in the paper: `abstraction` flow, and parts touch at a closest pair of points");
     add("parts_from", common.parts_from,
         "a list of pieces and their parts, as `graph --parts-json` of the program writes it, or of labels of faces");
   }
@@ -222,18 +210,6 @@ struct Collection_keywords : Keywords
   Collection_keywords() { add_collection_options(table, common, options); }
 };
 
-struct Evaluation_keywords : Keywords
-{
-  SC::cli::Common_options common;
-  SC::cli::Evaluate_options options;
-
-  Evaluation_keywords()
-  {
-    add_evaluate_options(table, options, common);
-    add("seed", options.evaluation.seed, "seed of the random numbers");
-  }
-};
-
 py::list listed(const Option_table& table, const std::function<bool(const Option&)>& is_wanted = {})
 {
   py::list result;
@@ -255,7 +231,8 @@ std::vector<SC::Part_pair> pairs_of(const py::object& value)
 
 SC::Search_options search_options(const py::dict& values, bool is_for_pair)
 {
-  Search_keywords keywords;
+  const bool paper = values.contains("paper") && py::cast<bool>(values["paper"]);
+  Search_keywords keywords(paper ? SC::paper_options() : SC::Search_options());
   py::dict rest;
   const auto refuse = [](const std::string& name) {
     throw py::type_error(name + " is for a pair of shapes, not for a set");
@@ -290,6 +267,12 @@ SC::cli::Common_options model_options(const py::dict& values)
 {
   Model_keywords keywords;
   keywords.read(values);
+  if (keywords.paper) {
+    const SC::Structure_options paper = SC::paper_structure_options();
+    SC::Structure_options& structure = keywords.common.structure;
+    if (!values.contains("abstraction")) structure.abstraction.abstractor = paper.abstraction.abstractor;
+    structure.contacts.closest_points = paper.contacts.closest_points;
+  }
   return keywords.common;
 }
 
@@ -309,13 +292,6 @@ SC::cli::Collection_options collection_options(const py::dict& values)
   return keywords.options;
 }
 
-SC::Evaluation_options evaluation_options(const py::dict& values)
-{
-  Evaluation_keywords keywords;
-  keywords.read(values);
-  return keywords.options.evaluation;
-}
-
 py::list options_of(const std::string& function)
 {
   const auto is_of_reading = [](const Option& option) {
@@ -328,8 +304,6 @@ py::list options_of(const std::string& function)
   if (function == "build_graph") return listed(Model_keywords().table, is_of_graphs);
   if (function == "blend") return listed(Blend_keywords().table);
   if (function == "collection") return listed(Collection_keywords().table);
-  if (function == "evaluate") return listed(Evaluation_keywords().table);
-  if (function == "paper") return listed(Search_keywords(SC::paper_options()).table);
   if (function == "part_matching") {
     SC::Part_matching_options options;
     return listed(Part_matching_keywords(options).table);

@@ -8,7 +8,6 @@
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
-#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <pybind11/pybind11.h>
@@ -24,11 +23,9 @@ SC::cli::Common_options model_options(const py::dict& values);
 /// \param has_size gets whether a size is asked for
 SC::Blend_options blend_options(const py::dict& values, bool& has_size);
 SC::cli::Collection_options collection_options(const py::dict& values);
-SC::Evaluation_options evaluation_options(const py::dict& values);
 
 /// The options of a function: tuples of name, default and help. \param function `match`, `read`, `build_graph`,
-/// `blend`, `collection`, `evaluate`; `paper` has the values of the paper's method, `part_matching` those of a part
-/// of `match`
+/// `blend`, `collection`; `part_matching` has those of a part of `match`
 py::list options_of(const std::string& function);
 
 } // namespace shape_correspondence_python

@@ -15,7 +15,7 @@ def defaults(function):
     return {name: p.default for name, p in inspect.signature(function).parameters.items() if p.default is not p.empty}
 
 
-@pytest.mark.parametrize("function", [sc.match, sc.read, sc.build_graph, sc.blend, sc.collection, sc.evaluate])
+@pytest.mark.parametrize("function", [sc.match, sc.read, sc.build_graph, sc.blend, sc.collection])
 def test_options_are_those_of_the_table(function):
     python = defaults(function)
     options = _core.options_of(function.__name__)
@@ -28,10 +28,8 @@ def test_options_are_those_of_the_table(function):
 def test_options_and_defaults_of_a_match():
     assert list(defaults(sc.match))[:5] == ["part_matching", "roles", "pinned", "forbidden", "source_parts"]
     expected = {"search_method": "parts", "category": None, "min_confidence": 0, "beam_width": 20, "expansions": 4,
-                "distortion_weight": 1, "connectedness_weight": 0.6, "split_weight": 0.4, "role_weight": 0,
-                "energy_norm": "sum", "cut_curves": True, "unmatched_cost": float("inf"), "both_directions": True,
-                "deform_to_fit": "samples", "hard_proximity": False, "direction_by_energy": False,
-                "maximum_parts": 0, "coarse_target": True, "coarse_to_fine": 0, "alignments": 1, "front_is_sure": False, "solutions": 1,
+                "role_weight": 0, "paper": False, "cut_curves": True, "unmatched_cost": float("inf"),
+                "maximum_parts": 0, "coarse_to_fine": 0, "alignments": 1, "front_is_sure": False, "solutions": 1,
                 "min_marginals": False}
     assert {name: value for name, value, _ in _core.options_of("match")} == expected
 
@@ -46,16 +44,10 @@ def test_part_matching():
 def test_names_are_those_of_named_parameters(data):
     header = (data.parent / "include/CGAL/Shape_correspondence/parameters.h").read_text()
     names = re.findall(r"^  X\((\w+),\s*(\w+_options)", header, re.MULTILINE)
-    assert len(names) > 20
+    assert len(names) > 10
     python = {"Search_options": defaults(sc.match), "Structure_options": defaults(sc.build_graph)}
     for name, structure in names:
         assert name in python[structure], name
-
-
-def test_paper_options():
-    assert sc.paper_options() == {
-        "search_method": "beam", "alignments": 0, "coarse_target": False, "direction_by_energy": True,
-        "deform_to_fit": "extremities", "hard_proximity": True, "abstraction": "flow", "closest_points": True}
 
 
 @pytest.mark.parametrize("name", sc.__all__)
@@ -92,7 +84,7 @@ def test_every_option_of_the_program_is_taken(program, tmp_path):
                             "search_time_limit", "seed", "verbose"}
     for name in set(re.findall(r"--([a-z][a-z-]+)", program("match", "--help").stdout)):
         name = name.replace("-", "_")
-        known = {*defaults(sc.match), *defaults(sc.read), *defaults(sc.build_graph), *_options._OF_PROGRAM, "paper"}
+        known = {*defaults(sc.match), *defaults(sc.read), *defaults(sc.build_graph), *_options._OF_PROGRAM}
         assert name in known | without_meaning_here or re.match("(source|target)_(up|front|parts)", name), name
 
 
@@ -101,9 +93,8 @@ def test_an_option_under_two_names(table):
         sc.match(table(), table(), search="exact", search_method="beam")
     with pytest.raises(TypeError, match="read already"):
         sc.match(sc.build_graph(table()), table(), kind="curve")
-    for wrong in ({"weights": "1"}, {"direction": "back"}, {"without": "roles"}):
-        with pytest.raises(sc.InvalidInput, match=next(iter(wrong))):
-            sc.match(table(), table(), **wrong)
+    with pytest.raises(sc.InvalidInput, match="front"):
+        sc.match(table(), table(), front="left")
 
 
 def test_unknown_options_are_refused(table):
@@ -118,7 +109,7 @@ def test_unknown_options_are_refused(table):
 
 
 @pytest.mark.parametrize("options", [{"search_method": "fast"}, {"min_confidence": 2}, {"search_method": "beam", "beam_width": 0},
-                                     {"energy_norm": "max"}, {"source_parts": ["seat"]}, {"target_parts": [5]},
+                                     {"source_parts": ["seat"]}, {"target_parts": [5]},
                                      {"search_method": "beam", "roles": sc.roles.load()}, {"alignments": -1},
                                      {"part_matching": {"excess": -1}}])
 def test_options_out_of_range(table, options):

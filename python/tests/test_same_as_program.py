@@ -28,15 +28,13 @@ def as_text(result):
 @pytest.mark.parametrize("arguments, options", [
     ((), {}),
     (("--roles", "none", "--min-confidence", 0.5), {"roles": None, "min_confidence": 0.5}),
-    (("--paper",), sc.paper_options()),
-    (("--paper", "--abstraction", "fitted", "--fit", "samples"),
-     {**sc.paper_options(), "abstraction": "fitted", "deform_to_fit": "samples"}),
+    (("--paper",), {"paper": True}),
+    (("--paper", "--abstraction", "fitted"), {"paper": True, "abstraction": "fitted"}),
     (("--role-weight", 1), {"role_weight": 1, "search": "exact"}),
     (("--search", "exact", "--solutions", 3, "--min-marginals"),
      {"search_method": "exact", "solutions": 3, "min_marginals": True}),
-    (("--search", "beam", "--weights", "0.3,0.2", "--norm", "pooled", "--no-cut", "--allow-unmatched", 0.7),
-     {"search_method": "beam", "connectedness_weight": 0.3, "split_weight": 0.2, "energy_norm": "pooled",
-      "cut_curves": False, "unmatched_cost": 0.7}),
+    (("--search", "beam", "--no-cut", "--allow-unmatched", 0.7),
+     {"search_method": "beam", "cut_curves": False, "unmatched_cost": 0.7}),
 ])
 def test_match(json_of_program, cache, arguments, options):
     expected = json_of_program("match", TABLE, OTHER, "--cache", cache, *arguments)
@@ -55,11 +53,8 @@ def test_graph_of_the_other_abstraction(cache):
 
 
 @pytest.mark.parametrize("arguments, options", [
-    (("--paper", "--weights", "0.3,0.2"), {"paper": True, "weights": "0.3,0.2"}),
-    (("--search", "exact", "--norm", "pooled", "--no-cut", "--allow-unmatched", 0.7, "--direction", "forward"),
-     {"search": "exact", "norm": "pooled", "no_cut": True, "allow_unmatched": 0.7, "direction": "forward"}),
-    (("--search", "beam", "--without", "split", "--max-parts", 4, "--max-parts-of", "source", "--front", "auto"),
-     {"search": "beam", "without": "split", "max_parts": 4, "max_parts_of": "source", "front": "auto"}),
+    (("--search", "exact", "--no-cut", "--allow-unmatched", 0.7), {"search": "exact", "no_cut": True, "allow_unmatched": 0.7}),
+    (("--search", "beam", "--max-parts", 4, "--front", "auto"), {"search": "beam", "max_parts": 4, "front": "auto"}),
     (("--roles", "none", "--pin", "top_board=plank_top", "--source-parts", "top_board,post_1", "--front", "given"),
      {"roles": "none", "pin": "top_board=plank_top", "source_parts": "top_board,post_1", "front": "given"}),
     (("--no-symmetry", "--part-kind", "top_board=sheet", "--max-iterations", 9, "--up", "y"),
@@ -131,10 +126,10 @@ def test_store_of_a_collection(cache, tmp_path):
     expected = sc.collection(shapes, cache=cache).to_dict()
     store = tmp_path / "store"
     assert sc.collection(shapes, cache=cache, store=store).to_dict() == expected
-    tiles = {path: path.stat().st_mtime_ns for path in (store / "tiles").iterdir()}
-    assert tiles
+    rows = {path: path.stat().st_mtime_ns for path in (store / "pairs").iterdir()}
+    assert rows
     assert sc.collection(shapes, cache=cache, store=store).to_dict() == expected
-    assert {path: path.stat().st_mtime_ns for path in (store / "tiles").iterdir()} == tiles
+    assert {path: path.stat().st_mtime_ns for path in (store / "pairs").iterdir()} == rows
     other = sc.collection(shapes, cache=cache, store=store, search_method="exact")  # work of other options is apart
     assert other.to_dict() == sc.collection(shapes, cache=cache, search_method="exact").to_dict()
 

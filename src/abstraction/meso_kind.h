@@ -30,7 +30,7 @@ inline Meso_measures meso_measures(const Part_mesh& meso_skeleton, double area_k
   return {area_kept, box_over_root_mean_square * intrinsic_layout(Spatial_graph_view(graph)).extents, thickness};
 }
 
-/// While 2 % of the volume are left; set on the generated parts, see `benchmark_abstraction_kinds`.
+/// While 2 % of the volume are left; chosen on the generated parts, whose kinds are known.
 struct Meso_thresholds
 {
   double sheet_area = 0.36; ///< share of the area that only a sheet keeps; that of a rod falls as √volume, to 0.14

@@ -23,14 +23,14 @@ namespace {
 /// Whether a map does not do: the surfaces are not alike, or one is torn on the way.
 bool is_torn(const Part_morph& morph)
 {
-  constexpr double most_torn = 2 * Shape_blend::torn_tolerance; // of a part by itself
-  constexpr double most_jump = 0.08;                            // where the second surface takes over
-  constexpr double most_misfit_of_open = 0.1;                   // of surfaces with rims, which are seen to gape
+  constexpr double most_torn = 0.04;          // share of the surface
+  constexpr double most_jump = 0.08;          // where the second surface takes over
+  constexpr double most_misfit_of_open = 0.1; // of surfaces with rims, which are seen to gape
   bool are_closed = true;
   for (int surface : {0, 1}) {
     const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
     const Points points = morph.points(surface, Part_morph::change); // where it is farthest from what it was
-    if (rest.torn_area(points) > most_torn * rest.extent(points).area) return true;
+    if (rest.torn_area(points) > most_torn * rest.area(points)) return true;
     are_closed = are_closed && rest.is_closed();
   }
   return (!are_closed && morph.misfit(false) > most_misfit_of_open) || morph.misfit(true) > most_jump;
@@ -61,7 +61,6 @@ Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
   const auto morph = std::make_shared<const Part_morph>(boxes, source, target);
   if (is_torn(*morph)) return result;
   result.morph = morph;
-  result.needless_turn = needless_turn(boxes);
   result.set_ends();
   return result;
 }

@@ -29,7 +29,6 @@ struct Blend_part
   Blend_task task;
   std::shared_ptr<const Part_morph> morph;    ///< of a matched part
   Part_mesh mesh;                             ///< of another one, which shrinks or grows
-  double needless_turn = 0;                   ///< of a matched part, beyond the least one, in radians
   std::vector<contacts::Triangle_tree> trees; ///< by surface, at its end
   std::vector<Rest_surface> rests;            ///< by surface
   double size = 0;                            ///< the longer diagonal of the boxes of its surfaces

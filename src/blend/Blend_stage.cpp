@@ -142,9 +142,7 @@ void Blend_stage::add(const Blend_input& input, std::size_t end)
   }
   widest_gap[end] = internal::widest_gap(pointers_to(trees));
   images[end].resize(parts.size());
-  if (!are_symmetric) return;
-  images[end] = mirror_images(surfaces, trees);
-  asymmetry[end] = mirror_residual(surfaces, pointers_to(trees));
+  if (are_symmetric) images[end] = mirror_images(surfaces, trees);
 }
 
 void Blend_stage::add_mirrored(Part_pairs& pairs) const

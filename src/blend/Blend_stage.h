@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "blend/Shape_look.h"
+#include "blend/Seen_surface.h"
 
 #include <CGAL/Shape_correspondence/Blend_options.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -44,11 +44,10 @@ struct Blend_stage
   std::array<Structural_graph, 2> graphs; ///< with the frames of the stage
   std::array<std::vector<Part_mesh>, 2> meshes;
   std::array<Charted_shape, 2> charted;
-  std::array<Mirror_images, 2> images;      ///< none if the ends are not symmetric
-  std::array<contacts::Box, 2> boxes;       ///< of the shapes
-  std::array<double, 2> widest_gap;         ///< that it takes to join all parts
-  std::array<double, 2> asymmetry = {0, 0}; ///< `mirror_residual()`, if both are symmetric
-  std::array<double, 2> heights;            ///< of the shapes in the world
+  std::array<Mirror_images, 2> images; ///< none if the ends are not symmetric
+  std::array<contacts::Box, 2> boxes;  ///< of the shapes
+  std::array<double, 2> widest_gap;    ///< that it takes to join all parts
+  std::array<double, 2> heights;       ///< of the shapes in the world
   /// As they are given, but in the world at these heights, in the axes of the source.
   std::array<Segmented_shape, 2> shapes;
 

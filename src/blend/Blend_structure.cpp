@@ -7,12 +7,9 @@
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <boost/range/adaptor/map.hpp>
-#include <boost/range/iterator_range.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -20,20 +17,18 @@ namespace {
 /// What touches, as the graphs have it: of pieces of a part, those that are near.
 std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
 {
-  std::map<std::array<std::size_t, 2>, Touch> found; // by parts, the smaller index first
+  std::set<Touch> found; // the smaller index first
   for (int end : {0, 1})
     for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts) {
       const auto first = parts_of(parts, end, contact.parts[0]), second = parts_of(parts, end, contact.parts[1]);
       const bool are_whole = first.size() == 1 && second.size() == 1;
       for (std::size_t a : first)
-        for (std::size_t b : second) {
-          const double gap = std::sqrt(parts[a].end_tree(end).nearly_closest(parts[b].end_tree(end)).squared);
-          const std::array<std::size_t, 2> pair = {std::min(a, b), std::max(a, b)};
-          if (are_whole || gap <= tolerance)
-            found.try_emplace(pair, Touch{pair}).first->second.gaps[std::size_t(end)] = gap;
-        }
+        for (std::size_t b : second)
+          if (are_whole ||
+              std::sqrt(parts[a].end_tree(end).nearly_closest(parts[b].end_tree(end)).squared) <= tolerance)
+            found.insert({std::min(a, b), std::max(a, b)});
     }
-  return boost::copy_range<std::vector<Touch>>(found | boost::adaptors::map_values);
+  return {found.begin(), found.end()};
 }
 
 /// By part, what it shrinks to and grows from if it is not matched: the middle of the places where matched parts hold
@@ -42,18 +37,17 @@ std::vector<Point> roots_of(const std::vector<Blend_part>& parts, const std::vec
 {
   Disjoint_sets sets(parts.size()); // of unmatched parts that touch each other
   for (const Touch& touch : touches)
-    if (!parts[touch.parts[0]].is_matched() && !parts[touch.parts[1]].is_matched())
-      sets.unite(touch.parts[0], touch.parts[1]);
+    if (!parts[touch[0]].is_matched() && !parts[touch[1]].is_matched()) sets.unite(touch[0], touch[1]);
   std::vector<contacts::Box> boxes(parts.size());                    // by set
   Eigen::Matrix4Xd places = Eigen::Matrix4Xd::Zero(4, parts.size()); // by set: those that hold it, summed, and how many
   for (std::size_t part = 0; part < parts.size(); ++part)
     boxes[sets[part]].extend(parts[part].trees[0].box());
   for (const Touch& touch : touches)
     for (std::size_t i : {0u, 1u}) {
-      const Blend_part &part = parts[touch.parts[i]], &holder = parts[touch.parts[1 - i]];
+      const Blend_part &part = parts[touch[i]], &holder = parts[touch[1 - i]];
       if (part.is_matched() || !holder.is_matched()) continue;
       const contacts::Box touched = part.trees[0].box().intersection(holder.end_tree(part.end()).box()); // or the gap
-      places.col(Eigen::Index(sets[touch.parts[i]])) += touched.center().homogeneous();
+      places.col(Eigen::Index(sets[touch[i]])) += touched.center().homogeneous();
     }
   std::vector<Point> result;
   for (std::size_t part = 0; part < parts.size(); ++part) {
@@ -78,7 +72,7 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
     std::vector<Seen_surface> seen;
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (parts[i].is_at(end)) seen.emplace_back(parts, i, parts[i].end_surface(end), parts[i].end_points(end));
-    looks[std::size_t(end)] = Shape_look(seen);
+    supports[std::size_t(end)] = number_of_supports(seen);
     if (!seen.empty() && !seen.back().part.is_matched()) warps[std::size_t(end)].emplace(stage, parts, unlike, end);
   }
 }

@@ -4,27 +4,18 @@
 #pragma once
 
 #include "blend/Blend_stage.h"
-#include "blend/Shape_look.h"
+#include "blend/Seen_surface.h"
 #include "blend/Space_warp.h"
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
 /// Two parts of a blend that touch at an end, or at both.
-struct Touch
-{
-  static constexpr double none = std::numeric_limits<double>::infinity();
-
-  std::array<std::size_t, 2> parts;
-  std::array<double, 2> gaps = {none, none}; ///< between the surfaces, by end; `none` where they do not touch
-
-  bool is_kept() const { return gaps[0] < none && gaps[1] < none; }
-};
+using Touch = std::array<std::size_t, 2>;
 
 /// What a blend is made of: its parts, which of them touch and go together, and what both shapes have at large. Lengths
 /// are over the height, on the stage; arrays are by end.
@@ -40,7 +31,7 @@ public:
   std::vector<Touch> touches;
   std::vector<Point> roots;                       ///< by part, if it is not matched: what it shrinks to
   std::array<std::optional<Space_warp>, 2> warps; ///< where there are unmatched parts
-  std::array<Shape_look, 2> looks;
+  std::array<double, 2> supports;                 ///< number of parts on the ground
 
   /// The points of an unmatched part when a share of it remains, in [0, 1].
   Points shrunk(std::size_t part, double remaining) const

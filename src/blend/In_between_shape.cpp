@@ -36,6 +36,22 @@ std::vector<Seen_surface> In_between_shape::seen() const
   return result;
 }
 
+Blend_quality In_between_shape::quality() const
+{
+  constexpr double touching = 0.005; // wider than at the ends, over the height
+  const std::vector<Seen_surface> surfaces = seen();
+  const double due = (1 - time) * blend.supports[0] + time * blend.supports[1];
+  Blend_quality result;
+  if (due > 0) result.support = std::max(0., 1 - number_of_supports(surfaces) / due);
+  Tree_pointers trees;
+  for (const Seen_surface& surface : surfaces)
+    trees.push_back(&surface.tree);
+  const auto& [source, target] = blend.stage.widest_gap;
+  const double at_ends = std::max(source, target), widest = widest_gap(trees, at_ends + touching);
+  if (widest > at_ends + touching) result.apart = widest - at_ends;
+  return result;
+}
+
 /// Places unmatched parts, as much of them as remains, where space moves.
 void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
 {

@@ -35,8 +35,7 @@ struct In_between_shape
   Points points_of(std::size_t part, int surface) const;
   /// The parts that are there.
   std::vector<Seen_surface> seen() const;
-  /// The measures of the shape, and which tolerances it exceeds.
-  Blend_check check() const;
+  Blend_quality quality() const;
 
 private:
   void place_unmatched(const std::vector<Blend_task>& tasks);

@@ -82,14 +82,6 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
   return charts_along(surfaces, {from, best});
 }
 
-double needless_turn(const Pair_charts& charts)
-{
-  std::vector<double> angles;
-  for (const Eigen::Matrix3d& rotation : cube_rotations())
-    angles.push_back(angle_of(charts.target.axes() * rotation * charts.source.axes().transpose()));
-  return angles[0] - *std::min_element(angles.begin(), angles.end()); // the identity comes first
-}
-
 Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
     : charts_{charts.source, charts.target}
 {

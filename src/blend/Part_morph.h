@@ -18,10 +18,6 @@ namespace CGAL::Shape_correspondence::internal {
 /// \param own_axes of the surfaces, rotations
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes);
 
-/// By how much the angle by which the one turns to become the other exceeds the least one over the symmetries of boxes,
-/// in radians.
-double needless_turn(const Pair_charts& charts);
-
 /// How the surface of a part becomes that of its counterpart. There is one surface at any time, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
 ///

@@ -61,8 +61,11 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
       sides[std::minmax(a, b)].push_back(t);
     }
   }
-  const auto [area, volume] = extent(points);
-  is_closed_ = std::abs(volume) > least_thickness * std::pow(area, 1.5);
+  const Point middle = points.rowwise().mean();
+  double volume = 0; // signed
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
+    volume += normals.col(t).dot(contacts::centre(triangle_of(points, triangles_, t)) - middle) / 6;
+  is_closed_ = std::abs(volume) > least_thickness * std::pow(area(points), 1.5);
   for (const auto& [edge, there] : sides) {
     is_closed_ = is_closed_ && there.size() % 2 == 0;
     if (there.size() != 2) continue;
@@ -71,16 +74,11 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
   }
 }
 
-Surface_extent Rest_surface::extent(const Points& points) const
+double Rest_surface::area(const Points& points) const
 {
-  Surface_extent result;
-  const Point middle = points.rowwise().mean();
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const contacts::Triangle corners = triangle_of(points, triangles_, t);
-    const Point normal = contacts::area_vector(corners);
-    result.area += normal.norm() / 2;
-    result.volume += normal.dot(contacts::centre(corners) - middle) / 6;
-  }
+  double result = 0; // one after the other: Eigen's order depends on the processor
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
+    result += contacts::area_vector(triangle_of(points, triangles_, t)).norm() / 2;
   return result;
 }
 

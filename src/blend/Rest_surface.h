@@ -10,13 +10,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// How much there is of a surface.
-struct Surface_extent
-{
-  double area = 0;
-  double volume = 0; ///< signed, positive if the triangles look outwards; of a closed surface
-};
-
 /// A surface of a part of a blend as it is at its end of the blend, which it is compared with on the way.
 class Rest_surface
 {
@@ -25,7 +18,7 @@ public:
 
   bool is_closed() const { return is_closed_; }
   /// Of the surface where its points are elsewhere.
-  Surface_extent extent(const Points& points) const;
+  double area(const Points& points) const;
 
   /// The area of the triangles that are folded back onto a neighbour that they continue at rest, or much longer than
   /// at rest where the whole surface is not.

@@ -93,11 +93,11 @@ Segmented_shape Shape_blend::operator()(double t) const
   return result;
 }
 
-Blend_check Shape_blend::check(double t) const
+Blend_quality Shape_blend::quality(double t) const
 {
   check_time(t);
   if (t <= 0 || t >= 1) return {};
-  return In_between_shape(*blend_, schedules_[0].tasks, t).check();
+  return In_between_shape(*blend_, schedules_[0].tasks, t).quality();
 }
 
 std::vector<Blend_surface> Shape_blend::surfaces() const

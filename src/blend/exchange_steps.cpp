@@ -140,11 +140,11 @@ private:
   {
     std::vector<int> count(seen_.size(), 0); // of touches
     for (const Touch& touch : blend_.touches)
-      for (std::size_t part : touch.parts)
+      for (std::size_t part : touch)
         ++count[part];
     for (const Touch& touch : blend_.touches)
       for (std::size_t i : {0u, 1u}) {
-        const std::size_t part = touch.parts[i], holder = touch.parts[1 - i];
+        const std::size_t part = touch[i], holder = touch[1 - i];
         if (is_matched(part)) continue;
         const Point place = seen_[part].tree.nearly_closest(seen_[holder].tree).first;
         Hold hold{part, holder, size(part) / count[part], place, {}};
@@ -239,7 +239,7 @@ private:
   {
     places_ = groups_;
     for (const Touch& touch : blend_.touches)
-      unite(places_, touch.parts[0], touch.parts[1]);
+      unite(places_, touch[0], touch[1]);
     for (const Rivals& rivals : rivals_)
       places_.unite(rivals.old_part, rivals.new_part);
     ends_ = ends_of(places_);
@@ -274,7 +274,7 @@ private:
         joined_.push_back({a, b});
     };
     for (const Touch& touch : blend_.touches) // at an end
-      join(touch.parts[0], touch.parts[1]);
+      join(touch[0], touch[1]);
     for (std::size_t a = 0; a < seen_.size(); ++a)
       for (std::size_t b = a + 1; b < seen_.size(); ++b)
         if (seen_[a].tree.is_within(seen_[b].tree, near * near)) join(a, b);

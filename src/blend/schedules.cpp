@@ -20,12 +20,11 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 {
   std::vector<Blend_quality> qualities(static_cast<std::size_t>(samples));
   for_each_index<CGAL::Parallel_if_available_tag>(qualities.size(), [&](std::size_t i) {
-    qualities[i] = In_between_shape(blend, tasks, double(i + 1) / (samples + 1)).check().quality;
+    qualities[i] = In_between_shape(blend, tasks, double(i + 1) / (samples + 1)).quality();
   });
   Blend_quality worst;
-  for (const Blend_quality& quality : qualities)
-    for (const Blend_measure& measure : blend_measures())
-      worst.*measure.value = std::max(worst.*measure.value, quality.*measure.value);
+  for (const auto& [support, apart] : qualities)
+    worst = {std::max(worst.support, support), std::max(worst.apart, apart)};
   return worst;
 }
 

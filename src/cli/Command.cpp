@@ -190,10 +190,10 @@ const std::vector<Command_entry>& commands()
       {"transfer", "carries colours, textures or labels from one shape to the other", transfer_command},
       {"collection", "matches all pairs of a set of shapes and analyses the set", collection_command},
       {"evaluate", "scores correspondences against labelled parts", evaluate_command},
-      {"roles", "learns the roles of parts from labelled shapes and predicts them", roles_command},
+      {"roles", "learns the roles of parts from labelled shapes", roles_command},
       {"label", "labels the parts of a shape by their roles", label_command},
       {"demo", "matches and blends two chairs that come with the program", demo_command},
-      {"completion", "prints a script that completes commands in bash, zsh or fish", completion_command},
+      {"completion", "prints a script that completes commands in bash", completion_command},
       {"help", "prints this text, or all options of a command", help_command},
 #endif
   };

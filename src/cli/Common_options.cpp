@@ -90,10 +90,6 @@ void add_structure_options(Option_table& table, Common_options& options)
       "largest gap between parts in contact, as a fraction of the diagonal of the shape")
       .between(0, 0.5)
       .in_python();
-  add(contact_points_option, "WHERE",
-      choice<bool>(options.structure.contacts.closest_points, {{"middle", false}, {"closest", true}}),
-      "where parts touch: in the middle of all that is nearly as close, or at a closest pair of points, as in the "
-      "paper");
   add("cache", "FOLDER", &options.cache,
       "keep structural graphs in this folder and reuse them when model and options are the same")
       .in_python();

@@ -43,7 +43,6 @@ struct Common_options
   /// Called with the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends
   /// the work.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
-  bool graphs_suffice = false; ///< shapes may be loaded without their models, where the cache has their graphs
   bool quiet = false, verbose = false, help = false, help_all = false;
   int threads = 0; ///< 0: all
   std::int64_t seed = 0;
@@ -70,7 +69,7 @@ std::vector<std::string> words_of(const std::string& list);
 
 constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
-constexpr const char *abstraction_option = "abstraction", *contact_points_option = "contact-points";
+constexpr const char* abstraction_option = "abstraction";
 
 // Each adds options to the table of a command
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Match_options.h"
-#include "base/limits.h"
 #include "base/number_text.h"
 #include "cli/labels.h"
 #include "cli/text.h"
 
-#include <CGAL/Shape_correspondence/match_as_in_paper.h>
+#include <CGAL/Shape_correspondence/paper_structure_options.h>
 
 #include <limits>
 
@@ -30,46 +29,6 @@ Number parse_number(const std::string& label, const std::string& text)
   if (error != std::errc() || end != text.data() + text.size())
     throw Usage_error(label + ": '" + text + "' is not a number in its range");
   return number;
-}
-
-double parse_weight(const std::string& label, const std::string& text)
-{
-  const double weight = parse_number<double>(label, text);
-  if (!(weight >= 0 && weight <= internal::largest_number))
-    throw Usage_error(label + " must be between 0 and 1e50, not '" + text + "'");
-  return weight;
-}
-
-/// WC,WS
-Text_field two_weights(Energy_weights& weights)
-{
-  const auto get = [&] { return short_number(weights.connectedness) + "," + short_number(weights.split); };
-  return {get, [&](const std::string& label, const std::string& text) {
-            const std::size_t comma = text.find(',');
-            if (comma == std::string::npos)
-              throw Usage_error(label + " takes two numbers, w_c,w_s, not '" + text + "'");
-            weights.connectedness = parse_weight(label, text.substr(0, comma));
-            weights.split = parse_weight(label, text.substr(comma + 1));
-          }};
-}
-
-Text_field left_out_term(Energy_weights& weights)
-{
-  return word_field({"distortion", "connectedness", "split"}, {}, [&weights](const std::string& term) {
-    (term == "distortion" ? weights.distortion : term == "split" ? weights.split : weights.connectedness) = 0;
-  });
-}
-
-/// The shapes that are deformed, and which result is taken of two.
-Text_field deformed_shapes(Search_options& search)
-{
-  const auto get = [&search] {
-    return !search.both_directions ? "forward" : search.direction_by_energy ? "least" : "both";
-  };
-  return word_field({"both", "least", "forward"}, get, [&search](const std::string& word) {
-    search.both_directions = word != "forward";
-    search.direction_by_energy = word == "least";
-  });
 }
 
 Text_field number_of_alignments(std::optional<int>& number)
@@ -127,7 +86,6 @@ void refuse_options_without_effect(const Match_options& match, const Option_tabl
   const bool has_no_model = match.roles == "none" && match.examples.empty();
   for (const char* name : {"role-weight", "category"})
     refuse(name, has_no_model, "with --roles none");
-  refuse("max-parts-of", !given.is_given("max-parts"), "without --max-parts");
   refuse("front", match.alignments.has_value(), "with --alignments " + std::to_string(match.alignments.value_or(0)));
   if (!given.is_given("front") || match.front != "likely") return;
   if (method != Search_method::PARTS) refuse_option("front likely", on_search);
@@ -154,16 +112,17 @@ void add_match_options(Option_table& table, Match_options& match)
       "option asks for beam or exact")
       .usual();
   add("paper", &match.paper,
-      "the method of the paper: --search beam --front auto --direction least --fit extremities --proximity hard, and "
-      "--max-parts of the source only; graphs of --abstraction flow --contact-points closest")
+      "the method of the paper: --search beam --front auto, with graphs of --abstraction flow; parts keep their bow, "
+      "follow what they touch to the point, which is a closest one, the direction with less energy is taken, and "
+      "--max-parts is of the source only")
       .usual();
   add("roles", "MODEL", &match.roles,
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
       "that `roles train` wrote. Shapes must be upright and face +z");
   add("examples", "FOLDER", &match.examples,
-      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition, where they "
-      "match each other better by what is learned from the others, by more than chance; three or more of a category. "
-      "If they are of one category, both shapes are taken to be of it")
+      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; of a "
+      "category "
+      "that the model does not know, three or more. If they are of one category, both shapes are taken to be of it")
       .usual();
   add("category", "NAME", &search.category,
       "category of both shapes for --roles, such as chair; default: the most similar one")
@@ -185,19 +144,11 @@ void add_match_options(Option_table& table, Match_options& match)
       .only_for({"beam"})
       .asks_for("beam")
       .in_python();
-  add("direction", "WHICH", deformed_shapes(search),
-      "shapes that beam and exact search deform: both (less energy per pair of connected parts is taken), least (both, "
-      "but less energy is taken, as in the paper) or forward (the source only). Default with --paper: least")
-      .only_for(by_energy);
   add("max-parts", "N", &search.maximum_parts,
       "match the N largest parts only (coarse correspondence); default: all parts")
       .at_least(1)
       .without_default()
       .in_python("maximum_parts");
-  add("max-parts-of", "WHICH",
-      choice<std::optional<bool>>(match.coarse_target, {{"auto", std::nullopt}, {"both", true}, {"source", false}}),
-      "shapes to which --max-parts applies: both, or source (as in the paper); auto: source with --paper, otherwise "
-      "both");
   add("coarse-to-fine", "K", &search.coarse_to_fine,
       "match the K largest parts of either shape first, then all others about them: for shapes of hundreds of symmetry "
       "groups; for beam and exact search. Default: all at once")
@@ -214,8 +165,6 @@ void add_match_options(Option_table& table, Match_options& match)
       .words({"given", "likely", "auto"});
   add("alignments", "N", number_of_alignments(match.alignments),
       "number of alignments to try, nearest to the given orientation first; auto: as --front says");
-  add("weights", "WC,WS", two_weights(search.matching.weights),
-      "weights of connectedness and split in the energy, w_c and w_s of the paper");
   add("role-weight", "W", &search.matching.weights.roles,
       "weight of the disagreement of roles in the energy, for beam and exact search; 0: roles are not used, as in the "
       "paper")
@@ -223,24 +172,6 @@ void add_match_options(Option_table& table, Match_options& match)
       .only_for(by_energy)
       .asks_for("exact")
       .in_python();
-  add("without", "TERM", left_out_term(search.matching.weights),
-      "leave out a term of the energy: distortion, connectedness or split");
-  add("norm", "NORM",
-      choice<Energy_norm>(search.matching.norm, {{"sum", Energy_norm::SUM}, {"pooled", Energy_norm::POOLED}}),
-      "distortion of all pairs of connected parts: sum (of the norms of each pair, as in the paper) or pooled (one "
-      "norm over the rods of all pairs)")
-      .in_python("energy_norm");
-  add("fit", "HOW",
-      choice<Deform_to_fit>(search.matching.fit,
-                            {{"samples", Deform_to_fit::SAMPLES}, {"extremities", Deform_to_fit::EXTREMITIES}}),
-      "how a matched part is deformed: samples (it becomes the other part) or extremities (its ends or corners take "
-      "the places of the other's, and it keeps its bow in between, as in the paper). Default with --paper: extremities")
-      .in_python("deform_to_fit");
-  add("proximity", "HOW", choice<bool>(search.matching.hard_proximity, {{"soft", false}, {"hard", true}}),
-      "how parts that are not matched yet follow those that they touch, for the beam search: soft (they resist being "
-      "stretched a little) or hard (to the point, as in the paper). Default with --paper: hard")
-      .only_for({"beam"})
-      .asks_for("beam");
   add(
       "no-cut", [&search] { search.matching.cut_curves = false; },
       "do not cut curves into segments; for beam and exact search")
@@ -295,12 +226,12 @@ Search_options search_options(const Match_options& match, const Option_table& gi
   const bool has_one_front = match.front != "auto" && (given.is_given("front") || !match.paper);
   search.alignments = match.alignments.value_or(has_one_front ? 1 : 0);
   search.front_is_sure = match.front == "given";
-  search.coarse_target = match.coarse_target.value_or(!match.paper);
   if (match.paper) {
     const Search_options paper = paper_options();
-    if (!given.is_given("direction")) search.direction_by_energy = paper.direction_by_energy;
-    if (!given.is_given("fit")) search.matching.fit = paper.matching.fit;
-    if (!given.is_given("proximity")) search.matching.hard_proximity = paper.matching.hard_proximity;
+    search.direction_by_energy = paper.direction_by_energy;
+    search.coarse_target = paper.coarse_target;
+    search.matching.fit = paper.matching.fit;
+    search.matching.hard_proximity = paper.matching.hard_proximity;
   }
   search.roles = role_model(match, search.method);
   return search;
@@ -311,7 +242,7 @@ void take_graphs_of_paper(const Match_options& match, const Option_table& given,
   if (!match.paper) return;
   const Structure_options paper = paper_structure_options();
   if (!given.is_given(abstraction_option)) options.abstraction.abstractor = paper.abstraction.abstractor;
-  if (!given.is_given(contact_points_option)) options.contacts.closest_points = paper.contacts.closest_points;
+  options.contacts.closest_points = paper.contacts.closest_points;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

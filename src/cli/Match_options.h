@@ -26,7 +26,6 @@ struct Match_options
   std::optional<Search_method> method; ///< empty: selected by other options
   std::string front = "likely";        ///< given, likely or auto
   std::optional<int> alignments;       ///< empty: as `front` says
-  std::optional<bool> coarse_target;   ///< empty: not in the paper's method
   bool paper = false;
   std::string roles = "auto"; ///< auto, none or a file
   std::string examples;       ///< a folder; empty: none

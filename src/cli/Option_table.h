@@ -47,7 +47,7 @@ Text_field word_field(const std::vector<std::string>& known, const std::function
 /// What a switch does that is not to make a field true.
 using Switch = std::function<void()>;
 
-/// An option of a command: the data for help, checks, completion, manual page and Python.
+/// An option of a command: the data for help, checks, completion and Python.
 struct Option
 {
   using Field = std::variant<bool*, Switch, int*, std::int64_t*, std::size_t*, double*, std::string*,
@@ -107,8 +107,8 @@ struct Option
 /// The options of a command, each once, in groups. They are bound to variables, which must live as long.
 ///
 /// A new option is one call, beside those of its group: `add("name", "VALUE", &field, "help")`, with no value for a
-/// switch, and its rules behind it, such as `.between(0, 1).in_python()`. Parsing, checks, `--help`, the manual page,
-/// the completions and the keyword in Python follow; `scripts/check_documents --update` writes the program's reference.
+/// switch, and its rules behind it, such as `.between(0, 1).in_python()`. Parsing, checks, `--help`,
+/// the completion and the keyword in Python follow; `scripts/check_documents --update` writes the program's reference.
 class Option_table
 {
 public:

@@ -13,7 +13,6 @@
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -57,20 +56,13 @@ Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
 
 void print_schedules(const Shape_blend& blend)
 {
-  std::vector<std::vector<std::string>> rows{{"schedule"}};
-  for (const Blend_measure& measure : blend_measures())
-    rows[0].push_back(measure.name);
-  for (const Blend_schedule& schedule : blend.schedules()) {
-    rows.push_back({schedule.name});
-    for (const Blend_measure& measure : blend_measures())
-      rows.back().push_back(short_number(schedule.quality.*measure.value));
-  }
+  std::vector<std::vector<std::string>> rows{{"schedule", "support", "apart"}};
+  for (const auto& [name, tasks, quality] : blend.schedules())
+    rows.push_back({name, short_number(quality.support), short_number(quality.apart)});
   write_table(std::cout, rows);
-  std::cout << "\nThe first schedule is used. Each value is the maximum over the in-between shapes that were rated; "
-               "lengths are fractions of the height:\n";
-  constexpr int width = 11;
-  for (const Blend_measure& measure : blend_measures())
-    std::cout << "  " << std::left << std::setw(width) << measure.name << measure.meaning << '\n';
+  std::cout << "\nThe first schedule is used. Of the in-between shapes that were rated, the maximum of\n"
+               "  support  share of the parts on the ground that is missing\n"
+               "  apart    how much wider gaps it takes to join all parts than at the ends, over the height\n";
 }
 
 class Blend_command : public Pair_command

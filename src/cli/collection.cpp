@@ -37,7 +37,7 @@ Matches all ordered pairs of a set of shapes and computes
   - pairs of shapes that are matched better by way of a third one (bridges);
   - clusters of parts that correspond over the whole set, by Markov clustering.
 
-The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json, .xml). Others
+The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json). Others
 are left out, with a note.
 
 With --labels-from, the labels of one shape are transferred to all shapes of the set instead, by matching it with each.
@@ -162,7 +162,7 @@ private:
     } else if (!options_.labels_from.empty()) {
       if (team.is_first()) transfer_labels(shapes, options_, matching_.search, common);
     } else {
-      Collection_work work(shapes, stored("tiles"), key(), matching_, common);
+      Collection_work work(shapes, stored("pairs"), key(), matching_, common);
       work.run(team);
       if (team.is_first()) write_outputs(analysed(shapes, options_, work), shapes);
     }
@@ -202,8 +202,8 @@ private:
           out, collection, [&](std::size_t i) { return shapes.graph(i); }, analysis.maps,
           [&](std::size_t i) { return shapes.model(i, common); });
     });
-    write_output(options_.npy, [&](std::ostream& out) { IO::write_npy(out, *analysis.energies); });
-    write_output(options_.csv, [&](std::ostream& out) { IO::write_csv(out, *analysis.energies, names); });
+    write_output(options_.npy, [&](std::ostream& out) { IO::write_npy(out, analysis.energies); });
+    write_output(options_.csv, [&](std::ostream& out) { IO::write_csv(out, analysis.energies, names); });
     if (!common.prints_table()) return;
     print_collection(analysis, common.verbose);
     if (!common.html.empty() && names.size() > IO::largest_pictured)
@@ -248,8 +248,8 @@ void add_collection_options(Option_table& table, Common_options& common, Collect
       .rare()
       .in_python();
   add("store", "FOLDER", &options.store,
-      "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, of which graphs, "
-      "pairs and distances then need not fit into memory")
+      "keep graphs and finished pairs in this folder and reuse them; recommended for large sets, of which graphs "
+      "and pairs then need not fit into memory")
       .in_python();
   add("nearest", "QUERY", &options.nearest,
       "find the shapes of the set that are nearest to this one instead, without matching all pairs: those of its "

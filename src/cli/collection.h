@@ -5,7 +5,6 @@
 
 #include "cli/Common_options.h"
 #include "cli/team.h"
-#include "io/system/Mapped_matrix.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>
 #include <CGAL/Shape_correspondence/Search_options.h>
@@ -88,19 +87,18 @@ struct Collection_options
 /// Adds these options and the options for output files to the table of a command.
 void add_collection_options(Option_table& table, Common_options& common, Collection_options& options);
 
-/// Finished tiles by name, in a folder or, without one, in memory. In a folder a tile is there as a whole or not at
-/// all, whenever the program is killed, and many processes may use it at a time. One that is damaged counts as missing.
-class Tile_store
+/// Finished rows by name, as bytes, in a folder or, without one, in memory. In a folder a row is there as a whole or
+/// not at all, whenever the program is killed, and many processes may use it at a time. One that is damaged counts as
+/// missing.
+class Row_store
 {
 public:
   /// \param folder is made if there is none; empty: in memory \throw Invalid_input if it cannot be used
-  explicit Tile_store(std::string folder);
+  explicit Row_store(std::string folder);
 
-  bool has(const std::string& name) const;
-  std::optional<std::vector<Rated_map>> find(const std::string& name) const;
-  /// Two maps in turn that are each other's inverse take the room of one. Confidences are kept to 16 bits; `find()`
-  /// returns what is kept, in memory as in a folder.
-  void insert(const std::string& name, const std::vector<Rated_map>& pairs);
+  std::string find(const std::string& name) const; ///< empty: missing or damaged
+  bool is_damaged(const std::string& name) const;
+  void insert(const std::string& name, const std::string& bytes);
 
 private:
   std::string path(const std::string& name) const;
@@ -113,9 +111,9 @@ private:
 /// \param match_options their names and values \param search only its roles are used
 std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy);
 
-/// All ordered pairs of a collection, matched or from a store. They are cut into tiles, the pairs of two blocks of
-/// shapes, either way: the smallest units of work. Every tile is named by all that its result depends on, so that one
-/// whose shapes or options changed is another tile.
+/// All ordered pairs of a collection, matched or from a store, which has a row for every shape: its pairs, either way,
+/// with the shapes that come after it. A row is named by its shape and the options, and its pairs by the other shapes,
+/// so that of a changed shape only its own pairs are missing.
 class Collection_work
 {
 public:
@@ -126,42 +124,21 @@ public:
   /// Matches what is missing, all processes of the team together.
   void run(Team& team);
 
-  /// Calls `take` with source, target, energy and map of every ordered pair.
+  /// Calls `take` with source, target, energy and map of every ordered pair. Confidences are kept to 16 bits.
   void for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take);
 
 private:
-  struct Range
-  {
-    std::size_t begin, end;
-  };
-  struct Tile
-  {
-    Range rows, columns; // shapes
-    std::string name;
-
-    bool is_diagonal() const { return rows.begin == columns.begin; }
-    /// The pairs in their order.
-    std::vector<std::pair<std::size_t, std::size_t>> pairs() const;
-  };
-  /// Shapes that are read and prepared; these refer to the graphs.
-  struct Block
-  {
-    std::size_t begin;
-    std::vector<Structural_graph> graphs;
-    std::vector<Prepared_shape> prepared;
-  };
-  using Shared_block = std::shared_ptr<const Block>;
-
-  Shared_block block(const Range& shapes) const;
-  /// Matches the pairs of a tile and stores them.
-  void match(const Tile& tile, const Energy_matrix_options& options);
+  const std::string& content(std::size_t shape) const { return shapes_.shapes()[shape].content; }
+  /// The shapes after `row` whose pairs are not in its bytes.
+  std::vector<std::size_t> missing(std::size_t row, const std::string& bytes) const;
+  /// Matches what is missing in some rows and stores them. \param progress gets the number of pairs that were matched
+  void match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress);
 
   const Collection_shapes& shapes_;
-  Tile_store store_;
+  Row_store store_;
   const Energy_matrix_options& matching_;
   const Common_options& common_;
-  std::vector<Tile> tiles_;
-  std::vector<Shared_block> kept_; // of the last tile, of which the next one mostly has a block
+  std::vector<std::string> names_; // of rows, by shape
 };
 
 /// A shape's distances from the others.
@@ -175,15 +152,15 @@ struct Shape_distances
 /// The analysis of a collection, with the energies and maps that it is computed from.
 struct Analysis
 {
-  IO::Mapped_matrix energies;
+  Eigen::MatrixXd energies;
   std::vector<Shape_distances> distances; ///< by shape
   IO::Collection collection;              ///< refers to the energies
   std::vector<Shape_pair_map> maps;
 };
 
-/// Reads all pairs twice, first the energies and then those maps that are clustered or on bridges. For n shapes, 16 n²
-/// bytes for energies and distances are in a file of the store, if there is one, else in memory; then memory is needed,
-/// for each of 64 n maps at most, of some hundred bytes, and that of `co_analysis()`.
+/// Reads all pairs twice, first the energies and then those maps that are clustered or on bridges. Memory for n shapes:
+/// 16 n² bytes for energies and distances, some hundred bytes for each of 64 n maps at most, and that of
+/// `co_analysis()`.
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work);
 
 /// The shapes nearest to a query. \param file names it in the result

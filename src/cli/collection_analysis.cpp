@@ -21,7 +21,7 @@ constexpr std::size_t usual_neighbours = 32;         // else
 constexpr std::size_t largest_bridged = 1000;        // shapes; bridges take cubic time
 constexpr std::size_t listed_bridges = 100;
 
-/// Symmetric; it may be larger than memory, and is read by columns.
+/// Symmetric; read by columns.
 using Distances = Eigen::Ref<const Eigen::MatrixXd>;
 
 /// Ordered pairs of shapes.
@@ -100,16 +100,17 @@ std::vector<Shape_distances> shape_distances(const Distances& distances)
 Pairs analyse_energies(const Collection_options& options, Collection_work& work, Analysis& analysis)
 {
   IO::Collection& result = analysis.collection;
-  Eigen::Map<Eigen::MatrixXd> energies = *analysis.energies;
-  IO::Mapped_matrix mapped_distances(options.store, result.shapes.size());
-  Eigen::Map<Eigen::MatrixXd> distances = *mapped_distances;
+  const auto n = Eigen::Index(result.shapes.size());
+  Eigen::MatrixXd& energies = analysis.energies;
+  Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(n, n);
   work.for_each_pair([&](std::size_t source, std::size_t target, const Rated_map& rated) {
     const auto i = Eigen::Index(source), j = Eigen::Index(target);
     energies(i, j) = rated.energy;
     distances(i, j) += rated.energy / 2;
     distances(j, i) += rated.energy / 2;
   });
-  result.energy = [energies](std::size_t i, std::size_t j) { return energies(Eigen::Index(i), Eigen::Index(j)); };
+  const Eigen::Map<const Eigen::MatrixXd> stable(energies.data(), n, n); // where the analysis is moved, too
+  result.energy = [stable](std::size_t i, std::size_t j) { return stable(Eigen::Index(i), Eigen::Index(j)); };
   analysis.distances = shape_distances(distances);
   result.medoid = topological_medoid(distances);
   result.tree = minimum_spanning_tree(distances);
@@ -129,7 +130,8 @@ IO::Collection::Shape entry_of(const Collection_shape& shape) { return {shape.na
 
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work)
 {
-  Analysis analysis{{options.store, shapes.size()}, {}, {}, {}};
+  const auto n = Eigen::Index(shapes.size());
+  Analysis analysis{Eigen::MatrixXd::Zero(n, n), {}, {}, {}};
   IO::Collection& result = analysis.collection;
   result.warnings = shapes.skipped();
   result.shapes = mapped(shapes.shapes(), entry_of);

@@ -252,10 +252,7 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
                                      const Common_options& options, Team& team)
     : folder_(folder)
 {
-  if (!folder_.empty()) {
-    IO::make_folder(folder_, "a store");
-    IO::remove_leftovers(folder_);
-  }
+  if (!folder_.empty()) IO::make_folder(folder_, "a store");
   std::string failures;
   for (Loaded_input& input : load_inputs(paths, folder_, options, team)) {
     if (input.failure.empty()) {

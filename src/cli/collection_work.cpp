@@ -12,9 +12,12 @@
 #include <CGAL/Shape_correspondence/version.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -24,150 +27,120 @@ namespace {
 /// Raise it with every change that makes other energies or pairs of the same graphs and options.
 constexpr int matching_version = 9;
 
-// Shapes on a side of a tile
-constexpr std::size_t least_block = 4, largest_block = 128;
+// Rows and columns that are matched at a time: their shapes are in memory, and a killed process loses as many rows
+constexpr std::size_t least_block = 4, largest_block = 64;
 constexpr std::size_t usual_blocks = 8; // of a collection
 
-std::size_t block_size(std::size_t shapes)
-{
-  return std::clamp((shapes + usual_blocks - 1) / usual_blocks, least_block, largest_block);
-}
+constexpr const char* extension = ".row";
+constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";
 
-constexpr const char* extension = ".tile";
-
-using Small = std::uint16_t; // confidences
+using Small = std::uint16_t; // parts, of which there are 2000 at most, numbers of pairs, and confidences
 constexpr double largest_confidence = 65535;
 
-/// Whole numbers are in LEB128: seven bits per byte, the low ones first.
-void append_count(std::string& bytes, std::size_t number)
-{
-  for (; number > 127; number >>= 7)
-    bytes += char((number & 127) | 128);
-  bytes += char(number);
-}
-
-/// Thrown where a tile ends too early, or has a number that is too large.
-struct Damaged_tile
+/// Thrown where a row ends too early.
+struct Damaged_row
 {};
 
 /// Takes a number from the front.
 template <typename Number>
 Number read(std::string_view& bytes)
 {
-  if (bytes.size() < sizeof(Number)) throw Damaged_tile();
+  if (bytes.size() < sizeof(Number)) throw Damaged_row();
   const auto number = IO::number_in<Number>(bytes.data());
   bytes.remove_prefix(sizeof number);
   return number;
 }
 
-std::size_t read_count(std::string_view& bytes)
+std::string_view read_text(std::size_t size, std::string_view& bytes)
 {
-  std::size_t number = 0;
-  for (int shift = 0; shift < 64; shift += 7) {
-    const auto byte = read<unsigned char>(bytes);
-    number |= std::size_t(byte & 127) << shift;
-    if (byte < 128) return number;
-  }
-  throw Damaged_tile();
+  if (bytes.size() < size) throw Damaged_row();
+  const std::string_view text = bytes.substr(0, size);
+  bytes.remove_prefix(size);
+  return text;
 }
 
-// Stands in the place of the number of pairs plus 1: the map is the one before, inverted.
-constexpr std::size_t inverse_of_last = 0;
-
-Small as_small(double confidence) { return Small(std::lround(confidence * largest_confidence)); }
-
-/// Of pairs that are sorted by source.
-void append_map(std::string& bytes, const Part_map& map)
-{
-  append_count(bytes, map.pairs.size() + 1);
-  std::size_t last_source = 0;
-  for (const Part_correspondence& pair : map.pairs) {
-    append_count(bytes, pair.source - last_source);
-    append_count(bytes, pair.target);
-    IO::append_little_endian(bytes, as_small(pair.confidence));
-    last_source = pair.source;
-  }
-}
-
-Part_map read_map(std::size_t size, std::string_view& bytes)
-{
-  Part_map map;
-  std::size_t source = 0;
-  for (std::size_t k = 0; k < size; ++k) {
-    source += read_count(bytes);
-    const std::size_t target = read_count(bytes);
-    map.pairs.push_back({source, target, read<Small>(bytes) / largest_confidence});
-  }
-  return map;
-}
-
-std::string encoded(const std::vector<Rated_map>& pairs)
+std::string encoded(const Rated_map& rated)
 {
   std::string bytes;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    IO::append_little_endian(bytes, pairs[k].energy);
-    if (k % 2 == 1 && pairs[k].map == inverse(pairs[k - 1].map))
-      append_count(bytes, inverse_of_last);
-    else
-      append_map(bytes, pairs[k].map);
-  }
+  IO::append_little_endian(bytes, rated.energy);
+  for (const Part_correspondence& pair : rated.map.pairs)
+    for (Small number :
+         {Small(pair.source), Small(pair.target), Small(std::lround(pair.confidence * largest_confidence))})
+      IO::append_little_endian(bytes, number);
   return bytes;
 }
 
-std::optional<std::vector<Rated_map>> decoded(std::string_view bytes)
+Rated_map decoded(std::string_view bytes)
 {
-  std::vector<Rated_map> pairs;
-  try {
-    while (!bytes.empty()) {
-      Rated_map pair;
-      pair.energy = read<double>(bytes);
-      const std::size_t size = read_count(bytes);
-      if (size == inverse_of_last && pairs.empty()) return std::nullopt;
-      pair.map = size == inverse_of_last ? inverse(pairs.back().map) : read_map(size - 1, bytes);
-      pairs.push_back(std::move(pair));
-    }
-  } catch (const Damaged_tile&) {
-    return std::nullopt;
+  Rated_map rated;
+  rated.energy = read<double>(bytes);
+  while (!bytes.empty()) {
+    const std::size_t source = read<Small>(bytes), target = read<Small>(bytes);
+    rated.map.pairs.push_back({source, target, read<Small>(bytes) / largest_confidence});
   }
-  return pairs;
+  return rated;
 }
 
-std::string title(const std::string& name) { return "shape_correspondence tile 2 " + name; }
+/// To the other shape, and back.
+using Both_ways = std::array<std::string_view, 2>;
+
+/// The pairs in the bytes of a row, by the content of the other shape; none if they are damaged.
+std::map<std::string_view, Both_ways> pairs_in(std::string_view bytes)
+{
+  std::map<std::string_view, Both_ways> result;
+  try {
+    while (!bytes.empty()) {
+      const std::string_view content = read_text(read<Small>(bytes), bytes);
+      for (std::string_view& way : result[content])
+        way = read_text(read<std::uint32_t>(bytes), bytes);
+    }
+  } catch (const Damaged_row&) {
+    result.clear();
+  }
+  return result;
+}
+
+void append_pairs(std::string& bytes, const std::string& content, const Rated_map& there, const Rated_map& back)
+{
+  IO::append_little_endian(bytes, Small(content.size()));
+  bytes += content;
+  for (const Rated_map* rated : {&there, &back}) {
+    const std::string way = encoded(*rated);
+    IO::append_little_endian(bytes, std::uint32_t(way.size()));
+    bytes += way;
+  }
+}
+
+std::string title(const std::string& name) { return "shape_correspondence row 1 " + name; }
 
 } // namespace
 
-Tile_store::Tile_store(std::string folder) : folder_(std::move(folder))
+Row_store::Row_store(std::string folder) : folder_(std::move(folder))
 {
-  if (folder_.empty()) return;
-  IO::make_folder(folder_, "a store");
-  IO::remove_leftovers(folder_);
+  if (!folder_.empty()) IO::make_folder(folder_, "a store");
 }
 
-std::string Tile_store::path(const std::string& name) const
+std::string Row_store::path(const std::string& name) const
 {
   return (std::filesystem::path(folder_) / (name + extension)).string();
 }
 
-bool Tile_store::has(const std::string& name) const
+std::string Row_store::find(const std::string& name) const
 {
-  return folder_.empty() ? in_memory_.count(name) > 0 : std::filesystem::exists(path(name));
+  if (!folder_.empty()) return IO::read_checked_file(path(name), title(name)).value_or("");
+  const auto found = in_memory_.find(name);
+  return found == in_memory_.end() ? "" : found->second;
 }
 
-std::optional<std::vector<Rated_map>> Tile_store::find(const std::string& name) const
+bool Row_store::is_damaged(const std::string& name) const
 {
-  if (folder_.empty()) {
-    const auto found = in_memory_.find(name);
-    return found == in_memory_.end() ? std::nullopt : decoded(found->second);
-  }
-  const std::optional<std::string> bytes = IO::read_checked_file(path(name), title(name));
-  return bytes ? decoded(*bytes) : std::nullopt;
+  return !folder_.empty() && std::filesystem::exists(path(name)) && find(name).empty();
 }
 
-void Tile_store::insert(const std::string& name, const std::vector<Rated_map>& pairs)
+void Row_store::insert(const std::string& name, const std::string& bytes)
 {
-  std::string bytes = encoded(pairs);
   if (folder_.empty())
-    in_memory_[name] = std::move(bytes);
+    in_memory_[name] = bytes;
   else
     IO::write_checked_entry(path(name), title(name), bytes);
 }
@@ -189,99 +162,104 @@ Collection_work::Collection_work(const Collection_shapes& shapes, const std::str
                                  const Energy_matrix_options& matching, const Common_options& common)
     : shapes_(shapes), store_(store), matching_(matching), common_(common)
 {
-  const std::size_t size = block_size(shapes.size());
-  std::vector<Range> blocks;
-  std::vector<std::string> contents;
-  for (std::size_t begin = 0; begin < shapes.size(); begin += size) {
-    blocks.push_back({begin, std::min(begin + size, shapes.size())});
-    contents.emplace_back();
-    for (std::size_t i = begin; i < blocks.back().end; ++i)
-      contents.back() += shapes.shapes()[i].content + '\n';
-  }
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-    for (std::size_t j = i; j < blocks.size(); ++j)
-      tiles_.push_back({blocks[i], blocks[j], IO::digest(key + '\n' + contents[i] + '\n' + contents[j])});
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    names_.push_back(IO::digest(key + '\n' + content(i)));
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> Collection_work::Tile::pairs() const
+std::vector<std::size_t> Collection_work::missing(std::size_t row, const std::string& bytes) const
 {
-  std::vector<std::pair<std::size_t, std::size_t>> result;
-  for (std::size_t i = rows.begin; i < rows.end; ++i)
-    for (std::size_t j = is_diagonal() ? i + 1 : columns.begin; j < columns.end; ++j) {
-      result.emplace_back(i, j);
-      result.emplace_back(j, i);
-    }
+  const std::map<std::string_view, Both_ways> known = pairs_in(bytes);
+  std::vector<std::size_t> result;
+  for (std::size_t other = row + 1; other < shapes_.size(); ++other)
+    if (known.count(content(other)) == 0) result.push_back(other);
   return result;
 }
 
 void Collection_work::run(Team& team)
 {
-  std::vector<std::size_t> missing;
-  for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-    if (!store_.has(tiles_[tile].name)) missing.push_back(tile);
-  missing = team.from_first(std::move(missing)); // others may have begun
-  std::vector<std::size_t> before{0};            // pairs, by place in the list
-  for (std::size_t tile : missing)
-    before.push_back(before.back() + tiles_[tile].pairs().size());
+  std::vector<std::size_t> rows;
+  std::set<std::string> seen; // of equal shapes, the first has the pairs of all
+  for (std::size_t row = 0; row + 1 < shapes_.size(); ++row) {
+    if (!seen.insert(names_[row]).second || missing(row, store_.find(names_[row])).empty()) continue;
+    rows.push_back(row);
+    if (team.is_first() && store_.is_damaged(names_[row])) warn(common_, damaged);
+  }
+  rows = team.from_first(std::move(rows)); // others may have begun
+  const std::size_t size = std::clamp((shapes_.size() + usual_blocks - 1) / usual_blocks, least_block, largest_block);
+  std::vector<std::vector<std::size_t>> bands;
+  std::vector<std::size_t> before{0}; // pairs, by band
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (k % size == 0) bands.emplace_back(), before.push_back(before.back());
+    bands.back().push_back(rows[k]);
+    before.back() += 2 * (shapes_.size() - 1 - rows[k]); // at most
+  }
   Progress_bar bar(common_, "matching", "pair");
-  team.for_each(missing.size(), [&](std::size_t k) {
-    Energy_matrix_options matching = matching_;
-    matching.progress = [&](std::size_t done, std::size_t) {
-      bar.show(before[k] + done, before.back());
-      return true;
-    };
-    match(tiles_[missing[k]], matching);
+  team.for_each(bands.size(), [&](std::size_t k) {
+    match(bands[k], [&](std::size_t done) { bar.show(std::min(before[k] + done, before[k + 1]), before.back()); });
+    bar.show(before[k + 1], before.back());
   });
 }
 
 void Collection_work::for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take)
 {
-  for (const Tile& tile : tiles_) {
-    const std::vector<std::pair<std::size_t, std::size_t>> pairs = tile.pairs();
-    std::optional<std::vector<Rated_map>> rated = store_.find(tile.name);
-    if (!rated || rated->size() != pairs.size()) {
-      warn(common_, "a tile of the store is damaged; it is made again");
-      match(tile, matching_);
-      rated = store_.find(tile.name);
+  for (std::size_t row = 0; row + 1 < shapes_.size(); ++row) {
+    std::string bytes = store_.find(names_[row]);
+    if (!missing(row, bytes).empty()) {
+      warn(common_, damaged);
+      match({row}, {});
+      bytes = store_.find(names_[row]);
     }
-    for (std::size_t k = 0; k < pairs.size(); ++k)
-      take(pairs[k].first, pairs[k].second, (*rated)[k]);
+    const std::map<std::string_view, Both_ways> pairs = pairs_in(bytes);
+    for (std::size_t other = row + 1; other < shapes_.size(); ++other) {
+      const Both_ways& ways = pairs.at(content(other));
+      take(row, other, decoded(ways[0]));
+      take(other, row, decoded(ways[1]));
+    }
   }
 }
 
-Collection_work::Shared_block Collection_work::block(const Range& shapes) const
+void Collection_work::match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress)
 {
-  for (const Shared_block& kept : kept_)
-    if (kept->begin == shapes.begin) return kept;
-  auto result = std::make_shared<Block>();
-  result->begin = shapes.begin;
-  for (std::size_t i = shapes.begin; i < shapes.end; ++i)
-    result->graphs.push_back(shapes_.graph(i));
-  for (const Structural_graph& graph : result->graphs)
-    result->prepared.emplace_back(graph);
-  return result;
-}
-
-void Collection_work::match(const Tile& tile, const Energy_matrix_options& options)
-{
-  std::vector<Shared_block> blocks{block(tile.rows)};
-  kept_.erase(std::remove_if(kept_.begin(), kept_.end(),
-                             [&](const Shared_block& kept) { return kept->begin != tile.columns.begin; }),
-              kept_.end()); // no more than two are in memory
-  if (!tile.is_diagonal()) blocks.push_back(block(tile.columns));
-  kept_ = blocks;
-
-  std::vector<Prepared_shape> shapes;
-  for (const Shared_block& block : blocks)
-    for (const Prepared_shape& shape : block->prepared)
-      shapes.push_back(shape);
-  const auto local = [&](std::size_t shape) {
-    const bool is_row = shape >= tile.rows.begin && shape < tile.rows.end;
-    return is_row ? shape - tile.rows.begin : shape - tile.columns.begin + (tile.rows.end - tile.rows.begin);
-  };
-  const auto pairs =
-      mapped(tile.pairs(), [&](const auto& pair) { return std::pair(local(pair.first), local(pair.second)); });
-  store_.insert(tile.name, match_pairs<CGAL::Parallel_if_available_tag>(shapes, pairs, options));
+  std::vector<std::string> bytes;
+  std::vector<std::vector<std::size_t>> missing_in; // by row
+  std::vector<Structural_graph> graphs;             // of rows
+  std::set<std::size_t> columns;
+  for (std::size_t row : rows) {
+    bytes.push_back(store_.find(names_[row]));
+    if (pairs_in(bytes.back()).empty()) bytes.back().clear();
+    missing_in.push_back(missing(row, bytes.back()));
+    columns.insert(missing_in.back().begin(), missing_in.back().end());
+    graphs.push_back(shapes_.graph(row));
+  }
+  const std::vector<Prepared_shape> prepared(graphs.begin(), graphs.end());
+  std::size_t done = 0;
+  for (auto column = columns.begin(); column != columns.end();) {
+    std::vector<std::size_t> block;
+    for (; column != columns.end() && block.size() < largest_block; ++column)
+      block.push_back(*column);
+    const std::vector<Structural_graph> others = mapped(block, [&](std::size_t shape) { return shapes_.graph(shape); });
+    std::vector<Prepared_shape> shapes = prepared;
+    for (const Structural_graph& other : others)
+      shapes.emplace_back(other);
+    std::vector<std::pair<std::size_t, std::size_t>> pairs, places; // of shapes here; row here, shape
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (std::size_t c = 0; c < block.size(); ++c)
+        if (std::binary_search(missing_in[r].begin(), missing_in[r].end(), block[c])) {
+          pairs.insert(pairs.end(), {{r, rows.size() + c}, {rows.size() + c, r}});
+          places.emplace_back(r, block[c]);
+        }
+    Energy_matrix_options matching = matching_;
+    matching.progress = [&](std::size_t matched, std::size_t) {
+      if (progress) progress(done + matched);
+      return true;
+    };
+    const std::vector<Rated_map> rated = match_pairs<CGAL::Parallel_if_available_tag>(shapes, pairs, matching);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      append_pairs(bytes[places[k].first], content(places[k].second), rated[2 * k], rated[2 * k + 1]);
+    done += pairs.size();
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    store_.insert(names_[rows[r]], bytes[r]);
 }
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -6,6 +6,7 @@
 #include "cli/run.h"
 #include "cli/text.h"
 #include "io/system/input_file.h"
+#include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
@@ -15,8 +16,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
-#include <numeric>
 
 namespace CGAL::Shape_correspondence::cli {
 
@@ -24,14 +23,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_resamples = 1'000'000; // all are kept
-
 const char* const evaluate_help =
     R"(Usage: shape_correspondence evaluate RESULT... --ground-truth LABELS [options]
 
-Scores the correspondences that `match --json` wrote against labelled parts: precision, recall, F1, and coarse precision
-(the share of pairs with equal coarse labels). It prints means by category and over categories, with confidence
-intervals from a bootstrap over shapes.
+Scores the correspondences that `match --json` wrote against labelled parts: precision, recall and F1 of pairs of parts. It
+prints means by category and over categories.
 
 RESULT is a result of `match`, or a folder that is searched for results, with its subfolders. LABELS is a labels.json, or
 a folder with SHAPE/labels.json or CATEGORY/SHAPE/labels.json. A result is assigned to its labelled shapes by the paths
@@ -42,7 +38,7 @@ fine label and the two sets of fine labels share at least half of the smaller on
 incomplete result counts as having no pairs.
 
 Example: shape_correspondence match shapes/chair/a/parts shapes/chair/b/parts --json results/a--b.json
-         shape_correspondence evaluate results --ground-truth shapes --worst 5
+         shape_correspondence evaluate results --ground-truth shapes
 
 )";
 
@@ -131,93 +127,11 @@ Judged_result judge(const Named_result& judged, const std::vector<IO::Labelled_s
   return result;
 }
 
-/// All results; each pair of shapes may have one.
-std::vector<Judged_result> judge(const std::vector<Named_result>& named, const std::vector<IO::Labelled_shape>& shapes)
-{
-  std::vector<Judged_result> results;
-  std::map<std::pair<const IO::Labelled_shape*, const IO::Labelled_shape*>, std::string> first;
-  for (const Named_result& result : named) {
-    results.push_back(judge(result, shapes));
-    const auto [entry, is_new] = first.emplace(std::pair(results.back().source, results.back().target), result.file);
-    if (!is_new)
-      throw Invalid_input(result.file + ": it is of the same two shapes as " + entry->second +
-                          "; evaluate the results of one method at a time");
-  }
-  return results;
-}
-
-Evaluation mean_scores(const std::vector<Judged_result>& results, const Evaluation_options& options)
-{
-  const auto scored = [](const Judged_result& r) {
-    return Scored_correspondence{r.source->category, r.source->file, r.target->file, r.score};
-  };
-  return Shape_correspondence::mean_scores(mapped(results, scored), options);
-}
-
-/// A mean with its interval; of a single result, without.
-std::string text_of(const Estimate& e, std::size_t results)
-{
-  return decimals(e.mean) + (results > 1 ? " [" + decimals(e.low) + ", " + decimals(e.high) + "]" : "");
-}
-
-std::vector<std::string> row(const std::string& name, const Mean_score& score)
-{
-  return {name,
-          std::to_string(score.correspondences),
-          text_of(score.precision, score.correspondences),
-          text_of(score.recall, score.correspondences),
-          text_of(score.f1, score.correspondences),
-          text_of(score.coarse_precision, score.correspondences),
-          std::to_string(score.empty)};
-}
-
-void print(const Evaluation& evaluation, const std::vector<Judged_result>& results, std::size_t worst)
-{
-  std::vector<std::vector<std::string>> rows{
-      {"category", "results", "precision", "recall", "F1", "coarse precision", "empty"}};
-  for (const auto& [category, score] : evaluation.categories)
-    rows.push_back(row(category, score));
-  rows.push_back(row("mean", evaluation.mean));
-  write_table(std::cout, rows);
-  worst = std::min(worst, results.size());
-  if (worst == 0) return;
-  std::vector<std::size_t> order(results.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return results[a].score.f1() < results[b].score.f1(); });
-  std::cout << '\n';
-  rows = {{"worst", "source", "target", "precision", "recall", "F1"}};
-  for (std::size_t i = 0; i < worst; ++i) {
-    const Judged_result& r = results[order[i]];
-    rows.push_back({r.source->category, r.source->name, r.target->name, decimals(r.score.precision()),
-                    decimals(r.score.recall()), decimals(r.score.f1())});
-  }
-  write_table(std::cout, rows);
-}
-
-IO::Json json_of(const std::string& category, const Mean_score& score)
-{
-  IO::Json result;
-  if (!category.empty()) result["category"] = category;
-  result["results"] = score.correspondences;
-  result["empty"] = score.empty;
-  result["precision"] = estimate_json(score.precision);
-  result["recall"] = estimate_json(score.recall);
-  result["f1"] = estimate_json(score.f1);
-  result["coarse_precision"] = estimate_json(score.coarse_precision);
-  return result;
-}
-
 IO::Json json_of(const Judged_result& r)
 {
-  IO::Json result = {{"file", r.file},
-                     {"category", r.source->category},
-                     {"source", r.source->name},
-                     {"target", r.target->name},
-                     {"precision", r.score.precision()},
-                     {"recall", r.score.recall()},
-                     {"f1", r.score.f1()},
-                     {"coarse_precision", r.score.coarse_precision()}};
+  IO::Json result = {{"file", r.file},           {"category", r.source->category},   {"source", r.source->name},
+                     {"target", r.target->name}, {"precision", r.score.precision()}, {"recall", r.score.recall()},
+                     {"f1", r.score.f1()}};
   const auto contains = [](const Part_pairs& pairs, const auto& pair) {
     return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
   };
@@ -233,21 +147,57 @@ IO::Json json_of(const Judged_result& r)
   return result;
 }
 
-void write_evaluation_json(std::ostream& out, const Evaluation& evaluation, const std::vector<Judged_result>& results)
+/// Judged results, and their means.
+struct Judged
 {
-  const auto of_category = [](const auto& category) { return json_of(category.first, category.second); };
-  const auto of_result = [](const Judged_result& result) { return json_of(result); };
-  const IO::Json document = {{"format", "shape_correspondence/evaluation"},
-                             {"version", 1},
-                             {"categories", mapped(evaluation.categories, of_category)},
-                             {"mean", json_of("", evaluation.mean)},
-                             {"results", mapped(results, of_result)}};
-  document.write(out);
-}
+  std::vector<Judged_result> results;
+  Evaluation means;
+
+  Judged(const std::vector<Named_result>& named, const std::vector<IO::Labelled_shape>& shapes)
+  {
+    std::vector<Scored_correspondence> scores;
+    for (const Named_result& result : named) {
+      results.push_back(judge(result, shapes));
+      const auto& judged = results.back();
+      scores.push_back({judged.source->category, judged.source->file, judged.target->file, judged.score});
+    }
+    means = mean_scores(scores);
+  }
+
+  void write_json(std::ostream& out) const
+  {
+    const auto of_mean = [](IO::Json result, const Mean_score& score) {
+      result["results"] = score.correspondences;
+      result["precision"] = score.precision;
+      result["recall"] = score.recall;
+      result["f1"] = score.f1;
+      return result;
+    };
+    const auto of_category = [&](const auto& mean) { return of_mean({{"category", mean.first}}, mean.second); };
+    const auto of_result = [](const Judged_result& result) { return json_of(result); };
+    const IO::Json document = {{"format", "shape_correspondence/evaluation"},
+                               {"version", 2},
+                               {"categories", mapped(means.categories, of_category)},
+                               {"mean", of_mean({}, means.mean)},
+                               {"results", mapped(results, of_result)}};
+    document.write(out);
+  }
+
+  void print() const
+  {
+    std::vector<std::vector<std::string>> rows{{"category", "results", "precision", "recall", "F1"}};
+    const auto add = [&](const std::string& name, const Mean_score& score) {
+      rows.push_back({name, std::to_string(score.correspondences), decimals(score.precision), decimals(score.recall),
+                      decimals(score.f1)});
+    };
+    for (const auto& [category, score] : means.categories)
+      add(category, score);
+    add("mean", means.mean);
+    write_table(std::cout, rows);
+  }
+};
 
 } // namespace
-
-IO::Json estimate_json(const Estimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
 
 std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
 {
@@ -265,27 +215,9 @@ std::vector<Named_result> read_results(const std::vector<std::string>& inputs)
 }
 
 void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,
-                           const std::vector<IO::Labelled_shape>& shapes, const Evaluation_options& options)
+                           const std::vector<IO::Labelled_shape>& shapes)
 {
-  const std::vector<Judged_result> judged = judge(results, shapes);
-  write_evaluation_json(out, mean_scores(judged, options), judged);
-}
-
-void add_evaluate_options(Option_table& table, Evaluate_options& options, Common_options& common)
-{
-  Option_table::Group add = table.group("Options of evaluate");
-  add("ground-truth", "LABELS", &options.labels, "labels of the parts; can be repeated").required();
-  add("output,o", "FILE", output_by_ending({{".json", &common.json}}), "the same as --json");
-  add("json", "FILE", &common.json,
-      "write all scores as JSON, with the right, wrong and missed pairs of every result; - is standard output")
-      .output();
-  add("worst", "N", &options.worst, "also list the N results of lowest F1");
-  add("resamples", "N", &options.evaluation.resamples, "bootstrap samples for the confidence intervals")
-      .between(1, most_resamples)
-      .in_python();
-  add("confidence", "P", &options.evaluation.confidence, "confidence level of the intervals, between 0 and 1")
-      .strictly_between(0, 1)
-      .in_python();
+  Judged(results, shapes).write_json(out);
 }
 
 namespace {
@@ -295,22 +227,25 @@ class Evaluate_command : public Command
 public:
   Evaluate_command() : Command(evaluate_help, 1, any_number)
   {
-    add_evaluate_options(table, options_, common);
+    Option_table::Group add = table.group("Options of evaluate");
+    add("ground-truth", "LABELS", &labels_, "labels of the parts; can be repeated").required();
+    add("output,o", "FILE", output_by_ending({{".json", &common.json}}), "the same as --json");
+    add("json", "FILE", &common.json,
+        "write all scores as JSON, with the right, wrong and missed pairs of every result; - is standard output")
+        .output();
     add_common_options(table, common);
   }
 
 private:
   void work() override
   {
-    options_.evaluation.seed = std::uint64_t(common.seed);
-    const std::vector<IO::Labelled_shape> shapes = read_labels(options_.labels);
-    const std::vector<Judged_result> results = judge(read_results(inputs), shapes);
-    const Evaluation evaluation = mean_scores(results, options_.evaluation);
-    write_output(common.json, [&](std::ostream& out) { write_evaluation_json(out, evaluation, results); });
-    if (common.prints_table()) print(evaluation, results, options_.worst);
+    const std::vector<IO::Labelled_shape> shapes = read_labels(labels_);
+    const Judged judged(read_results(inputs), shapes);
+    write_output(common.json, [&](std::ostream& out) { judged.write_json(out); });
+    if (common.prints_table()) judged.print();
   }
 
-  Evaluate_options options_;
+  std::vector<std::string> labels_;
 };
 
 } // namespace

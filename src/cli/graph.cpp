@@ -30,7 +30,7 @@ MODEL is one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
     nodes or links are the parts; where objects are none, parts are found by what parts look like (--parts);
   - a folder of part meshes: one file for each part, named after the part;
-  - a structural graph (.json, .xml).
+  - a structural graph (.json).
 
 Example: shape_correspondence graph chair.obj -o chair.json -o chair.html
 

@@ -161,29 +161,6 @@ void write_labels_json(std::ostream& out, const Structural_graph& graph, const P
   labels_json(part_names(graph), found.category, likeliest_labels(found)).write(out);
 }
 
-void label_shape(const std::string& path, const Label_options& options, const std::string& output,
-                 const Common_options& common)
-{
-  std::shared_ptr<const Role_model> model = role_model_of(options.roles);
-  Common_options with_roles = common;
-  with_roles.roles = model;
-  const Loaded_shape shape = std::move(load_shapes({path}, with_roles)[0]);
-  std::string category = options.category;
-  for (const std::string& left_out : add_examples(options.examples, common, model, category, true))
-    warn(common, left_out);
-  const Part_roles found = predicted_roles(path, shape.graph, *model, category);
-  const std::vector<Transferred_label> labels = likeliest_labels(found);
-  const std::vector<std::string> parts = part_names(shape.graph);
-  write_output(output, [&](std::ostream& out) { write_labels_json(out, shape.graph, found); });
-  if (!common.prints_table() || output == "-") return;
-  std::vector<std::vector<std::string>> rows{{"part", "role", "fine label", "probability"}};
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    rows.push_back(
-        {parts[part], labels[part].label.coarse, labels[part].label.fine, percentage(labels[part].confidence)});
-  std::cout << IO::quote_terminal(path + ": " + found.category) << "\n\n";
-  write_table(std::cout, rows);
-}
-
 void transfer_labels(const Collection_shapes& shapes, const Collection_options& options, const Search_options& search,
                      const Common_options& common)
 {
@@ -208,23 +185,41 @@ public:
   {
     Option_table::Group add = table.group("Options of label");
     add("output,o", "FILE", &output_, "write the labels as JSON; - is standard output").output();
-    add("roles", "MODEL", &label_.roles,
+    add("roles", "MODEL", &roles_,
         "role model, which `roles train` wrote; default: the one that comes with the program")
         .input();
-    add("examples", "FOLDER", &label_.examples,
-        "labelled shapes of your own that are learned in addition, as of `match`")
+    add("examples", "FOLDER", &examples_, "labelled shapes of your own that are learned in addition, as of `match`")
         .input();
-    add("category", "NAME", &label_.category,
+    add("category", "NAME", &category_,
         "category of the shape, such as chair; default: the one whose labelled parts are most similar to its parts");
     add_model_options(table, common);
     add_common_options(table, common);
   }
 
 private:
-  void work() override { label_shape(inputs[0], label_, output_, common); }
+  void work() override
+  {
+    std::shared_ptr<const Role_model> model = role_model_of(roles_);
+    Common_options with_roles = common;
+    with_roles.roles = model;
+    const Loaded_shape shape = std::move(load_shapes(inputs, with_roles)[0]);
+    std::string category = category_;
+    for (const std::string& left_out : add_examples(examples_, common, model, category, true))
+      warn(common, left_out);
+    const Part_roles found = predicted_roles(inputs[0], shape.graph, *model, category);
+    write_output(output_, [&](std::ostream& out) { write_labels_json(out, shape.graph, found); });
+    if (!common.prints_table() || output_ == "-") return;
+    const std::vector<Transferred_label> labels = likeliest_labels(found);
+    const std::vector<std::string> parts = part_names(shape.graph);
+    std::vector<std::vector<std::string>> rows{{"part", "role", "fine label", "probability"}};
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      rows.push_back(
+          {parts[part], labels[part].label.coarse, labels[part].label.fine, percentage(labels[part].confidence)});
+    std::cout << IO::quote_terminal(inputs[0] + ": " + found.category) << "\n\n";
+    write_table(std::cout, rows);
+  }
 
-  Label_options label_;
-  std::string output_;
+  std::string output_, roles_, examples_, category_;
 };
 
 } // namespace

@@ -5,7 +5,6 @@
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "cli/text.h"
-#include "io/read/Json_field.h"
 #include "io/system/input_file.h"
 #include "roles/Role_trainer.h"
 
@@ -16,7 +15,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -25,7 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Pair = std::array<std::size_t, 2>;
+// Of a category that a model lacks: fewer lower the mean F1 of matches (the manual's page on accuracy).
+constexpr std::size_t least_examples = 3;
 
 /// The folder of the part meshes.
 std::string parts_of(const IO::Labelled_shape& shape)
@@ -43,41 +42,6 @@ std::vector<Part_label> labels_by_part(const Structural_graph& graph, const IO::
     result.push_back(labels.labels[index]);
   }
   return result;
-}
-
-std::size_t index_of(const std::vector<Labelled_model>& models, const std::string& folder, const std::string& category,
-                     const IO::Json_field& name)
-{
-  for (std::size_t i = 0; i < models.size(); ++i)
-    if (models[i].folder == folder && models[i].labels.category == category && models[i].labels.name == name.text())
-      return i;
-  name.fail("names a shape that is not in the category '" + category + "'");
-}
-
-void add_listed(const std::vector<Labelled_model>& models, const std::string& folder, const std::string& file,
-                std::vector<Pair>& pairs)
-{
-  for (const IO::Json_field& entry : IO::read_json_file(file).elements()) {
-    const std::vector<IO::Json_field> words = entry.elements(3, "category, source and target");
-    const std::string category = words[0].text();
-    pairs.push_back({index_of(models, folder, category, words[1]), index_of(models, folder, category, words[2])});
-  }
-}
-
-void add_spread(const std::vector<Labelled_model>& models, const std::string& folder, std::size_t most,
-                std::vector<Pair>& pairs)
-{
-  std::map<std::string, std::vector<Pair>> all;
-  for (std::size_t i = 0; i < models.size(); ++i)
-    for (std::size_t j = i + 1; j < models.size(); ++j)
-      if (models[i].folder == folder && models[j].folder == folder &&
-          models[i].labels.category == models[j].labels.category)
-        all[models[i].labels.category].push_back({i, j});
-  for (const auto& [category, of_category] : all) {
-    const std::size_t count = std::min(most, of_category.size());
-    for (std::size_t k = 0; k < count; ++k)
-      pairs.push_back(of_category[k * of_category.size() / count]);
-  }
 }
 
 std::vector<Labelled_graph> labelled_graphs(const std::vector<Labelled_model>& models, std::size_t number_of_real)
@@ -142,44 +106,24 @@ std::vector<std::string> add_examples(const std::string& folder, const Common_op
   const std::vector<Labelled_model> models = load_labelled_models({folder}, options);
   const bool is_asked_for = !category.empty();
   const Role_model known = model ? *model : Role_model();
-  const std::vector<std::string> names = known.categories();
   std::vector<Labelled_graph> shapes = labelled_graphs(models, models.size());
+  std::map<std::string, std::size_t> counts;
+  for (const Labelled_graph& shape : shapes)
+    ++counts[shape.category];
   std::vector<std::string> left_out;
-  const std::vector<Gain_of_examples> gains = gains_of_examples(known, shapes);
-  for (const Gain_of_examples& gain : gains) {
-    if (gain.is_clear()) continue;
-    const bool is_new = !std::binary_search(names.begin(), names.end(), gain.category);
-    if (always_new && is_new) continue;
-    if (is_new && category == gain.category) category.clear();
-    left_out.push_back(
-        folder + ": the examples of the category " + gain.category + " were not used, since " +
-        (gain.pairs == 0
-             ? "three or more are needed to measure a gain"
-             : "what was learned from the others does not make their matches better by more than chance (F1 " +
-                   short_number(gain.with) + " with it, " + short_number(gain.without) + " without)") +
-        "; with the model that `roles train` makes of them they are used in any case");
+  for (const auto& [name, count] : counts) {
+    const std::vector<std::string> names = known.categories();
+    if (always_new || count >= least_examples || std::binary_search(names.begin(), names.end(), name)) continue;
+    if (category == name) category.clear();
+    left_out.push_back(folder + ": the examples of the category " + name + " were not used, since there are only " +
+                       std::to_string(count) + " of it; add some, until there are " + std::to_string(least_examples));
     shapes.erase(std::remove_if(shapes.begin(), shapes.end(),
-                                [&](const Labelled_graph& shape) { return shape.category == gain.category; }),
+                                [of = name](const Labelled_graph& shape) { return shape.category == of; }),
                  shapes.end());
   }
-  if (!is_asked_for && gains.size() == 1 && left_out.empty()) category = gains[0].category;
+  if (!is_asked_for && counts.size() == 1 && left_out.empty()) category = counts.begin()->first;
   if (!shapes.empty()) model = std::make_shared<const Role_model>(extend_role_model(known, shapes));
   return left_out;
-}
-
-std::vector<Pair> listed_pairs(const std::vector<Labelled_model>& models, std::size_t most)
-{
-  std::set<std::string> folders;
-  std::vector<Pair> result;
-  for (const Labelled_model& model : models) {
-    if (!folders.insert(model.folder).second) continue;
-    const fs::path file = fs::path(model.folder) / "pairs.json";
-    if (fs::exists(file))
-      add_listed(models, model.folder, file.string(), result);
-    else
-      add_spread(models, model.folder, most, result);
-  }
-  return result;
 }
 
 Trained_roles train_roles(const Role_training& training, const Common_options& options)
@@ -190,9 +134,8 @@ Trained_roles train_roles(const Role_training& training, const Common_options& o
   if (const std::string left_out = unlabelled_shapes(folders); !left_out.empty()) warn(options, left_out);
   result.models = load_labelled_models(training.folders, options);
   result.number_of_real = result.models.size();
-  const std::vector<Pair> pairs = listed_pairs(result.models, training.most_pairs);
   append(result.models, load_labelled_models(training.generated, options));
-  result.model = train_role_model(labelled_graphs(result.models, result.number_of_real), training.options, pairs);
+  result.model = train_role_model(labelled_graphs(result.models, result.number_of_real), training.options);
   return result;
 }
 

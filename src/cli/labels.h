@@ -9,7 +9,6 @@
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <array>
 #include <cstddef>
 #include <iosfwd>
 #include <memory>
@@ -36,24 +35,19 @@ std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>&
 std::shared_ptr<const Role_model> role_model_of(const std::string& file);
 
 /// Adds the labelled shapes of a folder, if there is one, to what a model was learned from, see `extend_role_model()`:
-/// those of a category in which they help, see `gains_of_examples()`. If they are of one category, and none is asked
-/// for, that category is meant. \param model null: none so far \param always_new also all of a category that the model
-/// lacks
+/// those of a category that it knows, or of which there are at least three. If they are of one category, and none is
+/// asked for, that category is meant. \param model null: none so far \param always_new also of a category that the
+/// model lacks, however few
 /// \return what is said of those that are left out
 std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,
                                       std::shared_ptr<const Role_model>& model, std::string& category,
                                       bool always_new = false);
 
-/// Pairs of shapes of a category and folder: those that FOLDER/pairs.json lists, or else at most `most` of a category,
-/// spread evenly over all. \throw Invalid_input if a list names a shape that is not there
-std::vector<std::array<std::size_t, 2>> listed_pairs(const std::vector<Labelled_model>& models, std::size_t most);
-
 /// What roles are learned from.
 struct Role_training
 {
   std::vector<std::string> folders;   ///< of labelled shapes
-  std::vector<std::string> generated; ///< further ones, which are generated: they weigh less, and are in no pair
-  std::size_t most_pairs = 45;        ///< of a category and folder without a list of pairs
+  std::vector<std::string> generated; ///< further ones, which are generated: they weigh less
   Role_training_options options;
 };
 
@@ -74,19 +68,4 @@ Part_roles predicted_roles(const std::string& path, const Structural_graph& grap
 
 /// Writes the likeliest label of every part, in the form of `labels.json`.
 void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found);
-
-/// What labels are predicted by.
-struct Label_options
-{
-  std::string roles;    ///< file of the role model; empty: the one that comes with the program
-  std::string examples; ///< folder of labelled shapes that are learned in addition; empty: none
-  std::string category; ///< of the shape; empty: the one that it is like
-};
-
-/// Prints the likeliest role of every part of a shape, and writes them in the form of `labels.json`.
-/// \param output file of the labels; - is standard output; empty: none
-/// \throw Invalid_input if the shape is of no category of the model
-void label_shape(const std::string& path, const Label_options& options, const std::string& output,
-                 const Common_options& common);
-
 } // namespace CGAL::Shape_correspondence::cli

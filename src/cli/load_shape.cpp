@@ -10,7 +10,6 @@
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
-#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
@@ -47,10 +46,7 @@ void load_graph(const Common_options& common, Loaded_shape& shape)
   const Structure_options& options = common.structure;
   const double begin = now();
   std::ifstream in = IO::open_input(path);
-  if (has_extension(path, ".xml") && common.finds_up())
-    throw Invalid_input("the upright axis of a graph without surfaces cannot be estimated; give --up x, y or z");
-  shape.graph = has_extension(path, ".xml") ? IO::read_structural_graph_xml(in, path, common.up_vector(), options)
-                                            : IO::read_structural_graph_json(in, path, options);
+  shape.graph = IO::read_structural_graph_json(in, path, options);
   const bool is_flow_wanted = options.abstraction.abstractor.target<Mean_curvature_abstraction>() != nullptr;
   if (const std::string note = note_on_abstraction(shape.graph, is_flow_wanted); !note.empty())
     structure(shape.graph).warnings.push_back(note);
@@ -141,7 +137,7 @@ std::string message_about(const std::string& path, const std::string& message)
   return message.rfind(path, 0) == 0 ? message : path + ": " + message;
 }
 
-bool is_graph_file(const std::string& path) { return has_extension(path, ".json") || has_extension(path, ".xml"); }
+bool is_graph_file(const std::string& path) { return has_extension(path, ".json"); }
 
 void rethrow_about(const std::string& path)
 {
@@ -180,36 +176,13 @@ Loaded_shape loaded(const std::string& path, const Common_options& common, const
   });
 }
 
-/// An input of which there is a graph, in its file or in the cache. \param key gets what the cache may know it by
-std::optional<Loaded_shape> find_graph(const std::string& path, const Common_options& common, std::string& key)
-{
-  return with_path(path, [&]() -> std::optional<Loaded_shape> {
-    Loaded_shape shape;
-    shape.path = path;
-    shape.reading = common.reading_options();
-    if (is_graph_file(path)) {
-      load_graph(common, shape);
-      return shape;
-    }
-    const double begin = now();
-    key = key_of_folder(path, common);
-    std::optional<Structural_graph> known = known_graph(key, common);
-    if (!known) return std::nullopt;
-    shape.graph = std::move(*known);
-    shape.read_seconds = now() - begin;
-    return shape;
-  });
-}
-
-/// \param key by which the cache may know the input
-Loaded_shape build_shape(const std::string& path, const Common_options& common, const std::string& key)
+Loaded_shape build_shape(const std::string& path, const Common_options& common)
 {
   return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
     const double begin = now();
     Read_model model = read_model(path, common);
     shape.read_seconds = now() - begin;
     load_model(model, common, options, shape);
-    keep_known(path, key, common, shape.graph, model.warnings);
     if (!common.roles || !model.is_up_estimated) return;
     const std::optional<Point> up = up_by_roles(model, shape.graph, *common.roles);
     if (!up || *up == shape.model->up()) return;
@@ -234,9 +207,12 @@ void check_part_kinds(const Common_options& options, const std::vector<Loaded_sh
 
 Loaded_shape load_shape(const std::string& path, const Common_options& common)
 {
-  std::string key;
-  std::optional<Loaded_shape> shape = find_graph(path, common, key);
-  return shape ? std::move(*shape) : build_shape(path, common, key);
+  if (!is_graph_file(path)) return build_shape(path, common);
+  Loaded_shape shape;
+  shape.path = path;
+  shape.reading = common.reading_options();
+  with_path(path, [&] { load_graph(common, shape); });
+  return shape;
 }
 
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& common)
@@ -262,17 +238,9 @@ void find_up_by_roles(const std::string& path, const Common_options& options, Re
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   std::vector<Loaded_shape> shapes(paths.size());
-  std::vector<std::string> keys(paths.size());
-  std::vector<std::size_t> models;
-  for (std::size_t i = 0; i < paths.size(); ++i) // one after the other: that takes less time than to start threads
-    if (std::optional<Loaded_shape> shape = find_graph(paths[i], options.of_input(i), keys[i]))
-      shapes[i] = std::move(*shape);
-    else
-      models.push_back(i);
-  internal::for_each_index<CGAL::Parallel_if_available_tag>(models.size(), [&](std::size_t k) {
-    const std::size_t i = models[k];
-    shapes[i] = build_shape(paths[i], options.of_input(i), keys[i]);
-  });
+  const bool are_graphs = std::all_of(paths.begin(), paths.end(), is_graph_file); // read faster than threads start
+  internal::for_each_index(paths.size(), !are_graphs,
+                           [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });
   check_part_kinds(options, shapes);
   return shapes;
 }

@@ -83,19 +83,6 @@ struct Loaded_shape
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
 
-// A folder of part meshes of which the cache may have the graph, under the bytes of its files: nothing is parsed to
-// find it. Of other inputs, and where options make other parts of the files, the cache knows nothing in this way.
-
-/// What the cache knows a folder by, from its files and the options; empty: it cannot know it.
-std::string key_of_folder(const std::string& path, const Common_options& common);
-
-/// The graph with the warnings of its reader; none if the cache does not have it, or its files are damaged.
-std::optional<Structural_graph> known_graph(const std::string& key, const Common_options& common);
-
-/// Keeps which graph of the cache it is. \param key of the files before they were read \param warnings of the reader
-void keep_known(const std::string& path, const std::string& key, const Common_options& common,
-                const Structural_graph& graph, const std::vector<std::string>& warnings);
-
 /// The message, prefixed with the path unless it begins with it.
 std::string message_about(const std::string& path, const std::string& message);
 
@@ -114,8 +101,7 @@ auto with_path(const std::string& path, const Read& read)
   }
 }
 
-/// Reads a model, or a structural graph from a file that ends in `.json` or `.xml`, and builds the graph of a model.
-/// With `Common_options::graphs_suffice`, a folder of part meshes that the cache knows has no model.
+/// Reads a model, or a structural graph from a file that ends in `.json`, and builds the graph of a model.
 /// \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 

@@ -33,7 +33,7 @@ SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
     nodes or links are the parts; where objects are none, parts are found by what parts look like (--parts);
   - a folder of part meshes: one file for each part, named after the part;
-  - a structural graph (.json, .xml) that `graph` wrote.
+  - a structural graph (.json) that `graph` wrote.
 
 The table lists sets of parts that correspond. The operation is how the source becomes the target: match (one to one),
 split (one to several), merge (several to fewer), duplicate (several to more), cut (a curve into segments) and join (its
@@ -191,7 +191,6 @@ private:
   void work() override
   {
     const bool shows_looks = !common.glb.empty() || !common.html.empty();
-    common.graphs_suffice = !shows_looks;
     load();
     Matched_shapes matched = match_shapes(source(), target(), search);
     const std::vector<Correspondence>& ranked = matched.ranked;

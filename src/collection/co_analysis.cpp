@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
+#include "collection/part_matrix.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
-#include <CGAL/Shape_correspondence/part_matrix.h>
 
 #include <algorithm>
 #include <cstdint>

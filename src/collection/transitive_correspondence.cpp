@@ -58,10 +58,10 @@ constexpr std::size_t no_shape = std::size_t(-1);
 std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>& tree)
 {
   std::vector<std::vector<std::size_t>> neighbours(tree.size() + 1);
-  internal::check_index("tree_path", "shape", root, neighbours.size());
+  internal::check_index("best_chains", "shape", root, neighbours.size());
   for (const auto& [a, b] : tree) {
     for (std::size_t shape : {a, b})
-      internal::check_index("tree_path", "shape", shape, neighbours.size());
+      internal::check_index("best_chains", "shape", shape, neighbours.size());
     neighbours[a].push_back(b);
     neighbours[b].push_back(a);
   }
@@ -79,11 +79,24 @@ std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>
 std::vector<std::size_t> way(std::size_t from, const std::vector<std::size_t>& next)
 {
   if (from >= next.size() || next[from] == no_shape)
-    throw Invalid_input("tree_path: the tree does not connect the two shapes; give one that connects all");
+    throw Invalid_input("best_chains: the tree does not connect the two shapes; give one that connects all");
   std::vector<std::size_t> path{from};
   while (next[path.back()] != path.back())
     path.push_back(next[path.back()]);
   return path;
+}
+
+// The chain through the one other shape with the least sum of energies; the direct one if there is no third shape.
+Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
+{
+  std::vector<std::size_t> best{source, target};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::size_t(energies.rows()); ++i) {
+    if (i == source || i == target) continue;
+    const double sum = energy_of(energies, source, i) + energy_of(energies, i, target);
+    if (sum < least) least = sum, best = {source, i, target};
+  }
+  return chain_of(energies, best);
 }
 
 // The cheapest of the direct chain and the other chains.
@@ -94,73 +107,40 @@ Shape_chain cheapest(Shape_chain best, const std::vector<Shape_chain>& others)
   return best;
 }
 
+// The best chain to a target. \param next of each shape, towards the source
+Shape_chain best_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target,
+                       const std::vector<std::size_t>& next)
+{
+  std::vector<std::size_t> path = way(target, next);
+  std::reverse(path.begin(), path.end());
+  return cheapest(chain_of(energies, {source, target}),
+                  {bridge_chain(energies, source, target), chain_of(energies, std::move(path))});
+}
+
 } // namespace
-
-std::vector<std::size_t> tree_path(const std::vector<Shape_pair>& tree, std::size_t source, std::size_t target)
-{
-  return way(source, towards(target, tree));
-}
-
-Shape_chain direct_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
-{
-  return chain_of(energies, {source, target});
-}
-
-Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
-{
-  std::size_t bridge = source;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < std::size_t(energies.rows()); ++i) {
-    if (i == source || i == target) continue;
-    const double sum = energy_of(energies, source, i) + energy_of(energies, i, target);
-    if (sum < least) least = sum, bridge = i;
-  }
-  if (bridge == source) return direct_chain(energies, source, target);
-  return chain_of(energies, {source, bridge, target});
-}
-
-Shape_chain tree_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
-                       std::size_t target)
-{
-  return chain_of(energies, tree_path(tree, source, target));
-}
-
-Shape_chain best_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
-                       std::size_t target)
-{
-  return cheapest(direct_chain(energies, source, target),
-                  {bridge_chain(energies, source, target), tree_chain(energies, tree, source, target)});
-}
 
 std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree,
                                      std::size_t source)
 {
   const std::vector<std::size_t> next = towards(source, tree);
   std::vector<Shape_chain> result;
-  for (std::size_t target = 0; target < std::size_t(energies.rows()); ++target) {
-    if (target == source) {
-      result.push_back({{source}, 0});
-      continue;
-    }
-    std::vector<std::size_t> path = way(target, next);
-    std::reverse(path.begin(), path.end());
-    result.push_back(cheapest(direct_chain(energies, source, target),
-                              {bridge_chain(energies, source, target), chain_of(energies, std::move(path))}));
-  }
+  for (std::size_t target = 0; target < std::size_t(energies.rows()); ++target)
+    result.push_back(target == source ? Shape_chain{{source}, 0} : best_chain(energies, source, target, next));
   return result;
 }
 
 Transitive_correspondence transitive_correspondence(const Energy_matrix& matrix, const std::vector<Shape_pair>& tree,
                                                     std::size_t source, std::size_t target)
 {
-  Transitive_correspondence result{
-      best_chain(matrix.energies, tree, source, target), energy_of(matrix.energies, source, target), {}};
+  Transitive_correspondence result{best_chain(matrix.energies, source, target, towards(source, tree)),
+                                   energy_of(matrix.energies, source, target),
+                                   {}};
   const std::vector<std::size_t>& shapes = result.chain.shapes;
   result.map = matrix.map(shapes[0], shapes[1]);
   for (std::size_t k = 2; k < shapes.size(); ++k)
     result.map = composed(result.map, matrix.map(shapes[k - 1], shapes[k]));
   if (result.map.pairs.empty() && !result.chain.is_direct()) {
-    result.chain = direct_chain(matrix.energies, source, target);
+    result.chain = chain_of(matrix.energies, {source, target});
     result.map = matrix.map(source, target);
   }
   return result;

@@ -227,10 +227,4 @@ Correspondence find_correspondence(const Structural_graph& source, const Structu
   return Correspondence_finder(source, options)(target);
 }
 
-std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
-                                                 const Search_options& options)
-{
-  return Correspondence_finder(source, options).ranked(target);
-}
-
 } // namespace CGAL::Shape_correspondence

@@ -4,20 +4,11 @@
 #include "roles/pair_model.h"
 #include "base/quantized.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 namespace CGAL::Shape_correspondence::internal {
-
-namespace {
-
-constexpr int newton_steps = 15;       // at most
-constexpr double newton_change = 1e-9; // of a weight: a smaller change ends the iteration
-
-} // namespace
 
 Pair_weights usual_pair_weights()
 {
@@ -88,34 +79,5 @@ double confidence(double probability, const Confidence_weights& weights)
   if (probability <= 0 || probability >= 1) return probability;
   return 1 / (1 + std::exp(-confidence_terms(probability).dot(weights)));
 }
-
-template <int term_count>
-Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
-                                                    const Eigen::Matrix<double, term_count, 1>& expected,
-                                                    const Eigen::Matrix<double, term_count, 1>& penalties)
-{
-  using Weights = Eigen::Matrix<double, term_count, 1>;
-  using Hessian = Eigen::Matrix<double, term_count, term_count>;
-  Weights weights = expected;
-  for (int step = 0; step < newton_steps; ++step) {
-    Weights gradient = penalties.cwiseProduct(expected - weights);
-    Hessian hessian = penalties.asDiagonal();
-    for (const auto& [judged, weight_of_all] : examples) {
-      const Eigen::ArrayXd p = 1 / (1 + (-(judged->terms * weights).array()).exp());
-      const double weight = weight_of_all / double(p.size());
-      gradient += weight * (judged->terms.transpose() * (judged->is_right - p).matrix());
-      hessian += weight * (judged->terms.transpose() * (p * (1 - p)).matrix().asDiagonal() * judged->terms);
-    }
-    const Weights change = hessian.ldlt().solve(gradient);
-    weights += change;
-    if (change.cwiseAbs().maxCoeff() < newton_change) break;
-  }
-  return (weights / pair_weight_unit).array().round().matrix() * pair_weight_unit;
-}
-
-template Pair_weights fitted_weights(const std::vector<Weighted<PAIR_TERM_COUNT>>&, const Pair_weights&,
-                                     const Pair_weights&);
-template Confidence_weights fitted_weights(const std::vector<Weighted<CONFIDENCE_TERM_COUNT>>&,
-                                           const Confidence_weights&, const Confidence_weights&);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -60,31 +60,6 @@ Eigen::Matrix<double, 1, CONFIDENCE_TERM_COUNT> confidence_terms(double probabil
 // The calibrated confidence; 0 and 1 stay.
 double confidence(double probability, const Confidence_weights& weights);
 
-// Pairs of parts of two shapes, and which are right.
-template <int term_count>
-struct Judged
-{
-  Eigen::Matrix<double, Eigen::Dynamic, term_count> terms;
-  Eigen::ArrayXd is_right; // 1 or 0
-};
-using Judged_terms = Judged<PAIR_TERM_COUNT>;
-using Judged_confidences = Judged<CONFIDENCE_TERM_COUNT>;
-
-// Pairs with their total weight in a fit.
-template <int term_count>
-struct Weighted
-{
-  const Judged<term_count>* judged;
-  double weight;
-};
-
-// Logistic regression by Newton's method, with a quadratic penalty on the distance of each weight from its expected
-// value. Rounded to `pair_weight_unit`.
-template <int term_count>
-Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
-                                                    const Eigen::Matrix<double, term_count, 1>& expected,
-                                                    const Eigen::Matrix<double, term_count, 1>& penalties);
-
 constexpr double pair_weight_unit = 1e-6; // of weights in a file
 
 } // namespace CGAL::Shape_correspondence::internal

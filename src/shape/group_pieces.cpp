@@ -25,8 +25,8 @@ namespace {
 using contacts::Triangle;
 using contacts::Triangle_tree;
 
-// Calibrated on raw files of which the parts are known (benchmark/Shape_correspondence/WILD.md). Lengths over the
-// size of the model.
+// Calibrated on raw files of which the parts are known (the manual's page on accuracy). Lengths over the size of the
+// model.
 constexpr int piece_samples = 64;           // of a piece
 constexpr Eigen::Index vertex_samples = 64; // at most
 constexpr double hull_tolerance = 0.005;

@@ -5,8 +5,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -141,118 +139,6 @@ private:
   bool verbose_;
 };
 
-/// The comparison of `are_same_structural_graphs()`.
-class Comparison
-{
-public:
-  Comparison(const Structural_graph& a, const Structural_graph& b, double tolerance)
-      : a_(a), b_(b), limit_(tolerance * structure(b).frame.height)
-  {}
-
-  bool operator()() { return find_parts() && find_motion() && have_same_groups() && have_same_contacts(); }
-
-private:
-  /// Finds the part of b with the name of each part of a.
-  bool find_parts()
-  {
-    std::map<std::string, std::size_t> indices;
-    for (std::size_t i = 0; i < structure(b_).parts.size(); ++i)
-      indices[structure(b_).parts[i].name] = i;
-    for (const Part_abstraction& part : structure(a_).parts) {
-      const auto found = indices.find(part.name);
-      if (found == indices.end() || structure(b_).parts[found->second].geometry.index() != part.geometry.index())
-        return false;
-      image_.push_back(found->second);
-    }
-    return indices.size() == image_.size();
-  }
-
-  /// Finds the similarity that maps all control points nearest to their namesakes.
-  bool find_motion()
-  {
-    Points from(3, 0), to(3, 0);
-    for (std::size_t i = 0; i < image_.size(); ++i) {
-      const Points &p = structure(a_).parts[i].control_points(), &q = structure(b_).parts[image_[i]].control_points();
-      if (p.cols() != q.cols()) return false;
-      const Eigen::Index n = from.cols();
-      from.conservativeResize(3, n + p.cols());
-      to.conservativeResize(3, n + q.cols());
-      from.rightCols(p.cols()) = p;
-      to.rightCols(q.cols()) = q;
-    }
-    const Eigen::Matrix4d motion = Eigen::umeyama(from, to);
-    linear_ = motion.topLeftCorner<3, 3>();
-    shift_ = motion.topRightCorner<3, 1>();
-    scale_ = std::cbrt(linear_.determinant());
-    const Points moved = (linear_ * from).colwise() + shift_;
-    return ((moved - to).colwise().norm().array() <= limit_).all();
-  }
-
-  bool is_same(const Point& moved, const Point& other) const { return (moved - other).norm() <= limit_; }
-
-  bool is_same_symmetry(const Symmetry& a, const Symmetry& b) const
-  {
-    if (a.type != b.type || a.order != b.order) return false;
-    if (a.type == Symmetry_type::TRANSLATION) return is_same(linear_ * a.direction, b.direction);
-    const Point direction = linear_ * a.direction / scale_, apart = linear_ * a.point + shift_ - b.point;
-    if ((direction - b.direction).norm() * structure(b_).frame.height > limit_) return false;
-    const bool is_axis = a.type == Symmetry_type::ROTATION;
-    return (is_axis ? apart.cross(b.direction).norm() : std::abs(apart.dot(b.direction))) <= limit_;
-  }
-
-  bool have_same_groups() const
-  {
-    if (num_vertices(a_) != num_vertices(b_)) return false;
-    const std::vector<std::size_t> group = group_of_parts(b_);
-    for (std::size_t v = 0; v < num_vertices(a_); ++v) {
-      std::vector<std::size_t> members;
-      for (std::size_t part : a_[v].parts)
-        members.push_back(image_[part]);
-      const Part_group& other = b_[group[members[0]]];
-      if (members != other.parts || !is_same_symmetry(a_[v].symmetry, other.symmetry)) return false;
-    }
-    return true;
-  }
-
-  /// The regions of a contact, each by the midpoint of its two places.
-  static std::vector<Point> places(const Shape_structure& shape, const Contact& contact)
-  {
-    std::vector<Contact::Parameters> all = {contact.parameters};
-    all.insert(all.end(), contact.further.begin(), contact.further.end());
-    std::vector<Point> result;
-    for (const Contact::Parameters& p : all)
-      result.push_back((evaluate(shape.parts[contact.parts[0]], p[0]) + evaluate(shape.parts[contact.parts[1]], p[1])) /
-                       2);
-    return result;
-  }
-
-  bool have_same_contacts() const
-  {
-    std::map<std::pair<std::size_t, std::size_t>, const Contact*> others;
-    for (const Contact& contact : structure(b_).contacts)
-      others[std::minmax(contact.parts[0], contact.parts[1])] = &contact;
-    if (others.size() != structure(a_).contacts.size()) return false;
-    for (const Contact& contact : structure(a_).contacts) {
-      const std::size_t p = image_[contact.parts[0]], q = image_[contact.parts[1]];
-      const auto found = others.find(std::minmax(p, q));
-      if (found == others.end()) return false;
-      const std::vector<Point> from = places(structure(a_), contact), to = places(structure(b_), *found->second);
-      const auto is_among_them = [&](const Point& x) {
-        return std::any_of(to.begin(), to.end(), [&](const Point& y) { return is_same(linear_ * x + shift_, y); });
-      };
-      if (from.size() != to.size() || !std::all_of(from.begin(), from.end(), is_among_them)) return false;
-    }
-    return true;
-  }
-
-  const Structural_graph &a_, &b_;
-  double limit_;
-  std::vector<std::size_t> image_; ///< of every part of a
-  Eigen::Matrix3d linear_;
-  Point shift_;
-  double scale_ = 1;
-};
-
 } // namespace graph
 } // namespace
 
@@ -281,11 +167,6 @@ Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_g
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose)
 {
   return graph::Validity_check(graph, verbose)();
-}
-
-bool are_same_structural_graphs(const Structural_graph& a, const Structural_graph& b, double tolerance)
-{
-  return graph::Comparison(a, b, tolerance)();
 }
 
 } // namespace CGAL::Shape_correspondence

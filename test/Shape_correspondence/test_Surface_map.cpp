@@ -72,20 +72,6 @@ TEST_CASE("Values are transferred: numbers are interpolated, labels taken from t
   CHECK(labels[3] == std::vector<int>(labels[3].size(), -1));
 }
 
-TEST_CASE("Places are a property map of the vertices of a CGAL mesh")
-{
-  const Segmented_shape shape = knobbed_plate();
-  const Structural_graph graph = graph_of(shape);
-  const Surface_map map(graph, shape, graph, shape, pairing({{0, 0}}));
-  const Source_place_map places(map, 0);
-  CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> mesh;
-  for (Eigen::Index v = 0; v < shape.parts()[0].mesh.points.cols(); ++v) {
-    const Point p = shape.parts()[0].mesh.points.col(v);
-    const auto vertex = mesh.add_vertex({p.x(), p.y(), p.z()});
-    CHECK((get(places, vertex)->point - p).norm() < 1e-6);
-  }
-}
-
 TEST_CASE("A model that is not the graph's is refused")
 {
   const Structural_graph graph = graph_of(knobbed_plate());

@@ -163,8 +163,7 @@ TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a si
   for (const json& task : report["tasks"])
     CHECK((task["task"] == "shrink" || task["task"] == "grow" || task["task"] == "exchange"));
   CHECK_THAT(report["warnings"].dump(), Contains("--min-confidence"));
-  for (const auto& [measure, tolerance] : report["tolerances"].items())
-    CHECK(report["frames"][0]["quality"][measure] <= tolerance);
+  CHECK(report["frames"][0]["quality"]["apart"] == 0);
 }
 
 TEST_CASE("blend takes graphs whose parts name their meshes")

@@ -3,12 +3,12 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "collection/part_matrix.h"
 #include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
-#include <CGAL/Shape_correspondence/part_matrix.h>
 
 #include <catch2/catch.hpp>
 

@@ -77,11 +77,11 @@ std::string shape_folder(const Temporary_folder& folder)
   return folder.path("shapes");
 }
 
-std::size_t number_of_tiles(const Temporary_folder& folder)
+std::size_t number_of_rows(const Temporary_folder& folder)
 {
   std::size_t n = 0;
-  for (const auto& entry : fs::directory_iterator(folder.path("store/tiles")))
-    n += entry.path().extension() == ".tile";
+  for (const auto& entry : fs::directory_iterator(folder.path("store/pairs")))
+    n += entry.path().extension() == ".row";
   return n;
 }
 
@@ -154,33 +154,33 @@ TEST_CASE("The same bytes with any number of threads, with a store and again fro
   CHECK(!expected.empty());
   CHECK(run(in + " --threads 1 --json -").out == expected);
   CHECK(run(in + store + " --json -").out == expected);
-  CHECK(number_of_tiles(folder) == 3); // of blocks of four and two shapes
+  CHECK(number_of_rows(folder) == 5); // of all shapes but the last
   CHECK(run(in + store + " --json -").out == expected);
 
-  SECTION("A damaged or missing tile is done again")
+  SECTION("A damaged or missing row is done again")
   {
-    const std::string tile = fs::directory_iterator(folder.path("store/tiles"))->path().string();
-    const std::string whole = text_of(tile);
-    folder.write("store/tiles/" + fs::path(tile).filename().string(), whole.substr(0, whole.size() - 3));
+    const std::string row = fs::directory_iterator(folder.path("store/pairs"))->path().string();
+    const std::string whole = text_of(row);
+    folder.write("store/pairs/" + fs::path(row).filename().string(), whole.substr(0, whole.size() - 3));
     CHECK(run(in + store + " --json -").out == expected);
-    CHECK(text_of(tile) == whole);
-    fs::remove(tile);
+    CHECK(text_of(row) == whole);
+    fs::remove(row);
     CHECK(run(in + store + " --json -").out == expected);
-    CHECK(text_of(tile) == whole);
+    CHECK(text_of(row) == whole);
   }
-  SECTION("A changed shape changes the tiles that it is in, and no others")
+  SECTION("A changed shape has a row of its own, and the others get its pairs")
   {
     std::ostringstream text;
     IO::write_structural_graph_json(text, named(hand_made::moved(hand_made::table(), 0, 3, {1, 0, 0}), "shape 2"));
     folder.write("shapes/2.json", text.str());
     CHECK(run(in + store + " --json -").out == run(in + " --json -").out);
-    CHECK(number_of_tiles(folder) == 3 + 2);
+    CHECK(number_of_rows(folder) == 5 + 1);
   }
-  SECTION("Changed options need other tiles")
+  SECTION("Changed options need other rows")
   {
     const std::string changed = " --min-confidence 0.5";
     CHECK(run(in + store + changed + " --json -").out == run(in + changed + " --json -").out);
-    CHECK(number_of_tiles(folder) == 6);
+    CHECK(number_of_rows(folder) == 10);
   }
 }
 
@@ -228,9 +228,9 @@ TEST_CASE("A team of which a process is killed has kept its work, and ends it wh
     const std::string killed =
         "sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then (sleep " + seconds + "; kill -9 $$) & fi; exec \"$@\"' sh ";
     const bool is_done = run_in_team("2", arguments, killed) == 0;
-    const std::size_t tiles = fs::is_directory(folder.path("store/tiles")) ? number_of_tiles(folder) : 0;
-    CHECK(tiles >= last); // nothing that was done is lost
-    last = tiles;
+    const std::size_t rows = fs::is_directory(folder.path("store/pairs")) ? number_of_rows(folder) : 0;
+    CHECK(rows >= last); // nothing that was done is lost
+    last = rows;
     CHECK(fs::exists(output) >= is_done);
     CHECK((!fs::exists(output) || text_of(output) == expected));
   }
@@ -259,9 +259,9 @@ TEST_CASE("Killed at any moment, a run goes on where it was")
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
-    const std::size_t tiles = fs::is_directory(folder.path("store/tiles")) ? number_of_tiles(folder) : 0;
-    CHECK(tiles >= last); // nothing that was done is lost
-    last = tiles;
+    const std::size_t rows = fs::is_directory(folder.path("store/pairs")) ? number_of_rows(folder) : 0;
+    CHECK(rows >= last); // nothing that was done is lost
+    last = rows;
     CHECK((!fs::exists(output) || text_of(output) == expected));
   }
   CHECK(run(options + "- --store " + quoted(store)).out == expected);

@@ -10,7 +10,6 @@
 #include "model_files.h"
 #include "random_graph.h"
 
-#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
@@ -38,16 +37,11 @@ TEST_CASE("Every file of the corpus is read or refused")
       {"pieces", file_readers::pieces},
       {"roles", file_readers::roles},
       {"image", file_readers::image},
-      {"graph_json",
-       [](const std::string& text) {
+      {"graph_json", [](const std::string& text) {
          std::istringstream in(text);
          std::stringstream again;
          IO::write_structural_graph_json(again, IO::read_structural_graph_json(in, "input"));
          IO::read_structural_graph_json(again, "again");
-       }},
-      {"graph_xml", [](const std::string& text) {
-         std::istringstream in(text);
-         IO::read_structural_graph_xml(in, "input");
        }}};
   for (const fs::directory_entry& folder : fs::directory_iterator(corpus)) {
     INFO(folder.path());

@@ -121,17 +121,6 @@ TEST_CASE("A pipe in place of an entry of a cache or a store is not waited for; 
   CHECK(shell("timeout 60 " + program + " " + graph) == 0);
   CHECK(fs::is_regular_file(entry));
 
-  folder.write("shapes/a/top.obj", obj_box("o top", 0, -0.5, 0, -0.5, 1, 0.1, 1));
-  folder.write("shapes/a/leg.obj", obj_box("o leg", 0, -0.05, -0.5, -0.05, 0.1, 0.5, 0.1));
-  const std::string of_folder =
-      "graph " + quoted(folder.path("shapes/a")) + " --abstraction boxes --cache " + quoted(cache);
-  REQUIRE(run(of_folder).status == 0);
-  if (const std::string known = file_in(cache, ".folder"); !known.empty()) {
-    replace_by_pipe(known);
-    CHECK(shell("timeout 60 " + program + " " + of_folder) == 0);
-    CHECK(fs::is_regular_file(known));
-  }
-
   const std::string store = folder.path("store"), collection = "collection " + quoted(table) + " " + quoted(table) +
                                                                " --abstraction boxes --store " + quoted(store);
   REQUIRE(run(collection).status == 0);

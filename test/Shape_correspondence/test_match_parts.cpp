@@ -3,7 +3,6 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "experiments/matching_constants.h"
 #include "hand_made_graphs.h"
 #include "matching/match_parts.h"
 
@@ -12,8 +11,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -282,18 +279,4 @@ TEST_CASE("Weights and bounds that are negative or not finite are refused")
   options = {};
   options.repetition = 1;
   CHECK_THROWS_AS(matching(hand_made::chair(), hand_made::chair(), options), Invalid_input);
-}
-
-TEST_CASE("The header of the constants is what the fit writes")
-{
-  std::ifstream in(SHAPE_CORRESPONDENCE_DATA_DIR "/../include/CGAL/Shape_correspondence/Part_matching_options.h");
-  REQUIRE(in);
-  const std::string header((std::istreambuf_iterator<char>(in)), {});
-  CHECK(header == experiments::matching_header({}));
-  // with other values it is another one
-  Part_matching_options other;
-  other.weights.overlap = 2.345;
-  other.repetition = 4;
-  const std::string changed = experiments::matching_header(other);
-  CHECK_THAT(changed, Catch::Contains("double overlap = 2.3;") && Catch::Contains("std::size_t repetition = 4;"));
 }

@@ -3,7 +3,6 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/system/Mapped_matrix.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
@@ -51,28 +50,6 @@ TEST_CASE("Rows of large matrices are in their order")
   REQUIRE(bytes.size() > size);
   std::memcpy(rows.data(), bytes.data() + bytes.size() - size, size);
   CHECK(rows == matrix);
-}
-
-TEST_CASE("A mapped matrix is 0 at first, keeps what is written, and leaves nothing in its folder")
-{
-  const model_files::Temporary_folder scratch;
-  const bool in_memory = GENERATE(true, false);
-  Mapped_matrix matrix(in_memory ? "" : scratch.path(""), 300);
-  CHECK((*matrix).isZero(0));
-  (*matrix)(7, 299) = 2.5;
-  const Mapped_matrix moved = std::move(matrix);
-  CHECK((*moved)(7, 299) == 2.5);
-  CHECK((*moved).sum() == 2.5);
-  CHECK(std::filesystem::is_empty(scratch.path("")));
-}
-
-TEST_CASE("A matrix for which there is no room, or no folder, is refused")
-{
-  const model_files::Temporary_folder scratch;
-  constexpr std::size_t huge = 20'000'000; // 3 petabytes
-  CHECK_THROWS_WITH(Mapped_matrix(scratch.path("missing"), 10), Contains("missing: there is no room"));
-  CHECK_THROWS_WITH(Mapped_matrix(scratch.path(""), huge), Contains("choose another folder"));
-  CHECK_THROWS_WITH(Mapped_matrix("", huge), Contains("memory: there is no room") && Contains("--store"));
 }
 
 TEST_CASE("CSV quotes names and keeps every bit of a number")

@@ -146,7 +146,7 @@ TEST_CASE("Correspondences of other shapes are refused")
 
   const Shape_blend blend(of_table, table, of_table, table, boxed_graphs::identity(table));
   CHECK_THROWS_AS(blend(not_a_number), Invalid_input);
-  CHECK_THROWS_AS(blend.check(not_a_number), Invalid_input);
+  CHECK_THROWS_AS(blend.quality(not_a_number), Invalid_input);
   CHECK_THROWS_AS(blend.points(not_a_number), Invalid_input);
   const Surface_map map(of_table, table, of_table, table, boxed_graphs::identity(table));
   CHECK_THROWS_AS(map.source_of(99, 0), Invalid_input);
@@ -182,8 +182,7 @@ TEST_CASE("Indices of shapes, parts and groups that there are not are refused")
   CHECK_THROWS_AS(complete_structural_graph(shape, {hand_made::group({0, 77})}), Invalid_input);
   CHECK_THROWS_AS(complete_structural_graph(shape, {hand_made::group({0}), hand_made::group({0})}), Invalid_input);
   CHECK_THROWS_AS(match_pairs(std::vector<Structural_graph>{chair, chair}, {{0, 7}}), Invalid_input);
-  CHECK_THROWS_AS(tree_path({{0, 1}}, 0, 5), Invalid_input);
-  CHECK_THROWS_AS(tree_path({{0, 1}, {2, 0}, {1, 2}}, 0, 3), Invalid_input);
+  CHECK_THROWS_AS(best_chains(Eigen::MatrixXd::Ones(6, 6), {{0, 1}}, 0), Invalid_input);
   CHECK_THROWS_AS(co_analysis({std::size_t(1) << 60, 4}, {}), Invalid_input);
   CHECK_THROWS_AS(train_role_model({{nullptr, "chair", {}, 1}}), Invalid_input);
 }

@@ -13,28 +13,16 @@ using namespace CGAL::Shape_correspondence;
 
 TEST_CASE("Named parameters set the fields of the option structures, in any order")
 {
-  const auto np = parameters::expansions(7).beam_width(3).split_weight(0.5).both_directions(false);
+  const auto np = parameters::expansions(7).beam_width(3).solutions(4);
   const auto options = parameters::options_from<Search_options>(np);
   CHECK(options.beam.expansions == 7);
   CHECK(options.beam.beam_width == 3);
-  CHECK(options.matching.weights.split == 0.5);
-  CHECK(!options.both_directions);
+  CHECK(options.solutions == 4);
   CHECK(options.matching.weights.connectedness == 0.6); // not named: the default
 
   const auto structure = parameters::options_from<Structure_options>(parameters::contact_tolerance(0.1));
   CHECK(structure.contacts.tolerance == 0.1);
   CHECK(structure.symmetry.enabled);
-}
-
-TEST_CASE("Named parameters switch between the paper's ways and others")
-{
-  using Deform = Deform_to_fit;
-  const auto np = parameters::deform_to_fit(Deform::EXTREMITIES).hard_proximity(true).direction_by_energy(true);
-  const auto options = parameters::options_from<Search_options>(np);
-  CHECK(options.matching.fit == Deform::EXTREMITIES);
-  CHECK(options.matching.hard_proximity);
-  CHECK(options.direction_by_energy);
-  CHECK(parameters::options_from<Structure_options>(parameters::closest_points(true)).contacts.closest_points);
 }
 
 TEST_CASE("Functions take named parameters where they take options")

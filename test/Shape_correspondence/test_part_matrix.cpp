@@ -3,8 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "collection/part_matrix.h"
+
 #include <CGAL/Shape_correspondence/Invalid_input.h>
-#include <CGAL/Shape_correspondence/part_matrix.h>
 
 #include <catch2/catch.hpp>
 

@@ -171,18 +171,12 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "match " + a + " " + a + " --beam-width 0",
                                           "match " + a + " " + a + " --beam-width many",
                                           "match " + a + " " + a + " --expansions -1",
-                                          "match " + a + " " + a + " --direction backward",
                                           "match " + a + " " + a + " --search luck",
                                           "match " + a + " " + a + " --search parts --solutions 2",
                                           "match " + a + " " + a + " --paper --search exact",
                                           "match " + a + " " + a + " --solutions 0",
                                           "match " + a + " " + a + " --min-confidence 2",
                                           "match " + a + " " + a + " --allow-unmatched -1",
-                                          "match " + a + " " + a + " --without everything",
-                                          "match " + a + " " + a + " --norm other",
-                                          "match " + a + " " + a + " --weights 1",
-                                          "match " + a + " " + a + " --weights 1,x",
-                                          "match " + a + " " + a + " --weights -1,1",
                                           "match " + a + " " + a + " --alignments 0",
                                           "match " + a + " " + a + " --front left",
                                           "match " + a + " " + a + " --max-parts 0",
@@ -196,8 +190,6 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "match " + a + " " + a + " --paper --min-confidence .5",
                                           "match " + a + " " + a + " --search exact --roles none",
                                           "match " + a + " " + a + " --search exact --beam-width 5",
-                                          "match " + a + " " + a + " --direction forward",
-                                          "match " + a + " " + a + " --max-parts-of source",
                                           "match " + a + " " + a + " --roles none --category chair",
                                           "match " + a + " " + a + " --front auto --alignments 2",
                                           "match " + a + " " + a + " --front likely --search exact",
@@ -206,10 +198,9 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
                                           "match " + a + " " + a + " -q -v",
                                           "collection " + a + " " + a + " -k 3",
                                           "parts " + a + " --kind curve",
-                                          "roles predict " + a + " --trees 3",
+                                          "roles predict " + a,
                                           "label " + a + " --trees 3",
                                           "help match graph",
-                                          "help --man match",
                                           "help paint",
                                           "completion csh",
                                           "demo a b",
@@ -235,13 +226,10 @@ TEST_CASE("Numbers beyond all sense and empty words are refused, and the message
            {"graph " + table + " --curve-points 2000000000", "at most 1000"},
            {"graph " + table + " --sheet-points 100000", "at most 200"},
            {"match " + two + "--threads 1000000000", "at most 4096"},
-           {"match " + two + "--search exact --weights 1e308,1", "1e50"},
            {"match " + two + "--json ''", "--json is empty"},
            {"match " + a + " ''", "input is empty"},
            {"match " + two + "--pin chair=x", "; `shape_correspondence graph` lists"},
-           {"collection " + two + "--neighbours -1", "not be negative"},
-           {"evaluate " + a + " --ground-truth " + a + " --resamples 2000000000", "at most 1000000"},
-           {"evaluate " + a + " --ground-truth " + a + " --worst -1", "not be negative"}}) {
+           {"collection " + two + "--neighbours -1", "not be negative"}}) {
     INFO(arguments);
     const Run result = run(arguments);
     CHECK(result.status == 2);
@@ -291,12 +279,10 @@ TEST_CASE("A word that is spelt nearly right is suggested")
   CHECK_THAT(run("match a b --frobnicate").error, Contains("--frobnicate") && !Contains("did you mean"));
 }
 
-TEST_CASE("help, the manual page and the completions tell of every command and option")
+TEST_CASE("help and the completion tell of every command and option")
 {
   CHECK(run("help").out == run("--help").out);
-  const std::string page = run("help --man").out, bash = run("completion bash").out, zsh = run("completion zsh").out,
-                    fish = run("completion fish").out;
-  CHECK_THAT(page, Contains(".TH SHAPE_CORRESPONDENCE 1"));
+  const std::string bash = run("completion bash").out;
   for (const std::string command :
        {"parts", "graph", "match", "blend", "collection", "evaluate", "roles", "demo", "completion", "help"}) {
     INFO(command);
@@ -305,19 +291,8 @@ TEST_CASE("help, the manual page and the completions tell of every command and o
     CHECK(run("help " + command).out == help);
     CHECK_THAT(help, Contains("Usage: shape_correspondence " + command));
     CHECK_THAT(run("help").out, Contains("\n  " + command + " "));
-    CHECK_THAT(page, Contains("shape_correspondence " + command));
     CHECK_THAT(bash, Contains("      " + command + ") words="));
-    CHECK_THAT(zsh, Contains("    '" + command + ":"));
-    CHECK_THAT(fish, Contains("__fish_use_subcommand -f -a " + command + " "));
   }
-  CHECK_THAT(page, Contains("\\-\\-min\\-confidence"));
-  CHECK_THAT(zsh, Contains("'--min-confidence["));
-  CHECK_THAT(fish, Contains("from match' -l search -x -a 'auto parts beam exact'") && Contains(" -l output -s o -r"));
-  for (const std::string line : {"\n.", "\n'"}) // at the start of a line they are requests of troff
-    for (std::size_t at = page.find(line); at != std::string::npos; at = page.find(line, at + 1)) {
-      const std::string request = page.substr(at + 1, 4);
-      CHECK((request == ".TH " || request == ".SH " || request == ".nf\n" || request == ".fi\n"));
-    }
 }
 
 TEST_CASE("The completion of bash completes commands, options and files")
@@ -338,11 +313,6 @@ TEST_CASE("The completion of bash completes commands, options and files")
   CHECK(completions("shape_correspondence match --search = be", 4) == "beam\n");
   CHECK(completions("shape_correspondence help eva", 2) == "evaluate\n");
   CHECK(completions("shape_correspondence match no_such_file", 2) == "\n"); // left to the completion of files
-  const std::string zsh = folder.write("zsh_completion", run("completion zsh").out);
-  if (std::system("command -v zsh > /dev/null") == 0)
-    CHECK(std::system(("zsh -n " + quoted(zsh)).c_str()) == 0);
-  else
-    WARN("zsh is not installed: its completion was not parsed");
 }
 
 TEST_CASE("The demo matches its chairs without an error and blends them")

@@ -13,7 +13,6 @@
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
-#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 
 #include <catch2/catch.hpp>
 
@@ -99,16 +98,6 @@ std::string graph_json()
   return text.str();
 }
 
-std::string graph_xml()
-{
-  const auto leg = [](const std::string& name, const std::string& x) {
-    return "<node><id>" + name + "</id><type>CURVE</type><controls><c>2</c></controls><point>" + x +
-           " 0 0</point><point>" + x + " 1 0</point><weights>1 1</weights></node>\n";
-  };
-  return "<?xml version=\"1.0\"?>\n<document>\n" + leg("a", "0") + leg("b", "1") + leg("c", "2") +
-         "<edge><n>a</n><n>b</n></edge>\n<group><n>a</n><n>b</n></group>\n</document>\n";
-}
-
 /// A text with one change: cut off, or a token replaced.
 std::string damaged(const std::string& text, std::mt19937& random)
 {
@@ -169,7 +158,6 @@ TEST_CASE("Every error about a damaged file says what to do with it")
       {"a.gltf", gltf()},
       {"a.glb", glb()},
       {"a.json", graph_json()},
-      {"a.xml", graph_xml()},
       {"labels.json", R"({"category": "chair", "parts": {"leg": "leg", "seat": {"coarse": "seat", "fine": "s"}}})"}};
   std::mt19937 random(1);
   for (const auto& [name, text] : files) {
@@ -180,8 +168,6 @@ TEST_CASE("Every error about a damaged file says what to do with it")
         std::ifstream in(file, std::ios::binary);
         if (name == "a.json")
           IO::read_structural_graph_json(in, file);
-        else if (name == "a.xml")
-          IO::read_structural_graph_xml(in, file);
         else if (name == "labels.json")
           IO::read_part_labels(file);
         else

@@ -63,17 +63,9 @@ TEST_CASE("The spanning tree is as short as Kruskal's, and joins all shapes")
     CHECK(tree.size() == std::size_t(n - 1));
     CHECK(sum_of(tree, distances) == kruskal_sum(distances));
     for (std::size_t i = 0; i < std::size_t(n); ++i)
-      CHECK(tree_path(tree, 0, i).back() == i);
+      CHECK(best_chains(distances, tree, 0)[i].shapes.back() == i);
   }
   CHECK(minimum_spanning_tree(Eigen::MatrixXd::Zero(1, 1)).empty());
-}
-
-TEST_CASE("The path in a tree")
-{
-  const std::vector<Shape_pair> tree{{0, 3}, {1, 3}, {1, 4}, {2, 3}};
-  CHECK(tree_path(tree, 0, 4) == Shapes{0, 3, 1, 4});
-  CHECK(tree_path(tree, 4, 2) == Shapes{4, 1, 3, 2});
-  CHECK(tree_path(tree, 3, 3) == Shapes{3});
 }
 
 TEST_CASE("A chain is taken only where it costs less, the shortest among equals")
@@ -85,33 +77,15 @@ TEST_CASE("A chain is taken only where it costs less, the shortest among equals"
       9, 5, 1, 0;
   const std::vector<Shape_pair> tree = minimum_spanning_tree(symmetric_distances(energies));
   CHECK(tree == std::vector<Shape_pair>{{0, 1}, {1, 2}, {2, 3}});
-  CHECK(direct_chain(energies, 0, 3).energy == 9);
-  CHECK(bridge_chain(energies, 0, 3).shapes == Shapes{0, 2, 3});
-  CHECK(bridge_chain(energies, 0, 3).energy == 3);
-  CHECK(tree_chain(energies, tree, 0, 3).shapes == Shapes{0, 1, 2, 3});
-  CHECK(tree_chain(energies, tree, 0, 3).energy == 3);
-  CHECK(best_chain(energies, tree, 0, 3).shapes == Shapes{0, 2, 3});
-  CHECK(best_chain(energies, tree, 0, 2).is_direct());
-  CHECK(best_chain(energies, tree, 1, 3).shapes == Shapes{1, 2, 3}); // energies are of ordered pairs
+  const std::vector<Shape_chain> chains = best_chains(energies, tree, 0);
+  CHECK(chains[0].shapes == Shapes{0});
+  CHECK(chains[2].is_direct());
+  CHECK(chains[3].shapes == Shapes{0, 2, 3}); // the way along the tree costs as much, in more steps
+  CHECK(chains[3].energy == 3);
+  CHECK(best_chains(energies, tree, 1)[3].shapes == Shapes{1, 2, 3}); // energies are of ordered pairs
   energies(0, 2) = 7;
-  CHECK(best_chain(energies, tree, 0, 3).shapes == Shapes{0, 1, 2, 3});
-  CHECK(bridge_chain(Eigen::MatrixXd::Ones(2, 2), 0, 1).is_direct());
-}
-
-TEST_CASE("The best chains of one source are the best chains")
-{
-  const Eigen::MatrixXd energies = random_distances(9, 5);
-  const std::vector<Shape_pair> tree = minimum_spanning_tree(energies);
-  for (std::size_t source = 0; source < 9; ++source) {
-    const std::vector<Shape_chain> chains = best_chains(energies, tree, source);
-    REQUIRE(chains.size() == 9);
-    for (std::size_t target = 0; target < 9; ++target) {
-      if (target == source) continue;
-      const Shape_chain chain = best_chain(energies, tree, source, target);
-      CHECK(chains[target].shapes == chain.shapes);
-      CHECK(chains[target].energy == chain.energy);
-    }
-  }
+  CHECK(best_chains(energies, tree, 0)[3].shapes == Shapes{0, 1, 2, 3});
+  CHECK(best_chains(Eigen::MatrixXd::Ones(2, 2), {{0, 1}}, 0)[1].is_direct());
 }
 
 TEST_CASE("The map is composed along the chain; one that loses all parts is not taken")

@@ -69,8 +69,7 @@ target_sources(test_number_text PRIVATE ${PROJECT_SOURCE_DIR}/src/base/number_te
 target_compile_definitions(test_program PRIVATE SHAPE_CORRESPONDENCE_PROJECT_VERSION="${PROJECT_VERSION}")
 
 # They share headers with benchmarks, or take generated shapes
-foreach(name test_peers test_blend_warp test_blend_parts test_blend_shapes test_blend_unmatched test_exchange_steps test_blend_quality test_surfaces_without_map
-             test_match_parts test_train_role_model)
+foreach(name test_peers test_role_validation)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/benchmark/Shape_correspondence)
 endforeach()
 foreach(name test_generate_models test_Shape_appearance test_transfer_appearance test_exported_formats

@@ -38,7 +38,6 @@ struct Category
   std::vector<std::string> folders; ///< of the parts' meshes
   std::vector<Structural_graph> graphs;
   std::vector<std::vector<Part_label>> labels; ///< by shape and part of the graph
-  std::vector<std::string> families;           ///< of every shape, where it is from; empty where unknown
   std::vector<peers::Shape_pair> pairs;
 };
 
@@ -54,33 +53,6 @@ inline std::vector<Part_label> labels_of(const Structural_graph& graph, const IO
     labels.push_back(shape.labels[index]);
   }
   return labels;
-}
-
-/// The half of every shape of a category, 0 or 1: whole families, the largest first, each to the smaller half; by turns
-/// where there is but one family.
-inline std::vector<int> halves(const Category& category)
-{
-  std::map<std::string, std::vector<std::size_t>> members;
-  for (std::size_t shape = 0; shape < category.shapes.size(); ++shape)
-    members[category.families[shape]].push_back(shape);
-  std::vector<int> result(category.shapes.size());
-  if (members.size() == 1) {
-    for (std::size_t shape = 0; shape < result.size(); ++shape)
-      result[shape] = int(shape % 2);
-    return result;
-  }
-  std::vector<std::vector<std::size_t>> families;
-  for (const auto& [name, shapes] : members)
-    families.push_back(shapes);
-  std::stable_sort(families.begin(), families.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  std::array<std::size_t, 2> sizes{0, 0};
-  for (const std::vector<std::size_t>& shapes : families) {
-    const int half = sizes[1] < sizes[0];
-    sizes[std::size_t(half)] += shapes.size();
-    for (std::size_t shape : shapes)
-      result[shape] = half;
-  }
-  return result;
 }
 
 inline Structural_graph load_graph(const Segmented_shape& model, const std::string& cache_folder)
@@ -137,7 +109,6 @@ inline Dataset load_dataset(const std::string& folder, const std::string& cache,
     category.folders.push_back(parts);
     category.graphs.push_back(load_graph(IO::read_segmented_shape(parts, Point::UnitY()), cache));
     category.labels.push_back(labels_of(category.graphs.back(), shape));
-    category.families.push_back(shape.source);
   }
   Dataset dataset;
   for (auto& [name, category] : categories)

@@ -167,7 +167,7 @@ inline void figure11(const Dataset& dataset)
     for (auto [name, options] : methods) {
       options.maximum_parts = parts;
       const Run of_parts = run(dataset, ours(options));
-      const Mean_score& mean = of_parts.evaluation.mean;
+      const Mean_estimates& mean = of_parts.evaluation.mean;
       write_row({parts ? std::to_string(parts) : "all", name, text(mean.coarse_precision.mean),
                  text(mean.precision.mean), text(mean.recall.mean), text(of_parts.seconds, 4)});
     }

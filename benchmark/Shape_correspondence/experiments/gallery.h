@@ -14,7 +14,6 @@
 #include <CGAL/Shape_correspondence/IO/write_html.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>
-#include <CGAL/Shape_correspondence/transitive_correspondence.h>
 
 #include <algorithm>
 #include <numeric>
@@ -139,14 +138,17 @@ inline void figure13(const Dataset& dataset)
     std::size_t bridged = 0;
     double ratio = 0, direct = 0, by_way = 0;
     for (const auto& [s, t] : category.pairs) {
-      const Shape_chain chain = bridge_chain(matrix.energies, s, t);
       const double energy = matrix.energies(Eigen::Index(s), Eigen::Index(t));
-      if (chain.is_direct() || !(chain.energy < energy)) continue;
-      const std::size_t bridge = chain.shapes[1];
-      const Part_map map = composed(matrix.map(s, bridge), matrix.map(bridge, t));
+      Eigen::VectorXd by_bridge =
+          matrix.energies.row(Eigen::Index(s)).transpose() + matrix.energies.col(Eigen::Index(t));
+      for (std::size_t end : {s, t})
+        by_bridge[Eigen::Index(end)] = energy;
+      Eigen::Index bridge;
+      if (!(by_bridge.minCoeff(&bridge) < energy)) continue;
+      const Part_map map = composed(matrix.map(s, std::size_t(bridge)), matrix.map(std::size_t(bridge), t));
       const Ground_truth truth = ground_truth(category.labels[s], category.labels[t]);
       ++bridged;
-      ratio += chain.energy / energy;
+      ratio += by_bridge[bridge] / energy;
       direct += evaluate_correspondence(part_pairs(matrix.map(s, t).pairs), truth).f1();
       by_way += evaluate_correspondence(part_pairs(map.pairs), truth).f1();
     }
@@ -237,7 +239,7 @@ inline void figure16(const Dataset& dataset, const Options& options)
   write_heading({"most prominent parts of the source", "method", "P", "coarse P", "R of all parts"});
   for (const std::size_t count : counts)
     for (const auto& [name, method] : methods) {
-      const Mean_score mean = run(dataset, of_prominent_parts(method, count)).evaluation.mean;
+      const Mean_estimates mean = run(dataset, of_prominent_parts(method, count)).evaluation.mean;
       write_row({std::to_string(count), name, text(mean.precision.mean), text(mean.coarse_precision.mean),
                  text(mean.recall.mean)});
     }

@@ -7,10 +7,10 @@
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_METHODS_H
 
 #include "dataset.h"
+#include "intervals.h"
 
 #include <CGAL/Shape_correspondence/Part_map.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
-#include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <chrono>
@@ -96,7 +96,7 @@ struct Run
 {
   std::vector<std::vector<Part_pairs>> matches; ///< by category and pair
   std::vector<Scored_correspondence> scores;    ///< of all pairs, category after category
-  Evaluation evaluation;
+  Estimated_scores evaluation;
   double seconds = 0; ///< for a pair, mean
 };
 
@@ -122,7 +122,7 @@ inline Run run(const Dataset& dataset, const peers::Peer& method)
   for (std::size_t c = 0; c < dataset.size(); ++c)
     for (const Scored_correspondence& scored : score(dataset[c], result.matches[c]))
       result.scores.push_back(scored);
-  result.evaluation = mean_scores(result.scores);
+  result.evaluation = mean_estimates(result.scores);
   result.seconds = seconds / double(result.scores.size());
   return result;
 }
@@ -151,45 +151,26 @@ inline void write_heading(const std::vector<std::string>& cells)
   std::cout << "|\n";
 }
 
-inline void write_run_heading(const Dataset& dataset, const std::string& what,
-                              const std::vector<std::string>& further = {})
+inline void write_run_heading(const Dataset& dataset, const std::string& what)
 {
   std::vector<std::string> cells{what};
   for (const Category& category : dataset)
     cells.push_back(category.name + " P / R / F1");
   for (const char* cell : {"mean P", "mean R", "mean F1", "95 %", "s / pair"})
     cells.push_back(cell);
-  cells.insert(cells.end(), further.begin(), further.end());
   write_heading(cells);
 }
 
-/// Mean F1 of the pairs within either half of the shapes, and of those across; "-" where there are none.
-inline std::vector<std::string> f1_of_halves(const Dataset& dataset, const Run& run)
-{
-  std::array<std::vector<Scored_correspondence>, 3> scores;
-  auto scored = run.scores.begin();
-  for (const Category& category : dataset) {
-    const std::vector<int> half = halves(category);
-    for (const auto& [s, t] : category.pairs)
-      scores[half[s] == half[t] ? std::size_t(half[s]) : 2].push_back(*scored++);
-  }
-  std::vector<std::string> result;
-  for (const auto& some : scores)
-    result.push_back(some.empty() ? "-" : text(mean_scores(some).mean.f1.mean));
-  return result;
-}
-
-inline void write_run_row(const std::string& name, const Run& run, const std::vector<std::string>& further = {})
+inline void write_run_row(const std::string& name, const Run& run)
 {
   std::vector<std::string> cells{name};
   for (const auto& [category, mean] : run.evaluation.categories)
     cells.push_back(text(mean.precision.mean, 2) + " / " + text(mean.recall.mean, 2) + " / " + text(mean.f1.mean, 2));
-  const Mean_score& mean = run.evaluation.mean;
+  const Mean_estimates& mean = run.evaluation.mean;
   for (const Estimate& e : {mean.precision, mean.recall, mean.f1})
     cells.push_back(text(e.mean));
   cells.push_back(text(mean.f1.low, 2) + "–" + text(mean.f1.high, 2));
   cells.push_back(text(run.seconds, 4));
-  cells.insert(cells.end(), further.begin(), further.end());
   write_row(cells);
 }
 

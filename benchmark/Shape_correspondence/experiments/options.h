@@ -18,7 +18,7 @@ namespace experiments {
 
 struct Options
 {
-  std::string experiment, out = ".", cache, generated;
+  std::string experiment, out = ".", cache;
   std::vector<std::string> data, categories;
   std::size_t pairs = 0; ///< 0: all
 };
@@ -66,8 +66,6 @@ inline Options parsed(int argc, char** argv)
       options.out = line.value();
     else if (word == "--cache")
       options.cache = line.value();
-    else if (word == "--generated")
-      options.generated = line.value();
     else if (word == "--category")
       options.categories = benchmark::words_of(line.value());
     else if (word == "--pairs")

@@ -8,12 +8,11 @@
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_VALIDATION_H
 
 #include "base/for_each_index.h"
-#include "matching/Role_fit.h"
 #include "matching/aligned_matching.h"
+#include "role_fit.h"
 
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
-#include <CGAL/Shape_correspondence/train_role_model.h>
 
 #include <Eigen/Geometry>
 
@@ -60,9 +59,6 @@ struct Validation_options
   /// How many shapes of the category that are not generated the training sees at most, drawn for every pair; with
   /// `Left_out::CATEGORY` it sees these of all the category.
   std::optional<std::size_t> examples;
-  /// Not 0: what a user gains who gives the matcher at most this many labelled shapes of the category, as `match
-  /// --examples`, drawn for every pair, of one source as far as it has as many. The training does not see them.
-  std::size_t own_examples = 0;
   bool category_known = false; ///< to the matcher
   Validation_turns turns = Validation_turns::NONE;
   /// What the matcher does about fronts. Where it finds them, the confidences of pairs are of what it finds.
@@ -92,8 +88,6 @@ struct Validated_pair
   Shape_pair shapes{};
   std::string category;                   ///< as the matcher finds it; empty: none
   Correspondence_score geometric, joined; ///< by geometry alone, and as the matcher does it
-  Correspondence_score always; ///< with own examples, helpful or not; `geometric` and `joined` are without and with
-  Gain_of_examples gain;       ///< by which the matcher decides whether it uses them
   /// The share of the target's parts that get their coarse label from the source.
   double labels_by_geometry = 0, labels_joined = 0;
   Front_count fronts;              ///< of the two shapes, with the category known
@@ -147,7 +141,6 @@ public:
     // What was learned with much left out tells nothing of how good what is learned of others is
     fitted_to_ = options.left_out != Left_out::SHAPES && !options.examples ? predicted({}, false) : unseen_;
     match({});
-    if (options_.own_examples > 0) for_each_index(pairs_.size(), true, [&](std::size_t i) { match_with_examples(i); });
   }
 
   /// Matches the pairs again by other options. What roles predict stays as it is.
@@ -166,6 +159,14 @@ public:
 
   /// Fitted to all pairs; the usual ones where they are few.
   Pair_weights weights() const { return fit_->of_others("").weights; }
+
+  /// The model that is learned from all shapes, with the weights that are fitted to the pairs.
+  Role_model fitted_model() const
+  {
+    Role_model_data result = all_;
+    fit_->apply(result);
+    return Role_model_access::model(std::move(result));
+  }
 
 private:
   using Pairs = std::vector<Part_correspondence>;
@@ -245,43 +246,6 @@ private:
       least_energy_[i][1] = of_least_energy(pair, std::move(costs));
     });
     return result;
-  }
-
-  /// Matches a pair without and with examples of a user's own.
-  void match_with_examples(std::size_t number)
-  {
-    Validated_pair& result = pairs_[number];
-    const Labelled_graph &source = labelled_[result.shapes[0]], &target = labelled_[result.shapes[1]];
-    std::vector<std::size_t> drawn = drawn_examples(number, options_.left_out);
-    if (!drawn.empty())
-      std::stable_partition(drawn.begin(), drawn.end(), [&, source = shapes_[drawn[0]].source](std::size_t shape) {
-        return shapes_[shape].source == source;
-      });
-    drawn.resize(std::min(drawn.size(), options_.own_examples));
-    std::vector<char> is_left_out = left_out_shapes(number, options_);
-    std::vector<Labelled_graph> examples;
-    for (std::size_t shape : drawn) {
-      is_left_out[shape] = 1;
-      examples.push_back(labelled_[shape]);
-    }
-    Role_model_data data = trainer_.model_without(all_, source.category, is_left_out);
-    for (Category_roles& known : data.categories)
-      known.weights = options_.left_out == Left_out::CATEGORY ? fit_->of_others(source.category).weights
-                                                              : fit_->weights_of_pair(number);
-    const Role_model model = Role_model_access::model(std::move(data));
-    const auto score = [&](const Role_model& roles, const std::string& category) {
-      Search_options search;
-      search.front_is_sure = options_.fronts == Validation_fronts::GIVEN;
-      search.roles = std::make_shared<const Role_model>(roles);
-      search.category = category;
-      const Correspondence found = find_correspondence(*source.graph, *target.graph, search);
-      return evaluate_correspondence(part_pairs(found.pairs), ground_truth(source.labels, target.labels));
-    };
-    result.geometric = result.joined = result.always = score(model, "");
-    if (examples.empty()) return;
-    result.always = score(extend_role_model(model, examples), source.category);
-    result.gain = gains_of_examples(model, examples)[0];
-    if (result.gain.is_clear()) result.joined = result.always;
   }
 
   static void count_front(const std::vector<int>& turns, Front_count& fronts)

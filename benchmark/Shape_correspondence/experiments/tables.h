@@ -3,12 +3,14 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The tables of the paper, and all methods side by side.
+// The tables of the paper, all methods side by side, and how sure the default one may be.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
 
 #include "../peers/peers.h"
+#include "chart.h"
 #include "methods.h"
+#include "options.h"
 
 #include <utility>
 
@@ -104,6 +106,42 @@ inline void compare_peers(const Dataset& dataset)
   std::cout << "\nSimplified:\n";
   for (const peers::Named_peer& peer : peers::all_peers())
     if (peer.simplified != "-") std::cout << "- " << peer.name << ": " << peer.simplified << '\n';
+}
+
+/// How often pairs of a confidence are right.
+inline void reliability(const Dataset& dataset, const Options& options)
+{
+  constexpr int bins = 10;
+  std::vector<double> confidence(bins, 0), right(bins, 0), count(bins, 0);
+  double error = 0, total = 0;
+  for (const Category& category : dataset)
+    for (const auto& [s, t] : category.pairs) {
+      const Correspondence c = find_correspondence(category.graphs[s], category.graphs[t]);
+      const Ground_truth truth = ground_truth(category.labels[s], category.labels[t]);
+      for (const Part_correspondence& pair : c.pairs) {
+        const int bin = std::min(int(pair.confidence * bins), bins - 1);
+        const std::pair<std::size_t, std::size_t> parts(pair.source, pair.target);
+        confidence[std::size_t(bin)] += pair.confidence;
+        right[std::size_t(bin)] += std::binary_search(truth.pairs.begin(), truth.pairs.end(), parts);
+        ++count[std::size_t(bin)];
+        ++total;
+      }
+    }
+  write_heading({"confidence", "pairs", "right"});
+  Chart chart;
+  chart.x_title = "confidence of pairs, mean of a tenth";
+  chart.y_title = "share of them that is right";
+  chart.lines = {{"measured", "#0a62c4", {}, false}, {"as stated", "#c43b0a", {{0, 0}, {1, 1}}, true}};
+  for (std::size_t b = 0; b < bins; ++b) {
+    if (count[b] == 0) continue;
+    const Eigen::Vector2d point(confidence[b] / count[b], right[b] / count[b]);
+    error += count[b] / total * std::abs(point.x() - point.y());
+    write_row({text(point.x(), 2), std::to_string(int(count[b])), text(point.y(), 2)});
+    chart.lines[0].points.push_back(point);
+  }
+  std::cout << "\nExpected calibration error: " << text(error) << '\n';
+  std::ofstream out = picture(options, "reliability.svg");
+  chart.write(out);
 }
 
 } // namespace experiments

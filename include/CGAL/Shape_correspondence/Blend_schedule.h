@@ -54,46 +54,12 @@ struct Blend_task
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// Measures of an in-between shape; 0 is best. Lengths are fractions of the shape's height. What is *due* is the
-/// interpolation of the source and the target: linear for lengths, and for the cube roots of volumes.
+/// Measures of an in-between shape, by which schedules are rated; 0 is best.
 struct Blend_quality
 {
-  double height = 0;    ///< share by which the shape is higher or lower than is due
-  double hull = 0;      ///< share by which the volume of its convex hull is larger or smaller than is due
-  double volume = 0;    ///< share by which the volume of closed parts is larger or smaller than is due
-  double support = 0;   ///< share by which fewer parts stand on the ground than is due
-  double gone = 0;      ///< share by which a part that both ends have is larger or smaller across than is due, at most
-  double rotation = 0;  ///< angle in radians by which a part turns beyond the least rotation between its boxes, at most
-  double travel = 0;    ///< how far the middle of a part that both ends have is from where it is due, at most
-  double gap = 0;       ///< by how much the gap of parts that touch at both ends is wider than is due, at most
-  double apart = 0;     ///< by how much wider gaps than at the ends it takes to join all parts, 0 within
-                        ///< `Shape_blend::contact_tolerance`
-  double asymmetry = 0; ///< by how much the root mean square distance from the mirror image exceeds those of the ends,
-                        ///< if both have a mirror plane
-  double torn = 0;      ///< share of the surface that is folded over, or stretched far more than its part
-  double overlap = 0;   ///< share of the surface that is inside closed parts, but not inside them at either end
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// One of the measures of `Blend_quality`.
-struct Blend_measure
-{
-  const char* name;             ///< as in `Blend_quality`
-  double Blend_quality::*value; ///< pointer to the member
-  double tolerance;             ///< more is a fault
-  const char* meaning;          ///< in a few words
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// All measures, in the order of `Blend_quality`, with the tolerances of `Shape_blend`.
-const std::vector<Blend_measure>& blend_measures();
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// Whether an in-between shape is within the tolerances of `Shape_blend`.
-struct Blend_check
-{
-  Blend_quality quality;           ///< the measures
-  std::vector<std::string> faults; ///< which tolerances are exceeded, and at which parts, in whole sentences
+  double support = 0; ///< share by which fewer parts stand on the ground than between the ends
+  double apart = 0; ///< by how much wider gaps than at the ends it takes to join all parts, over the height; 0 if less
+                    ///< than .005
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

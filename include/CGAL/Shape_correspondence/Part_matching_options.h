@@ -8,9 +8,8 @@
 //
 // Author(s)     : the Shape_correspondence developers
 
-// In the form that `experiments fit` writes. Values were chosen on labelled and generated shapes; the fit kept them,
-// since fitted ones scored less on categories left out (benchmark/Shape_correspondence/RESULTS.md). To change a
-// comment, change experiments/matching_constants.h.
+// Values were chosen on labelled and generated shapes. Values fitted by coordinate descent scored less on categories
+// that were left out of the fit (the manual's page on accuracy).
 
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H

@@ -72,7 +72,7 @@ struct Search_options
   /// Whether the given orientation is right. Otherwise, with 1 alignment, `Search_method::PARTS` turns a shape by a
   /// multiple of 90° if the roles of its parts, by `roles`, clearly show another front.
   bool front_is_sure = false;
-  int solutions = 1;          ///< largest number of results of `find_correspondences()`, at least 1
+  int solutions = 1;          ///< largest number of results of `Correspondence_finder::ranked()`, at least 1
   bool min_marginals = false; ///< compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`
   /// Time limit of a match, in seconds; 0: none, so that results do not depend on speed. The best result up to then is
   /// returned, `Correspondence::complete` and `optimal` are false, and a warning says so. If there is none yet, parts

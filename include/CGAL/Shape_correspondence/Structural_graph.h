@@ -114,14 +114,6 @@ Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_g
 /// every group but a lone one has an edge. With `verbose`, it prints errors to `std::cerr`.
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
 
-/// \ingroup PkgShapeCorrespondenceGraph
-/// Whether two graphs are of the same shape up to a similarity transform and the order of parts, groups and contacts:
-/// the transform maps the abstractions of parts of the same name onto each other, and with them the symmetries of the
-/// groups, the order of their members, and the contacts.
-/// \param a,b the graphs
-/// \param tolerance on positions, as a fraction of the height of the shape
-bool are_same_structural_graphs(const Structural_graph& a, const Structural_graph& b, double tolerance = 1e-6);
-
 } // namespace Shape_correspondence
 } // namespace CGAL
 

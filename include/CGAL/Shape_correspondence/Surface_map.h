@@ -17,8 +17,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -74,33 +72,6 @@ private:
 
   Places sources_, targets_;
   std::vector<Eigen::Matrix3Xi> triangles_; ///< of the source's parts
-};
-
-/// \ingroup PkgShapeCorrespondenceMaps
-/// The places of the vertices of a target part, as a property map: a model of `ReadablePropertyMap` with integers as
-/// keys (the vertices of the part's mesh; `CGAL::Surface_mesh` descriptors convert to them) and
-/// `std::optional<Surface_place>` as values.
-/// \cgalModels `ReadablePropertyMap`
-class Source_place_map
-{
-public:
-  using key_type = std::size_t;                      ///< a vertex of the part's mesh
-  using value_type = std::optional<Surface_place>;   ///< its place on the source, if it has one
-  using reference = value_type;                      ///< returned by value
-  using category = boost::readable_property_map_tag; ///< values cannot be set
-
-  /// The places of the vertices of a target part. The map is kept by reference.
-  Source_place_map(const Surface_map& map, std::size_t target_part) : map_(&map), part_(target_part) {}
-
-  /// The place of a vertex on the source, see `Surface_map::source_of()`.
-  friend value_type get(const Source_place_map& places, std::size_t vertex)
-  {
-    return places.map_->source_of(places.part_, Eigen::Index(vertex));
-  }
-
-private:
-  const Surface_map* map_;
-  std::size_t part_;
 };
 
 template <typename Value>

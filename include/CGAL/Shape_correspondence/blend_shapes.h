@@ -65,29 +65,13 @@ struct Blend_surface
 ///
 /// In a *schedule*, old parts are exchanged for new ones in two steps or at one time. In two steps, so that there is a
 /// mixed shape between them, is the best one, unless parts come apart in it, most of what is to stand is missing
-/// (`Blend_quality::apart`, `support`); if no mixed shape is good, both are the same. All schedules are rated by
-/// `Blend_quality`. `check()` returns which tolerances are exceeded. Deterministic.
+/// (`Blend_quality`); if no mixed shape is good, both are the same. Deterministic.
 /// \pre for all members: the blend was not moved from
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend
 {
 public:
-  // Fractions of the shape's height
-  static constexpr double contact_tolerance = 0.005;  ///< of `Blend_quality::gap`
-  static constexpr double symmetry_tolerance = 0.005; ///< of `Blend_quality::asymmetry`
-  static constexpr double apart_tolerance = 0.02;     ///< of `Blend_quality::apart`
-  static constexpr double travel_tolerance = 0.1;     ///< of `Blend_quality::travel`
-  static constexpr double rotation_tolerance = 0.5;   ///< of `Blend_quality::rotation`, in radians
-  // Shares
-  static constexpr double height_tolerance = 0.1;   ///< of `Blend_quality::height`
-  static constexpr double hull_tolerance = 0.2;     ///< of `Blend_quality::hull`
-  static constexpr double support_tolerance = 0.4;  ///< of `Blend_quality::support`
-  static constexpr double gone_tolerance = 0.4;     ///< of `Blend_quality::gone`
-  static constexpr double volume_tolerance = 0.3;   ///< of `Blend_quality::volume`
-  static constexpr double torn_tolerance = 0.02;    ///< of `Blend_quality::torn`
-  static constexpr double overlap_tolerance = 0.03; ///< of `Blend_quality::overlap`
-
   /// Prepares a blend. O(v log v) for v vertices of the subdivided models (a box of 8 vertices gets some hundreds).
   /// \param source,target the structural graphs
   /// \param source_shape,target_shape the models that the graphs were built from
@@ -122,8 +106,8 @@ public:
   /// 2014, section 6).
   std::vector<Shape_blend> different_blends() const;
 
-  /// The quality of the shape at `t`, and the tolerances that it exceeds; the ends have no faults.
-  Blend_check check(double t) const;
+  /// The quality of the shape at `t`.
+  Blend_quality quality(double t) const;
 
   /// All surfaces of the blend, for animations.
   std::vector<Blend_surface> surfaces() const;

@@ -45,7 +45,7 @@ struct Co_analysis
 /// \ingroup PkgShapeCorrespondenceSets
 /// Finds which parts of a set of shapes correspond over the set: clusters the matrix of all part correspondences by
 /// Markov clustering, where each cluster is a label (paper, section 6.2), unless all of its parts are of one shape.
-/// Memory: that of `part_matrix()` (part_matrix.h), then that of `markov_clustering()`.
+/// Memory: 100 bytes for each pair of parts in addition to the maps, then that of `markov_clustering()`.
 /// `part_counts` are the numbers of parts of the shapes, `maps` are of any pairs of shapes.
 /// \throw Invalid_input if a map has a part or a shape that does not exist, or an option is out of its range
 Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::vector<Shape_pair_map>& maps,

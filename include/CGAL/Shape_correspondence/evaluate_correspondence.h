@@ -14,7 +14,6 @@
 #include <CGAL/Shape_correspondence/ground_truth.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,33 +51,13 @@ struct Scored_correspondence
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// A mean and its confidence interval.
-struct Estimate
-{
-  double mean = 0; ///< the mean
-  double low = 0;  ///< lower end of the confidence interval
-  double high = 0; ///< upper end of the confidence interval
-};
-
-/// \ingroup PkgShapeCorrespondenceEvaluation
 /// Means over the correspondences of a category, or over categories.
 struct Mean_score
 {
   std::size_t correspondences = 0; ///< how many there are
-  std::size_t empty = 0;           ///< correspondences without a pair
-  Estimate precision;              ///< of `Correspondence_score::precision()`
-  Estimate recall;                 ///< of `Correspondence_score::recall()`
-  Estimate f1;                     ///< of `Correspondence_score::f1()`
-  Estimate coarse_precision;       ///< of `Correspondence_score::coarse_precision()`
-};
-
-/// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `mean_scores()`.
-struct Evaluation_options
-{
-  int resamples = 1000;     ///< samples of the bootstrap, at least 1
-  double confidence = 0.95; ///< confidence level of the intervals, in (0, 1)
-  std::uint64_t seed = 0;   ///< seed of the random numbers
+  double precision = 0;            ///< of `Correspondence_score::precision()`
+  double recall = 0;               ///< of `Correspondence_score::recall()`
+  double f1 = 0;                   ///< of `Correspondence_score::f1()`
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
@@ -91,13 +70,8 @@ struct Evaluation
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// Means of scores by category and over categories. The F1 of a category is the mean of its correspondences' F1.
-///
-/// The intervals are those of a bootstrap over shapes: correspondences that share a shape are not independent, so
-/// shapes are drawn with replacement, and the weight of a correspondence is the product of the numbers of times that
-/// its two shapes are drawn (A. Owen, *The pigeonhole bootstrap*, 2007). For only two shapes, the interval is a single
-/// point. The same seed gives the same result. O(resamples × correspondences).
-/// \throw Invalid_input if there are no scores, or options are out of range
-Evaluation mean_scores(const std::vector<Scored_correspondence>& scores, const Evaluation_options& options = {});
+/// \throw Invalid_input if there are no scores
+Evaluation mean_scores(const std::vector<Scored_correspondence>& scores);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

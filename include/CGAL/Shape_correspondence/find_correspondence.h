@@ -75,9 +75,9 @@ public:
   /// The correspondences of the source with the target, and of the target with the source, with the same options.
   /// `Search_method::PARTS`, which treats both shapes alike, matches them once for both.
   std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
-  /// Like `find_correspondences()`.
+  /// The best `Search_options::solutions` in ascending order of energy; `PARTS` finds one, `EXACT` proves its own.
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
-  /// Like `find_correspondences()`.
+  /// The same.
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
   /// Transfers the labels of the source's parts to the parts of a target. Each gets the label of the source part to
@@ -120,14 +120,6 @@ private:
 /// be deformed has more than 150 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
-
-/// \ingroup PkgShapeCorrespondenceFunctions
-/// Finds the best correspondences, at most `Search_options::solutions` of them, in ascending order of their energies:
-/// those of the direction and alignment of the best one. `Search_method::EXACT` proves that they are the best ones,
-/// `Search_method::BEAM` takes the last level of the beam, and `Search_method::PARTS` finds one only. Parameters,
-/// preconditions and errors are those of `find_correspondence()`.
-std::vector<Correspondence> find_correspondences(const Structural_graph& source, const Structural_graph& target,
-                                                 const Search_options& options);
 
 } // namespace Shape_correspondence
 } // namespace CGAL

@@ -37,39 +37,17 @@ struct Named_parameters;
   X(min_confidence, Search_options, min_confidence)                                                                    \
   X(beam_width, Search_options, beam.beam_width)                                                                       \
   X(expansions, Search_options, beam.expansions)                                                                       \
-  X(distortion_weight, Search_options, matching.weights.distortion)                                                    \
-  X(connectedness_weight, Search_options, matching.weights.connectedness)                                              \
-  X(split_weight, Search_options, matching.weights.split)                                                              \
-  X(role_weight, Search_options, matching.weights.roles)                                                               \
-  X(energy_norm, Search_options, matching.norm)                                                                        \
-  X(cut_curves, Search_options, matching.cut_curves)                                                                   \
   X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
-  X(deform_to_fit, Search_options, matching.fit)                                                                       \
-  X(hard_proximity, Search_options, matching.hard_proximity)                                                           \
   X(pinned, Search_options, matching.pinned)                                                                           \
   X(forbidden, Search_options, matching.forbidden)                                                                     \
-  X(both_directions, Search_options, both_directions)                                                                  \
-  X(direction_by_energy, Search_options, direction_by_energy)                                                          \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
-  X(coarse_target, Search_options, coarse_target)                                                                      \
-  X(coarse_to_fine, Search_options, coarse_to_fine)                                                                    \
-  X(source_parts, Search_options, source_parts)                                                                        \
-  X(target_parts, Search_options, target_parts)                                                                        \
   X(alignments, Search_options, alignments)                                                                            \
   X(front_is_sure, Search_options, front_is_sure)                                                                      \
   X(solutions, Search_options, solutions)                                                                              \
-  X(min_marginals, Search_options, min_marginals)                                                                      \
-  X(edge_length, Structure_options, abstraction.edge_length)                                                           \
-  X(stop_volume, Structure_options, abstraction.stop_volume)                                                           \
   X(time_limit, Structure_options, abstraction.time_limit)                                                             \
   X(progress, Structure_options, abstraction.progress)                                                                 \
   X(detect_symmetry, Structure_options, symmetry.enabled)                                                              \
-  X(symmetry_tolerance, Structure_options, symmetry.tolerance)                                                         \
-  X(detect_reflections, Structure_options, symmetry.reflection)                                                        \
-  X(detect_rotations, Structure_options, symmetry.rotation)                                                            \
-  X(detect_translations, Structure_options, symmetry.translation)                                                      \
-  X(contact_tolerance, Structure_options, contacts.tolerance)                                                          \
-  X(closest_points, Structure_options, contacts.closest_points)
+  X(contact_tolerance, Structure_options, contacts.tolerance)
 
 #define CGAL_SHAPE_CORRESPONDENCE_TAG(name, options, field)                                                            \
   struct name##_t                                                                                                      \
@@ -136,11 +114,9 @@ Options options_from(const NamedParameters& np)
 ///
 /// | parameter | field |
 /// |---|---|
-/// | `edge_length`, `stop_volume`, `time_limit`, `progress` | of this name in `Abstraction_options` |
+/// | `time_limit`, `progress` | of this name in `Abstraction_options` |
 /// | `detect_symmetry` | `Symmetry_options::enabled` |
-/// | `symmetry_tolerance` | `Symmetry_options::tolerance` |
-/// | `detect_reflections`, `detect_rotations`, `detect_translations` | `Symmetry_options::reflection`, `rotation`, `translation` |
-/// | `contact_tolerance`, `closest_points` | `Contact_options::tolerance`, `closest_points` |
+/// | `contact_tolerance` | `Contact_options::tolerance` |
 ///
 /// \throw Invalid_input if the shape has fewer than two parts or more than 2000
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename T, typename Tag, typename Base>
@@ -158,11 +134,9 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 /// | parameter | field |
 /// |---|---|
 /// | `search_method` | `Search_options::method` |
-/// | `min_confidence`, `both_directions`, `direction_by_energy`, `maximum_parts`, `coarse_target`, `coarse_to_fine`, `source_parts`, `target_parts`, `alignments`, `front_is_sure`, `solutions`, `min_marginals` | of this name in `Search_options` |
+/// | `min_confidence`, `maximum_parts`, `alignments`, `front_is_sure`, `solutions` | of this name in `Search_options` |
 /// | `beam_width`, `expansions` | of this name in `Beam_options` |
-/// | `distortion_weight`, `connectedness_weight`, `split_weight`, `role_weight` | `Energy_weights::distortion`, `connectedness`, `split`, `roles` |
-/// | `energy_norm`, `deform_to_fit` | `Matching_options::norm`, `fit` |
-/// | `cut_curves`, `unmatched_cost`, `hard_proximity`, `pinned`, `forbidden` | of this name in `Matching_options` |
+/// | `unmatched_cost`, `pinned`, `forbidden` | of this name in `Matching_options` |
 ///
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range

@@ -34,11 +34,6 @@ using Shape_pair = std::pair<std::size_t, std::size_t>;
 std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::MatrixXd>& distances);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The shapes on the path from one to another in a tree, both ends included. O(n)
-/// \pre the tree joins the two
-std::vector<std::size_t> tree_path(const std::vector<Shape_pair>& tree, std::size_t source, std::size_t target);
-
-/// \ingroup PkgShapeCorrespondenceSets
 /// A chain of shapes and its energy, the sum of the energies of its steps.
 struct Shape_chain
 {
@@ -50,27 +45,11 @@ struct Shape_chain
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The step from source to target itself, without a shape in between. `energies` are those of `Energy_matrix`.
-Shape_chain direct_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
-
-/// \ingroup PkgShapeCorrespondenceSets
-/// The chain through the one other shape, the bridge, with the least sum of energies (paper, section 6.1, Figure 13);
-/// the direct one if there is no third shape. O(n)
-Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target);
-
-/// \ingroup PkgShapeCorrespondenceSets
-/// The chain along the tree. `energies` are those of `Energy_matrix`.
-Shape_chain tree_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
-                       std::size_t target);
-
-/// \ingroup PkgShapeCorrespondenceSets
-/// The best of `direct_chain()`, `bridge_chain()` and `tree_chain()`: the one with the least sum of `energies`, among
-/// equals the one with the fewest steps. `tree` is a spanning tree.
-Shape_chain best_chain(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree, std::size_t source,
-                       std::size_t target);
-
-/// \ingroup PkgShapeCorrespondenceSets
-/// The same from one source to all targets, itself included (a chain of one shape). O(n²)
+/// The best chains from one source to all targets, itself included (a chain of one shape): of the step from source to
+/// target itself, the chain through the one other shape, the bridge, of least energy (paper, section 6.1, Figure 13),
+/// and the chain along the tree, the one with the least sum of `energies`, among equals the one with the fewest steps.
+/// O(n²)
+/// \param energies those of `Energy_matrix` \param tree a spanning tree
 std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree,
                                      std::size_t source);
 

@@ -19,5 +19,5 @@ endif()
 
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share"
                     "${CURRENT_PACKAGES_DIR}/share/doc" "${CURRENT_PACKAGES_DIR}/share/man"
-                    "${CURRENT_PACKAGES_DIR}/share/bash-completion" "${CURRENT_PACKAGES_DIR}/share/zsh")
+                    "${CURRENT_PACKAGES_DIR}/share/bash-completion")
 vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE")

@@ -82,7 +82,6 @@ std::string content_hash(const Segmented_shape& shape, const Structure_options& 
 Structural_graph_cache::Structural_graph_cache(std::string folder) : folder_(std::move(folder))
 {
   make_folder(folder_, "a cache folder");
-  remove_leftovers(folder_);
 }
 
 std::string Structural_graph_cache::path(const std::string& content) const

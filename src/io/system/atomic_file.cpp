@@ -10,9 +10,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <atomic>
-#include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -39,39 +37,11 @@ bool is_device(const fs::path& file)
 
 std::string parent_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path().string() : "."; }
 
-/// What the names of temporary files go on with, after that of the file they are for; then follow the process and a
-/// count.
-const std::string& temporary_mark()
-{
-  static const std::string mark = [] {
-    std::string result = ".tmp-";
-    for (char c : machine_name())
-      if (std::isalnum(static_cast<unsigned char>(c))) result += c;
-    return result + '-';
-  }();
-  return mark;
-}
-
-/// Another name beside `place` each time; other processes may have made something of that name.
+/// Another name beside `place` each time; what killed processes left may have it.
 std::string temporary_name(const fs::path& place)
 {
   static std::atomic<unsigned> count{0};
-  return place.string() + temporary_mark() + std::to_string(process_number()) + '_' + std::to_string(count++);
-}
-
-/// The process of this machine that made a temporary file; 0 for other names.
-std::int64_t maker_of(const std::string& name)
-{
-  const std::string& mark = temporary_mark();
-  const std::size_t at = name.rfind(mark);
-  if (at == std::string::npos) return 0;
-  std::int64_t process = 0;
-  unsigned count = 0;
-  const char *const begin = name.data() + at + mark.size(), *const end = name.data() + name.size();
-  const auto [line, error] = std::from_chars(begin, end, process);
-  if (error != std::errc() || line == end || *line != '_') return 0;
-  const auto [last, count_error] = std::from_chars(line + 1, end, count);
-  return count_error == std::errc() && last == end ? process : 0;
+  return place.string() + ".tmp-" + std::to_string(process_number()) + '_' + std::to_string(count++);
 }
 
 void fail_if(const std::error_code& error, const std::string& path)
@@ -194,7 +164,6 @@ void check_writable(const std::string& path)
   const fs::path file = written_file(path);
   check_existing(path, file);
   if (is_device(file)) return;
-  remove_leftovers(parent_of(file), file.filename().string());
   Temporary(path, file, make_new_file); // gone again at once
 }
 
@@ -228,7 +197,6 @@ void check_new_folder(const std::string& path)
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
-  remove_leftovers(parent_of(folder), folder.filename().string());
   Temporary(path, folder, make_new_folder); // gone again at once
 }
 
@@ -252,16 +220,6 @@ void remove_temporaries()
   for (int i = 0; i < attempts; ++i)
     for (const std::string& name : temporaries().names)
       fs::remove_all(name, error);
-}
-
-void remove_leftovers(const std::string& folder, const std::string& beginning)
-{
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const std::int64_t maker = name.compare(0, beginning.size(), beginning) == 0 ? maker_of(name) : 0;
-    if (maker > 0 && !is_running(maker)) fs::remove_all(entry.path(), error);
-  }
 }
 
 void make_folder(const std::string& path, const std::string& use)

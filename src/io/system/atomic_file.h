@@ -19,7 +19,7 @@ std::filesystem::path written_file(const std::string& path);
 void check_writable(const std::string& path);
 
 /// Calls `write` and puts what it writes into the file `path`, all of it or nothing, also when the machine stops: under
-/// a temporary name in the same folder first, which is then renamed. What is overwritten keeps its mode, and a symbolic
+/// a temporary name beside it first, which is then renamed. What is overwritten keeps its mode, and a symbolic
 /// link leads on to it. Devices and pipes are written directly; `-` is standard output.
 /// \throw Invalid_input if that fails; names the file
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
@@ -37,10 +37,6 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
 
 /// Removes the temporary files and folders of this process, which is about to end: it makes none any more.
 void remove_temporaries();
-
-/// Removes temporary files and folders that processes of this machine left in a folder when they were killed.
-/// \param beginning of their names: of the file or folder that they were for
-void remove_leftovers(const std::string& folder, const std::string& beginning = "");
 
 /// Makes a folder if there is none. \param use what it is to be, "a store", for the user
 /// \throw Invalid_input if that fails; names the folder

@@ -28,10 +28,7 @@ bool errors_are_on_terminal();
 /// The most memory that the process has used.
 double peak_megabytes();
 
-std::string machine_name();
 std::int64_t process_number();
-/// Whether a process of this machine runs.
-bool is_running(std::int64_t process);
 
 /// Whether two paths name one file, as far as their letters say: on Windows, large ones are as good as small ones.
 bool are_same_name(const std::filesystem::path& a, const std::filesystem::path& b);
@@ -43,10 +40,5 @@ std::error_code write_access(const std::filesystem::path& file);
 std::error_code synchronize(const std::filesystem::path& path);
 /// Renames a file, or a folder, which takes the place of a file or of an empty folder.
 std::error_code replace(const std::filesystem::path& old_path, const std::filesystem::path& new_path);
-
-/// Numbers, all 0, in a file without a name, all of whose room is taken: a full disk would otherwise end the program at
-/// any write. \param folder where the file is; empty: in memory
-using Mapped_numbers = std::unique_ptr<double, std::function<void(double*)>>;
-Mapped_numbers map_zeros(const std::filesystem::path& folder, std::size_t bytes, std::error_code& error);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -13,7 +13,6 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <system_error>
 #include <thread>
@@ -75,18 +74,6 @@ void keep_freed_memory()
 #endif
 }
 
-/// A new file with all of its room taken, whose name is gone; -1 if that fails.
-int make_nameless_file(const fs::path& folder, std::size_t bytes, std::error_code& error)
-{
-  std::string name = folder / "matrix.XXXXXX";
-  const int descriptor = mkstemp(name.data());
-  error = last_error_if(descriptor < 0);
-  if (error) return -1;
-  unlink(name.c_str());
-  error = error_of(reserve_room(descriptor, bytes));
-  return descriptor;
-}
-
 } // namespace
 
 std::vector<std::string> start_program(int argc, char* argv[])
@@ -109,16 +96,7 @@ double peak_megabytes()
   return double(usage.ru_maxrss) / units_per_megabyte;
 }
 
-std::string machine_name()
-{
-  char name[65] = {};
-  gethostname(name, sizeof name - 1);
-  return name;
-}
-
 std::int64_t process_number() { return getpid(); }
-
-bool is_running(std::int64_t process) { return kill(pid_t(process), 0) == 0 || errno != ESRCH; }
 
 bool are_same_name(const fs::path& a, const fs::path& b) { return a == b; }
 
@@ -141,18 +119,6 @@ std::error_code replace(const fs::path& old_path, const fs::path& new_path)
   std::error_code error;
   fs::rename(old_path, new_path, error);
   return error;
-}
-
-Mapped_numbers map_zeros(const fs::path& folder, std::size_t bytes, std::error_code& error)
-{
-  error.clear();
-  const Descriptor file(folder.empty() ? -1 : make_nameless_file(folder, bytes, error));
-  if (error) return {};
-  const int flags = folder.empty() ? MAP_PRIVATE | MAP_ANONYMOUS : MAP_SHARED;
-  void* const begin = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, flags, file, 0); // stays when the file is closed
-  error = last_error_if(begin == MAP_FAILED);
-  if (error) return {};
-  return {static_cast<double*>(begin), [bytes](double* numbers) { munmap(numbers, bytes); }};
 }
 
 } // namespace CGAL::Shape_correspondence::IO

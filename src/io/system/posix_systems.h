@@ -36,13 +36,6 @@ inline std::filesystem::path running_file()
   return _NSGetExecutablePath(name, &size) == 0 ? std::filesystem::canonical(name, error) : std::filesystem::path();
 }
 
-/// Takes the room of a file. \return the number of the error, 0 for none
-inline int reserve_room(int file, std::size_t bytes)
-{
-  fstore_t room{F_ALLOCATEALL, F_PEOFPOSMODE, 0, off_t(bytes), 0};
-  return fcntl(file, F_PREALLOCATE, &room) != -1 && ftruncate(file, off_t(bytes)) == 0 ? 0 : errno;
-}
-
 /// A pipe whose ends started programs do not get. \return -1 if it is not made
 inline int make_pipe(int (&ends)[2])
 {
@@ -64,9 +57,6 @@ inline std::filesystem::path running_file()
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error);
 }
-
-/// Takes the room of a file. \return the number of the error, 0 for none
-inline int reserve_room(int file, std::size_t bytes) { return posix_fallocate(file, 0, off_t(bytes)); }
 
 /// A pipe whose ends started programs do not get. \return -1 if it is not made
 inline int make_pipe(int (&ends)[2]) { return pipe2(ends, O_CLOEXEC); }

@@ -77,14 +77,6 @@ BOOL WINAPI remove_temporaries_at_end(DWORD)
   return FALSE;
 }
 
-/// A file that is gone when its handle is closed, also if the program is killed.
-HANDLE make_scratch_file(const fs::path& folder)
-{
-  static std::atomic<unsigned> count{0};
-  const std::string name = "matrix." + std::to_string(process_number()) + '_' + std::to_string(count++);
-  return open_to_write(folder / name, CREATE_ALWAYS, FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE);
-}
-
 } // namespace
 
 std::vector<std::string> start_program(int, char*[])
@@ -124,22 +116,7 @@ double peak_megabytes()
   return double(counters.PeakWorkingSetSize) / megabyte;
 }
 
-std::string machine_name()
-{
-  wchar_t name[MAX_COMPUTERNAME_LENGTH + 1] = {};
-  DWORD size = MAX_COMPUTERNAME_LENGTH + 1;
-  GetComputerNameW(name, &size);
-  return utf8_of(name);
-}
-
 std::int64_t process_number() { return GetCurrentProcessId(); }
-
-bool is_running(std::int64_t process)
-{
-  const Handle opened(OpenProcess(SYNCHRONIZE, FALSE, DWORD(process)));
-  if (!opened.is_open()) return GetLastError() != ERROR_INVALID_PARAMETER; // there is no such process
-  return WaitForSingleObject(opened, 0) == WAIT_TIMEOUT;
-}
 
 bool are_same_name(const fs::path& a, const fs::path& b)
 {
@@ -180,19 +157,6 @@ std::error_code replace(const fs::path& old_path, const fs::path& new_path)
     Sleep(pause);
   }
   return error;
-}
-
-Mapped_numbers map_zeros(const fs::path& folder, std::size_t bytes, std::error_code& error)
-{
-  const auto file = std::make_shared<Handle>(folder.empty() ? INVALID_HANDLE_VALUE : make_scratch_file(folder));
-  error = last_error_if(!folder.empty() && !file->is_open());
-  if (error) return {};
-  const Handle mapping(
-      CreateFileMappingW(*file, nullptr, PAGE_READWRITE, DWORD(std::uint64_t(bytes) >> 32), DWORD(bytes), nullptr));
-  void* const begin = mapping.is_open() ? MapViewOfFile(mapping, FILE_MAP_ALL_ACCESS, 0, 0, bytes) : nullptr;
-  error = last_error_if(!begin);
-  if (error) return {};
-  return {static_cast<double*>(begin), [file](double* numbers) { UnmapViewOfFile(numbers); }};
 }
 
 } // namespace CGAL::Shape_correspondence::IO

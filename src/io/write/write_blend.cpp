@@ -31,13 +31,7 @@ const char* obstacle_name(Blend_obstacle obstacle)
   return names[int(obstacle)];
 }
 
-Json quality_json(const Blend_quality& quality)
-{
-  Json result;
-  for (const Blend_measure& measure : blend_measures())
-    result[measure.name] = quality.*measure.value;
-  return result;
-}
+Json quality_json(const Blend_quality& quality) { return {{"support", quality.support}, {"apart", quality.apart}}; }
 
 /// The shortest decimals that read back to the same numbers.
 template <typename Numbers>
@@ -116,7 +110,7 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   internal::check_number_of_frames(frames);
   Json result;
   result["format"] = "shape_correspondence/blend";
-  result["version"] = 1;
+  result["version"] = 2;
   result["source"] = source_file;
   result["target"] = target_file;
   result["output"] = output;
@@ -131,17 +125,13 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   result["schedules"] = Json::array();
   for (const Blend_schedule& schedule : blend.schedules())
     result["schedules"].push_back({{"name", schedule.name}, {"quality", quality_json(schedule.quality)}});
-  std::vector<Blend_check> checks(static_cast<std::size_t>(frames));
+  std::vector<Blend_quality> qualities(static_cast<std::size_t>(frames));
+  const auto time = [&](std::size_t frame) { return double(frame) / (frames - 1); };
   internal::for_each_index<CGAL::Parallel_if_available_tag>(
-      checks.size(), [&](std::size_t frame) { checks[frame] = blend.check(double(frame) / (frames - 1)); });
-  for (const Blend_measure& measure : blend_measures())
-    result["tolerances"][measure.name] = measure.tolerance;
+      qualities.size(), [&](std::size_t frame) { qualities[frame] = blend.quality(time(frame)); });
   result["frames"] = Json::array();
-  for (int frame = 0; frame < frames; ++frame) {
-    const Blend_check& check = checks[static_cast<std::size_t>(frame)];
-    result["frames"].push_back(
-        {{"t", double(frame) / (frames - 1)}, {"quality", quality_json(check.quality)}, {"faults", check.faults}});
-  }
+  for (std::size_t frame = 0; frame < qualities.size(); ++frame)
+    result["frames"].push_back({{"t", time(frame)}, {"quality", quality_json(qualities[frame])}});
   result["warnings"] = warnings;
   result.write(out);
 }

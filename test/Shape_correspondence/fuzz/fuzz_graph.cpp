@@ -5,7 +5,6 @@
 
 // A reader of structural graphs, READER: any bytes are refused or are a graph that can be written and read again.
 
-#include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

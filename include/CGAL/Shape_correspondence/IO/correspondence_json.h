@@ -42,7 +42,7 @@ void write_correspondence_json(std::ostream& out, const Correspondence& correspo
                                const std::string& target_file, const Match_seconds& seconds);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The same for ranked correspondences, as `find_correspondences()` returns them: the first is the result, and where
+/// The same for ranked correspondences, those of `Correspondence_finder::ranked()`: the first is the result, and where
 /// there are more, `solutions` lists all with their energies and pairs.
 /// \pre `ranked` is not empty
 void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,

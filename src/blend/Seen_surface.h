@@ -5,9 +5,7 @@
 
 #include "blend/Blend_part.h"
 
-#include <array>
 #include <cstddef>
-#include <map>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -34,25 +32,12 @@ struct Seen_surface
   const Rest_surface& rest;
   Points points;
   contacts::Triangle_tree tree;
-  Surface_extent extent;
 };
 
 /// The share of a surface that is inside another one, by samples.
 double share_inside(const Seen_surface& a, const Seen_surface& b);
 
-/// What shapes in between are compared by with those at the ends.
-struct Shape_look
-{
-  explicit Shape_look(const std::vector<Seen_surface>& surfaces = {});
-
-  double height = 0;
-  double area = 0;
-  double volume = 0;   ///< of closed parts
-  double hull = 0;     ///< volume of the convex hull
-  double supports = 0; ///< number of parts that stand on the ground
-  /// By two matched parts, the share of the first one's surface that is inside the second one, if it is closed; those
-  /// that are 0 are left out.
-  std::map<std::array<std::size_t, 2>, double> overlaps;
-};
+/// The number of parts that stand on the ground.
+double number_of_supports(const std::vector<Seen_surface>& surfaces);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -1,26 +1,38 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Shape_correspondence/train_role_model.h>
+// The weights of matching with roles, fitted to pairs of shapes that the models had not seen.
+#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H
+#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H
 
 #include "base/for_each_index.h"
-#include "matching/Role_fit.h"
 #include "matching/aligned_matching.h"
 #include "roles/Role_trainer.h"
+#include "roles/Shape_roles.h"
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/ground_truth.h>
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
-namespace CGAL::Shape_correspondence {
+namespace CGAL {
+namespace Shape_correspondence {
+namespace experiments {
+
 using namespace internal;
 
-namespace internal {
-
-namespace {
+constexpr int newton_steps = 15;       // at most
+constexpr double newton_change = 1e-9; // of a weight: a smaller change ends the iteration
 
 constexpr std::size_t least_pairs = 50; // of shapes, that weights are fitted to: with fewer, chance decides
 constexpr double slight_penalty = 1e-4; // for large weights, where every category weighs 1: keeps them finite
@@ -30,9 +42,53 @@ constexpr double category_penalty = 1;
 // The same of the offset of confidences: what share of a category's pairs is right differs more than how it grows.
 constexpr double offset_penalty = 0.25;
 
-Confidence_weights confidence_penalties() { return {category_penalty, offset_penalty}; }
+// Pairs of parts of two shapes, and which are right.
+template <int term_count>
+struct Judged
+{
+  Eigen::Matrix<double, Eigen::Dynamic, term_count> terms;
+  Eigen::ArrayXd is_right; // 1 or 0
+};
+using Judged_terms = Judged<PAIR_TERM_COUNT>;
+using Judged_confidences = Judged<CONFIDENCE_TERM_COUNT>;
 
-Pair_terms role_terms_of_all(const Role_votes& source, const Role_votes& target)
+// Pairs with their total weight in a fit.
+template <int term_count>
+struct Weighted
+{
+  const Judged<term_count>* judged;
+  double weight;
+};
+
+// Logistic regression by Newton's method, with a quadratic penalty on the distance of each weight from its expected
+// value. Rounded to `pair_weight_unit`.
+template <int term_count>
+Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
+                                                    const Eigen::Matrix<double, term_count, 1>& expected,
+                                                    const Eigen::Matrix<double, term_count, 1>& penalties)
+{
+  using Weights = Eigen::Matrix<double, term_count, 1>;
+  using Hessian = Eigen::Matrix<double, term_count, term_count>;
+  Weights weights = expected;
+  for (int step = 0; step < newton_steps; ++step) {
+    Weights gradient = penalties.cwiseProduct(expected - weights);
+    Hessian hessian = penalties.asDiagonal();
+    for (const auto& [judged, weight_of_all] : examples) {
+      const Eigen::ArrayXd p = 1 / (1 + (-(judged->terms * weights).array()).exp());
+      const double weight = weight_of_all / double(p.size());
+      gradient += weight * (judged->terms.transpose() * (judged->is_right - p).matrix());
+      hessian += weight * (judged->terms.transpose() * (p * (1 - p)).matrix().asDiagonal() * judged->terms);
+    }
+    const Weights change = hessian.ldlt().solve(gradient);
+    weights += change;
+    if (change.cwiseAbs().maxCoeff() < newton_change) break;
+  }
+  return (weights / pair_weight_unit).array().round().matrix() * pair_weight_unit;
+}
+
+inline Confidence_weights confidence_penalties() { return {category_penalty, offset_penalty}; }
+
+inline Pair_terms role_terms_of_all(const Role_votes& source, const Role_votes& target)
 {
   const auto all = [](const Role_votes& votes) {
     std::vector<std::size_t> result(votes.labels.size());
@@ -42,7 +98,7 @@ Pair_terms role_terms_of_all(const Role_votes& source, const Role_votes& target)
   return role_terms(source, all(source), target, all(target));
 }
 
-Judged_terms judged_terms(Pair_terms terms, const Ground_truth& truth, Eigen::Index target_size)
+inline Judged_terms judged_terms(Pair_terms terms, const Ground_truth& truth, Eigen::Index target_size)
 {
   Judged_terms result{std::move(terms), {}};
   result.is_right = Eigen::ArrayXd::Zero(result.terms.rows());
@@ -51,7 +107,7 @@ Judged_terms judged_terms(Pair_terms terms, const Ground_truth& truth, Eigen::In
   return result;
 }
 
-Judged_confidences judged_confidences(const std::vector<Part_correspondence>& pairs, const Ground_truth& truth)
+inline Judged_confidences judged_confidences(const std::vector<Part_correspondence>& pairs, const Ground_truth& truth)
 {
   Judged_confidences result;
   result.terms.resize(Eigen::Index(pairs.size()), CONFIDENCE_TERM_COUNT);
@@ -65,10 +121,26 @@ Judged_confidences judged_confidences(const std::vector<Part_correspondence>& pa
   return result;
 }
 
-} // namespace
+// Two labelled shapes of a category, by index.
+using Shape_pair = std::array<std::size_t, 2>;
 
-Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const Shape_pair& pair, const Shape_roles& source,
-                        const Shape_roles& target, const Role_model_data& model, bool category_known)
+// A pair of labelled shapes, and what a model that was learned without them predicts. Terms are without the geometric
+// match.
+struct Unseen_pair
+{
+  Shape_pair shapes{};
+  std::string category;   // of both shapes
+  Ground_truth truth;     // by their labels
+  Pair_terms own_terms;   // in their category; empty if the model does not have it
+  std::string found;      // the category that the model finds; empty: none
+  Pair_terms found_terms; // in the category found
+  std::string nearest;    // the nearest category, clear or not
+};
+
+// \param source, target the roles of the shapes of the pair by `model` \param category_known as if it were given
+inline Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const Shape_pair& pair,
+                               const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
+                               bool category_known = false)
 {
   const Labelled_graph &a = shapes[pair[0]], &b = shapes[pair[1]];
   Unseen_pair result{pair, a.category, ground_truth(a.labels, b.labels), {}, {}, {}, {}};
@@ -83,13 +155,59 @@ Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const Shape_p
   return result;
 }
 
-Part_matching geometric_match(const Structural_graph& source, const Structural_graph& target,
-                              const Part_matching_options& options)
+// The match by geometry alone, by index in the structural graphs.
+inline Part_matching geometric_match(const Structural_graph& source, const Structural_graph& target,
+                                     const Part_matching_options& options = {})
 {
   const Aligned_shape a = align_shape(source, given_quarter_turns(structure(source).frame)),
                       b = align_shape(target, given_quarter_turns(structure(target).frame));
   return renumbered(match_parts(a, b, options), a.original, b.original);
 }
+
+// The weights of matching with roles, fitted to pairs of shapes that the models had not seen.
+class Role_fit
+{
+public:
+  // \param pairs, geometric the pairs, which are kept as a reference, and their geometric matches
+  // \param by_category whether the weights of a category may differ from those of all others
+  Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
+           const Part_matching_options& options = {}, bool by_category = true);
+
+  // Fitted to the pairs of all categories but one; of all if it is empty. Every category weighs the same, and every
+  // pair within it. The usual weights where there are few pairs.
+  Match_weights of_others(const std::string& category) const;
+
+  // Fitted to the pairs of a category that have none of the shapes left out; the fewer there are, the nearer to the
+  // weights of the others.
+  Pair_weights weights(const std::string& category, const std::vector<std::size_t>& left_out) const;
+  Confidence_weights confidence(const std::string& category, const std::vector<std::size_t>& left_out) const;
+  // The same of what geometry alone matches, fitted to the pairs with this nearest category.
+  Confidence_weights geometric_confidence(const std::string& nearest, const std::string& category,
+                                          const std::vector<std::size_t>& left_out) const;
+
+  // `weights()` without the shapes of a pair.
+  const Pair_weights& weights_of_pair(std::size_t pair) const { return weights_of_pair_[pair]; }
+
+  // Sets the weights of all categories of a model, and those for shapes without a category.
+  void apply(Role_model_data& model) const;
+
+private:
+  // \param examples by pair
+  template <typename Examples>
+  auto fitted_without(const std::string& category, const Examples& examples) const;
+  // \param group category that a pair counts for
+  template <typename Examples, typename Weights>
+  Weights fitted_of(const std::string& category, std::string Unseen_pair::*group, const Examples& examples,
+                    const Weights& expected, const Weights& penalties, const std::vector<std::size_t>& left_out) const;
+
+  const std::vector<Unseen_pair>& pairs_;
+  bool by_category_;
+  std::vector<Judged_terms> terms_; // by pair, in its own category
+  std::vector<Pair_weights> weights_of_pair_;
+  // By pair, of the parts that are matched: by roles where its category is found, by geometry alone where none is
+  std::vector<Judged_confidences> confidences_, geometric_confidences_;
+  std::map<std::string, Match_weights> of_others_; // by category of a pair
+};
 
 template <typename Examples>
 auto Role_fit::fitted_without(const std::string& left_out, const Examples& examples) const
@@ -143,8 +261,8 @@ Weights Role_fit::fitted_of(const std::string& category, std::string Unseen_pair
   return fitted_weights<term_count>(chosen, expected, penalties);
 }
 
-Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
-                   const Part_matching_options& options, bool by_category)
+inline Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
+                          const Part_matching_options& options, bool by_category)
     : pairs_(pairs),
       by_category_(by_category),
       terms_(pairs.size()),
@@ -176,7 +294,7 @@ Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part
   }
 }
 
-Match_weights Role_fit::of_others(const std::string& category) const
+inline Match_weights Role_fit::of_others(const std::string& category) const
 {
   const auto known = of_others_.find(category);
   if (known != of_others_.end()) return known->second;
@@ -184,26 +302,27 @@ Match_weights Role_fit::of_others(const std::string& category) const
           fitted_without(category, geometric_confidences_)};
 }
 
-Pair_weights Role_fit::weights(const std::string& category, const std::vector<std::size_t>& left_out) const
+inline Pair_weights Role_fit::weights(const std::string& category, const std::vector<std::size_t>& left_out) const
 {
   return fitted_of(category, &Unseen_pair::category, terms_, of_others(category).weights,
                    Pair_weights(Pair_weights::Constant(category_penalty)), left_out);
 }
 
-Confidence_weights Role_fit::confidence(const std::string& category, const std::vector<std::size_t>& left_out) const
+inline Confidence_weights Role_fit::confidence(const std::string& category,
+                                               const std::vector<std::size_t>& left_out) const
 {
   return fitted_of(category, &Unseen_pair::category, confidences_, of_others(category).confidence,
                    confidence_penalties(), left_out);
 }
 
-Confidence_weights Role_fit::geometric_confidence(const std::string& nearest, const std::string& category,
-                                                  const std::vector<std::size_t>& left_out) const
+inline Confidence_weights Role_fit::geometric_confidence(const std::string& nearest, const std::string& category,
+                                                         const std::vector<std::size_t>& left_out) const
 {
   return fitted_of(nearest, &Unseen_pair::nearest, geometric_confidences_, of_others(category).geometric_confidence,
                    confidence_penalties(), left_out);
 }
 
-void Role_fit::apply(Role_model_data& model) const
+inline void Role_fit::apply(Role_model_data& model) const
 {
   for (Category_roles& category : model.categories) {
     const std::string& name = category.name;
@@ -213,57 +332,8 @@ void Role_fit::apply(Role_model_data& model) const
   model.geometric_confidence = of_others("").geometric_confidence;
 }
 
-} // namespace internal
+} // namespace experiments
+} // namespace Shape_correspondence
+} // namespace CGAL
 
-namespace {
-
-void check(const std::vector<Labelled_graph>& shapes, const Shape_pair& pair)
-{
-  if (pair[0] >= shapes.size() || pair[1] >= shapes.size() || pair[0] == pair[1] ||
-      shapes[pair[0]].category != shapes[pair[1]].category)
-    throw Invalid_input("train_role_model: the pair " + std::to_string(pair[0]) + ", " + std::to_string(pair[1]) +
-                        " is not of two shapes of a category; give pairs that are");
-}
-
-// What a model learned from all other shapes predicts for a pair. \param all learned from all shapes
-Unseen_pair predicted_without(const std::vector<Labelled_graph>& shapes, const Shape_pair& pair,
-                              const Role_trainer& trainer, const Role_model_data& all)
-{
-  std::vector<char> is_left_out(shapes.size(), 0);
-  is_left_out[pair[0]] = is_left_out[pair[1]] = 1;
-  const Role_model model = Role_model_access::model(trainer.model_without(all, shapes[pair[0]].category, is_left_out));
-  return unseen_pair(shapes, pair, Shape_roles(trainer.evidence(pair[0]), model),
-                     Shape_roles(trainer.evidence(pair[1]), model), Role_model_access::data(model));
-}
-
-} // namespace
-
-Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options,
-                            const std::vector<Shape_pair>& pairs)
-{
-  for (const Shape_pair& pair : pairs)
-    check(shapes, pair);
-  const Role_trainer trainer(shapes, options);
-  Role_model_data model = trainer.model();
-  if (!pairs.empty()) {
-    std::vector<Unseen_pair> unseen(pairs.size());
-    std::vector<Part_matching> geometric(pairs.size());
-    for_each_index(pairs.size(), true, [&](std::size_t i) {
-      unseen[i] = predicted_without(shapes, pairs[i], trainer, model);
-      geometric[i] = geometric_match(*shapes[pairs[i][0]].graph, *shapes[pairs[i][1]].graph);
-    });
-    Role_fit(unseen, geometric).apply(model);
-  }
-  return Role_model_access::model(std::move(model));
-}
-
-Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
-                             const Role_training_options& options)
-{
-  Role_training_options of_all = options;
-  const Role_model_data& known = Role_model_access::data(model);
-  if (!known.categories.empty()) of_all.trees = known.trees;
-  return Role_model_access::model(Role_trainer(shapes, of_all, known).model());
-}
-
-} // namespace CGAL::Shape_correspondence
+#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H

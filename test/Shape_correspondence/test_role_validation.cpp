@@ -3,11 +3,13 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Training with pairs, and correspondences of shapes that it does not see.
+// The laboratory: weights that are fitted to pairs of shapes, correspondences of shapes that the training does not see,
+// and intervals of scores.
+#include "experiments/intervals.h"
 #include "experiments/role_validation.h"
 #include "labelled_furniture.h"
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/train_role_model.h>
 
 #include <catch2/catch.hpp>
 
@@ -18,7 +20,6 @@
 using namespace CGAL::Shape_correspondence;
 using namespace labelled_furniture;
 using namespace CGAL::Shape_correspondence::experiments;
-using Catch::Matchers::Contains;
 
 namespace {
 
@@ -45,18 +46,16 @@ std::vector<Shape_pair> pairs_of_category(const std::deque<Furniture>& shapes, s
 
 TEST_CASE("Weights are fitted to pairs of shapes, each matched as by a model that has seen neither")
 {
-  const std::vector<Labelled_graph> shapes = labelled(examples());
-  std::vector<Shape_pair> pairs = pairs_of_category(examples(), shapes.size());
-  const Role_model_data usual = Role_model_access::data(train_role_model(shapes)),
-                        fitted = Role_model_access::data(train_role_model(shapes, {}, pairs));
+  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  const Role_validation validation(shapes, pairs_of_category(examples(), shapes.size()), {}, {});
+  const Role_model_data usual = Role_model_access::data(train_role_model(labelled(examples()))),
+                        fitted = Role_model_access::data(validation.fitted_model());
   for (std::size_t c = 0; c < usual.categories.size(); ++c) {
     CHECK(fitted.categories[c].examples.size() == usual.categories[c].examples.size());
     // Nothing speaks against the labels, so they count for more than usual
     CHECK(fitted.categories[c].weights[SAME_LABEL] > usual_pair_weights()[SAME_LABEL]);
     CHECK(fitted.categories[c].weights != usual.categories[c].weights);
   }
-  for (const Shape_pair& wrong : {Shape_pair{0, 1}, Shape_pair{2, 2}, Shape_pair{0, shapes.size()}})
-    CHECK_THROWS_WITH(train_role_model(shapes, {}, {wrong}), Contains("is not of two shapes of a category"));
 }
 
 TEST_CASE("Pairs of shapes that the training did not see")
@@ -152,30 +151,19 @@ TEST_CASE("Few examples: the training sees so many shapes of the category, and n
     CHECK(few.pairs()[i].joined.right == all.pairs()[i].joined.right);
 }
 
-TEST_CASE("Examples help where they match each other better with what was learned from the others")
+TEST_CASE("Intervals come from drawing shapes")
 {
-  std::deque<Furniture> shapes = examples();
-  const auto gains = gains_of_examples(Role_model(), labelled(shapes));
-  REQUIRE(gains.size() == 2);
-  CHECK(gains[0].category == "chair");
-  CHECK(gains[0].pairs == 10);
-  CHECK(gains[0].without > 0.9); // geometry suffices
-  CHECK(!gains[0].is_clear());
-  CHECK(gains[1].category == "shelf");
-  CHECK(gains[1].with > 0.9);
-  CHECK(gains[1].is_clear()); // every board with every board
-
-  // Not if the model knows as much without them
-  for (const Gain_of_examples& gain : gains_of_examples(train_role_model(labelled(shapes)), labelled(shapes)))
-    CHECK(!gain.is_clear());
-
-  // Two leave nothing to learn from
-  shapes = {shelf(0.06, 3), shelf(0.1, 5)};
-  CHECK(gains_of_examples(Role_model(), labelled(shapes))[0].pairs == 0);
-  CHECK(!gains_of_examples(Role_model(), labelled(shapes))[0].is_clear());
-
-  // The fewer pairs, the greater the gain must be
-  CHECK(Gain_of_examples{"", 4, 0.54, 0.5}.is_clear());
-  CHECK(!Gain_of_examples{"", 4, 0.52, 0.5}.is_clear());
-  CHECK(!Gain_of_examples{"", 1, 0.54, 0.5}.is_clear());
+  // Of three shapes with the pairs ab (1), ac (1), bc (0): a draw that has all gives 2/3, {a, a, b} gives ab alone: 1,
+  // {b, b, c} gives 0; every draw of a pair or more gives one of these
+  const auto scored = [](const char* source, const char* target, std::size_t right) {
+    return Scored_correspondence{"x", source, target, {1, 1, right, right}};
+  };
+  const std::vector<Scored_correspondence> three{scored("a", "b", 1), scored("a", "c", 1), scored("b", "c", 0)};
+  const Estimate f1 = mean_estimates(three).categories[0].second.f1;
+  CHECK(f1.mean == Approx(2. / 3));
+  CHECK(f1.low == 0);
+  CHECK(f1.high == 1);
+  // Paired differences of equal scores have none, and of two shapes there is one mean
+  CHECK(mean_estimates(three, three).mean.f1.high == 0);
+  CHECK(mean_estimates({three[0]}).mean.recall.low == 1);
 }

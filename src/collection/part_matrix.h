@@ -1,15 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
-//
-// $URL$
-// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Shape_correspondence developers
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATRIX_H
-#define CGAL_SHAPE_CORRESPONDENCE_PART_MATRIX_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/Part_map.h>
 
@@ -18,10 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
-/// \ingroup PkgShapeCorrespondenceSets
 /// The matrix of all part correspondences of a set. Parts are numbered shape after shape.
 struct Part_matrix
 {
@@ -30,7 +20,6 @@ struct Part_matrix
   std::size_t rejected = 0;                ///< pairs of parts left out as outliers
 };
 
-/// \ingroup PkgShapeCorrespondenceSets
 /// Encodes maps of pairs of shapes, as many as are given, in one matrix (paper, section 6.2). Two parts are confirmed
 /// by a third shape if they have a common counterpart there, and contradicted if each has one, but no common one; pairs
 /// that too few shapes confirm are left out (cycle consistency). O(m d) time for m pairs of parts that have up to d
@@ -42,7 +31,4 @@ struct Part_matrix
 Part_matrix part_matrix(const std::vector<std::size_t>& part_counts, const std::vector<Shape_pair_map>& maps,
                         double least_cycle_support);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PART_MATRIX_H
+} // namespace CGAL::Shape_correspondence

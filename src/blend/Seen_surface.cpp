@@ -1,13 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Shape_look.h"
+#include "blend/Seen_surface.h"
 
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
 #include "shape/all_vertices.h"
-#include "shape/convex_hull.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -90,31 +90,16 @@ Seen_surface::Seen_surface(const std::vector<Blend_part>& parts, std::size_t num
       part(parts[number]),
       rest(part.rests[std::size_t(surface)]),
       points(points),
-      tree(part.trees[std::size_t(surface)]),
-      extent(rest.extent(points))
+      tree(part.trees[std::size_t(surface)])
 {
   tree.move([&](std::size_t t) { return triangle_of(points, part.triangles(surface), Eigen::Index(t)); });
 }
 
-Shape_look::Shape_look(const std::vector<Seen_surface>& surfaces)
+double number_of_supports(const std::vector<Seen_surface>& surfaces)
 {
-  contacts::Box box;
-  std::vector<const Points*> points;
-  for (const Seen_surface& a : surfaces) {
-    box.extend(a.tree.box());
-    points.push_back(&a.points);
-    area += a.extent.area;
-    if (a.rest.is_closed()) volume += std::abs(a.extent.volume);
-    supports += a.tree.box().min().y() <= Blend_part::on_ground;
-    if (!a.part.is_matched()) continue;
-    for (const Seen_surface& b : surfaces) {
-      if (&a == &b || !b.part.is_matched() || !b.rest.is_closed()) continue;
-      if (const double share = share_inside(a, b); share > 0) overlaps[{a.number, b.number}] = share;
-    }
-  }
-  if (points.empty()) return;
-  height = box.sizes().y();
-  hull = convex_hull(joined(points)).volume;
+  return double(std::count_if(surfaces.begin(), surfaces.end(), [](const Seen_surface& surface) {
+    return surface.tree.box().min().y() <= Blend_part::on_ground;
+  }));
 }
 
 } // namespace CGAL::Shape_correspondence::internal

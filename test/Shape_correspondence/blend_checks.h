@@ -3,11 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is checked of blends by tests and benchmarks alike.
+// What is checked of blends by several tests.
 #ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 #define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 
-#include "blend/Shape_look.h"
+#include "blend/schedules.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
@@ -155,6 +155,84 @@ inline bool is_moved(const Segmented_shape& a, const Segmented_shape& b)
       return distances(p.mesh.points, first).isApprox(distances(q.mesh.points, second), rounding);
     });
   });
+}
+
+/// A blend whose shapes in between are measured; lengths over the height.
+class Measured_blend
+{
+public:
+  template <typename Model> // has `graph` and `shape`
+  Measured_blend(const Model& source, const Model& target,
+                 const CGAL::Shape_correspondence::Correspondence& correspondence)
+      : blend_({Input{source.graph, source.shape, 0},
+                Input{target.graph, target.shape, correspondence.target_quarter_turns}},
+               correspondence, {}),
+        tasks_(CGAL::Shape_correspondence::internal::ranked_schedules(blend_, {})[0].tasks)
+  {}
+
+  /// By how much the gap of two parts that touch at both ends is wider than between the ends, at most.
+  double gap(double t) const
+  {
+    const auto seen = Shape(blend_, tasks_, t).seen(); // matched parts come first
+    double worst = 0;
+    for (const auto& [a, b] : blend_.touches) {
+      if (!blend_.parts[a].is_matched() || !blend_.parts[b].is_matched()) continue;
+      const auto at_end = [&, a = a, b = b](int end) {
+        return std::sqrt(blend_.parts[a].end_tree(end).nearly_closest(blend_.parts[b].end_tree(end)).squared);
+      };
+      const double allowed = (1 - t) * at_end(0) + t * at_end(1);
+      if (std::max(at_end(0), at_end(1)) < touching)
+        worst = std::max(worst, std::sqrt(seen[a].tree.nearly_closest(seen[b].tree).squared) - allowed);
+    }
+    return worst;
+  }
+
+  /// By how much farther it is from its mirror image than the ends.
+  double asymmetry(double t) const
+  {
+    CGAL::Shape_correspondence::internal::Tree_pointers trees;
+    std::vector<const Points*> points;
+    const auto seen = Shape(blend_, tasks_, t).seen();
+    for (const auto& surface : seen) {
+      points.push_back(&surface.points);
+      trees.push_back(&surface.tree);
+    }
+    return CGAL::Shape_correspondence::internal::mirror_residual(points, trees) -
+           std::max(asymmetry_of_end(0), asymmetry_of_end(1));
+  }
+
+private:
+  using Input = CGAL::Shape_correspondence::internal::Blend_input;
+  using Shape = CGAL::Shape_correspondence::internal::In_between_shape;
+  static constexpr double touching = 0.02;
+
+  double asymmetry_of_end(std::size_t end) const
+  {
+    std::vector<const Points*> points;
+    std::vector<Triangle_tree> trees;
+    for (const Part_mesh& mesh : blend_.stage.meshes[end]) {
+      points.push_back(&mesh.points);
+      trees.push_back(CGAL::Shape_correspondence::internal::tree_of(mesh.points, mesh.triangles));
+    }
+    return CGAL::Shape_correspondence::internal::mirror_residual(
+        points, CGAL::Shape_correspondence::internal::pointers_to(trees));
+  }
+
+  CGAL::Shape_correspondence::internal::Blend_structure blend_;
+  std::vector<CGAL::Shape_correspondence::Blend_task> tasks_;
+};
+
+/// How much higher or lower a shape of a blend is than between the ends, whose sizes go over by equal factors.
+inline double height_error(const CGAL::Shape_correspondence::Shape_blend& blend, double t)
+{
+  const auto height = [&](double time) {
+    Eigen::AlignedBox3d box;
+    const Segmented_shape shape = blend(time);
+    for (const Shape_part& part : shape.parts())
+      box.extend(Eigen::AlignedBox3d(part.mesh.points.rowwise().minCoeff(), part.mesh.points.rowwise().maxCoeff()));
+    return box.sizes().dot(shape.up().cwiseAbs());
+  };
+  return std::abs(height(t) / (std::pow(height(0), 1 - t) * std::pow(height(1), t)) - 1);
 }
 
 } // namespace blend_checks

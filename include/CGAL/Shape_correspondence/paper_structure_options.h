@@ -1,0 +1,34 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Shape_correspondence developers
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_PAPER_STRUCTURE_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_PAPER_STRUCTURE_OPTIONS_H
+
+#include <CGAL/Shape_correspondence/build_structural_graph.h>
+
+namespace CGAL {
+namespace Shape_correspondence {
+
+/// \ingroup PkgShapeCorrespondenceFunctions
+/// Structural graphs as in the paper: parts are abstracted by mean curvature flow (section 3, "Abstraction"), and two
+/// parts touch at a closest pair of points. `find_correspondence()` with `paper_options()` then matches as in the
+/// paper.
+inline Structure_options paper_structure_options()
+{
+  Structure_options options;
+  options.abstraction.abstractor = Mean_curvature_abstraction();
+  options.contacts.closest_points = true;
+  return options;
+}
+
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_PAPER_STRUCTURE_OPTIONS_H
