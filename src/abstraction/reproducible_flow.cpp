@@ -121,4 +121,20 @@ void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedg
   m_are_poles_computed = true;
 }
 
+template <>
+auto Mean_curvature_flow_skeletonization<
+    Shape_correspondence::internal::Halfedge_mesh,
+    Shape_correspondence::internal::Flow_traits>::project_vertex(vertex_descriptor from, vertex_descriptor to,
+                                                                 vertex_descriptor apex, vertex_descriptor added)
+    -> Point
+{
+  added->is_fixed = from->is_fixed;
+  Vector along = to->point() - from->point(), between_poles = to->pole - from->pole;
+  normalize(along);
+  normalize(between_poles);
+  const double distance = along * (apex->point() - from->point());
+  added->pole = from->pole + between_poles * distance;
+  return from->point() + along * distance;
+}
+
 } // namespace CGAL

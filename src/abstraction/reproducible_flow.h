@@ -28,8 +28,8 @@ using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 
 /// The flow collapses short edges in the order of a `std::set` of edges. In CGAL 5 that is the order of their
 /// addresses, which differs from run to run, and so does the skeleton. The flow numbers all halfedges before each
-/// collapse, in the order of its mesh; comparing numbers makes its result a function of the input. CGAL 6 has this
-/// order itself.
+/// collapse, in the order of its mesh; comparing numbers makes its result a function of the input. CGAL 6 compares
+/// numbers itself, which gives the same order.
 template <>
 struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
 {
@@ -57,5 +57,14 @@ void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedg
 template <>
 void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
                                          Shape_correspondence::internal::Flow_traits>::compute_voronoi_pole();
+
+/// Where the middle of an edge (from, to) goes, whose apex is opposite, and its pole. In CGAL 5, the new vertex is a
+/// copy of the first end, and so as fixed as that; in CGAL 6, it is not fixed.
+template <>
+auto Mean_curvature_flow_skeletonization<
+    Shape_correspondence::internal::Halfedge_mesh,
+    Shape_correspondence::internal::Flow_traits>::project_vertex(vertex_descriptor from, vertex_descriptor to,
+                                                                 vertex_descriptor apex, vertex_descriptor added)
+    -> Point;
 
 } // namespace CGAL

@@ -55,7 +55,7 @@ public:
     noise_ = hull_noise * box.diagonal().norm();
     extent_ = box.sizes();
     for (Basic_map map : {TRANSLATED, MIRRORED_X, MIRRORED_Z}) {
-      related_[map].assign(n * n, 0);
+      related_[map] = std::vector<char>(n * n);
       compute(map);
     }
     find_planes();
