@@ -357,7 +357,8 @@ TEST_CASE("Ranked correspondences: ascending, different, the first is the result
   Search_options options = least_energy();
   options.method = Search_method::EXACT;
   options.solutions = 5;
-  const auto ranked = Correspondence_finder(chair(), options).ranked(slatted_chair());
+  const Structural_graph source = chair();
+  const auto ranked = Correspondence_finder(source, options).ranked(slatted_chair());
   REQUIRE(ranked.size() == 5);
   CHECK(ranked[0].pairs == find_correspondence(chair(), slatted_chair(), options).pairs);
   for (std::size_t i = 1; i < ranked.size(); ++i) {
