@@ -166,7 +166,7 @@ TEST_CASE("The program uses the user's own examples of a category that it does n
   CHECK_THAT(run("collection " + folder.path("two") + " --json - --roles none" + two).error, Contains("not used"));
   // Nothing else can label shapes of a category of one's own
   const std::string stool = "label " + data + "/stool/parts -o - ";
-  CHECK(run(stool + two).error.find("not used") != std::string::npos);
+  CHECK(run(stool + two).error.find("not used") == std::string::npos); // chairs are known, too
 
   const std::string a = write_shelf(folder, "a", 0.06, 4), b = write_shelf(folder, "b", 0.1, 6);
   for (int i = 1; i < 6; ++i)
