@@ -142,7 +142,7 @@ SC::cli::Named_result named(const Match& match)
   SC::cli::Named_result result{match.source->file + " -> " + match.target->file, {}};
   const SC::Correspondence& best = match.best();
   SC::IO::Named_correspondence& named = result.correspondence;
-  named = {match.source->file, match.target->file, {}, best.complete, best.target_quarter_turns};
+  named = {match.source->file, match.target->file, {}, best.complete, best.target_quarter_turns, {}, {}, {}};
   for (const SC::Part_correspondence& pair : best.pairs)
     named.pairs.push_back({structure(match.source->shape.graph).parts[pair.source].name,
                            structure(match.target->shape.graph).parts[pair.target].name, pair.confidence});

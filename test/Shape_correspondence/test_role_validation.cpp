@@ -14,6 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -166,4 +167,49 @@ TEST_CASE("Intervals come from drawing shapes")
   // Paired differences of equal scores have none, and of two shapes there is one mean
   CHECK(mean_estimates(three, three).mean.f1.high == 0);
   CHECK(mean_estimates({three[0]}).mean.recall.low == 1);
+}
+
+TEST_CASE("Weights of the terms are those that the examples are likeliest with")
+{
+  // Right in 3 of 4 pairs that have the term, in 1 of 4 that have not: logits log 3 and -log 3, so the weight is 2 log
+  // 3
+  Judged_terms example;
+  example.terms = Pair_terms::Zero(8, PAIR_TERM_COUNT);
+  example.terms.col(CONSTANT).setOnes();
+  example.terms.col(SAME_LABEL).head(4).setOnes();
+  example.is_right.resize(8);
+  example.is_right << 1, 1, 1, 0, 1, 0, 0, 0;
+  const Pair_weights none = Pair_weights::Zero(),
+                     weights = fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, none.Constant(1e-4));
+  CHECK(weights[SAME_LABEL] == Approx(2 * std::log(3)).epsilon(0.01));
+  CHECK(weights[CONSTANT] == Approx(-std::log(3)).epsilon(0.01));
+  CHECK(weights[VOTES_AGREE] == 0);
+  CHECK(probabilities(example.terms, weights)[0] == Approx(0.75).epsilon(0.01));
+  // Examples that a term tells apart without fault have finite weights
+  example.is_right << 1, 1, 1, 1, 0, 0, 0, 0;
+  CHECK(fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, none.Constant(1e-4)).allFinite());
+  // A charge that outweighs the examples leaves what was expected
+  const Pair_weights expected = usual_pair_weights();
+  CHECK((fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, expected, Pair_weights::Constant(1e6)) - expected).norm() <
+        1e-4);
+  CHECK((fitted_weights<PAIR_TERM_COUNT>({}, expected, Pair_weights::Ones()) - expected).norm() < pair_weight_unit);
+}
+
+TEST_CASE("Confidences are fitted to how often pairs of a probability are right")
+{
+  // Of pairs of a probability of .9, three quarters are right; of those of .5, a quarter
+  Judged_confidences judged;
+  judged.terms.resize(8, CONFIDENCE_TERM_COUNT);
+  for (int k = 0; k < 8; ++k)
+    judged.terms.row(k) = confidence_terms(k < 4 ? 0.9 : 0.5);
+  judged.is_right.resize(8);
+  judged.is_right << 1, 1, 1, 0, 1, 0, 0, 0;
+  const Confidence_weights none = Confidence_weights::Zero(),
+                           weights = fitted_weights<CONFIDENCE_TERM_COUNT>({{&judged, 8}}, none, none.Constant(1e-4));
+  CHECK(confidence(0.9, weights) == Approx(0.75).epsilon(0.01));
+  CHECK(confidence(0.5, weights) == Approx(0.25).epsilon(0.01));
+  // What is certain or impossible stays so, and the usual weights change nothing
+  CHECK(confidence(0, weights) == 0);
+  CHECK(confidence(1, weights) == 1);
+  CHECK(confidence(0.3, usual_confidence_weights()) == Approx(0.3));
 }

@@ -54,7 +54,7 @@ TEST_CASE("Four legs are exchanged for a column with its foot in an instant: the
   }
   for (double t : {0.2, 0.445, 0.45, 0.5, 0.75}) {
     INFO(t);
-    CHECK(height_error(blend, t) < 0.02);
+    CHECK(blend_checks::height_error(blend, t) < 0.02);
     CHECK(blend.quality(t).apart <= 0.02);
     const Segmented_shape shape = blend(t);
     double column = 1, foot = 1, leg = 1; // how high the lowest point is
