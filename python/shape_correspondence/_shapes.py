@@ -6,10 +6,8 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path as _Path
 from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -50,10 +48,8 @@ class Shape:
     def __init__(self, parts: Parts, name: str = "shape", up: Union[str, Sequence[float]] = "y"):
         triples = parts_of(parts)
         if is_mesh(parts):
-            with tempfile.TemporaryDirectory() as folder:
-                file = _Path(folder) / "part.obj"
-                Shape(triples, name).save(file)
-                triples = read(file, up="y").parts
+            ((part, vertices, faces),) = triples
+            triples = _core.divide_mesh(part, *_mesh_arrays(part, vertices, faces)).parts()
         arrays = [(part, *_mesh_arrays(part, vertices, faces)) for part, vertices, faces in triples]
         self._handle = _core.make_shape(arrays, name, _direction(up))
 

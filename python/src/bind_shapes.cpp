@@ -78,6 +78,17 @@ Shape make_shape(const std::vector<std::tuple<std::string, Vertices, Faces>>& pa
   return result;
 }
 
+/// The parts of a mesh, as those of a file of one object.
+Shape divide_mesh(const std::string& name, const Vertices& vertices, const Faces& faces)
+{
+  SC::IO::Model_objects objects;
+  objects.shape = SC::Segmented_shape(name);
+  objects.shape.add_part(name, mesh_of(vertices, faces));
+  SC::cli::Common_options options = model_options({});
+  options.up = "y";
+  return {name, SC::cli::model_of_objects(name, std::move(objects), options)};
+}
+
 Shape read(const std::string& path, const py::dict& options)
 {
   const SC::cli::Common_options common = model_options(options);
@@ -194,6 +205,7 @@ void bind_shapes(py::module_& module)
       .def("json", json_of)
       .def("save", save_graph, py::call_guard<py::gil_scoped_release>());
   module.def("make_shape", make_shape);
+  module.def("divide_mesh", divide_mesh);
   module.def("read", read);
   module.def("build_graph", build_graph);
   module.def("load_graphs", load_graphs);

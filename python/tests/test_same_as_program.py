@@ -161,12 +161,13 @@ def test_evaluate(json_of_program, cache, tmp_path):
     assert as_text(sc.evaluate(file, "data").to_dict()) == as_text(expected)
     in_memory = sc.evaluate(found, "data")
     assert in_memory.mean == sc.evaluate(file, "data").mean
-    assert 0 < in_memory.mean.f1.mean <= 1
+    assert 0 < in_memory.mean.f1 <= 1
 
 
-def test_roles(json_of_program, cache):
-    expected = json_of_program("roles", "predict", TABLE, "--cache", cache)
-    assert as_text(sc.roles.predict(TABLE, cache=cache).to_dict()) == as_text(expected)
+def test_roles(cache):
+    found = sc.roles.predict(TABLE, cache=cache)
+    assert found.category == "table"
+    assert sorted(part.role for part in found.parts) == 4 * ["leg"] + ["tabletop"]
 
 
 def test_pictures(program, cache, tmp_path):

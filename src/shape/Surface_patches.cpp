@@ -31,7 +31,7 @@ constexpr double cosine_of_crease = 0.5;                     // 60 degrees: wher
 constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas; what is smaller joins a neighbour
 constexpr std::size_t many_sheets = 150, many_patches = 120; // from which on larger ones join neighbours, too
 constexpr std::size_t most_triangles_at_edge = 64;           // at more, none are paired
-constexpr double full_turn = 2 * double(EIGEN_PI);           // in radians
+constexpr double turn_around = 2 * double(EIGEN_PI);           // in radians
 constexpr double same_angle = 0.002;                         // in radians: triangles at an edge that lie on each other
 constexpr double concave_height = 1e-6;                      // of a triangle's middle over its neighbour's plane
 constexpr int all_samples = 8000;                            // points on all patches
@@ -264,7 +264,7 @@ private:
       for (std::size_t j = 0; j < sides.size(); ++j) {
         if (edges_[sides[i]].is_forward == edges_[sides[j]].is_forward) continue;
         double turn = edges_[sides[i]].is_forward ? angles[i] - angles[j] : angles[j] - angles[i];
-        turn -= full_turn * std::floor(turn / full_turn);
+        turn -= turn_around * std::floor(turn / turn_around);
         if (turn < same_angle || turn >= least) continue;
         least = turn;
         next = j;

@@ -444,7 +444,7 @@ TEST_CASE("A hundred thousand loose pieces are all parts, or are refused with wh
     split_parts(one_object);
     FAIL("they were grouped");
   } catch (const Invalid_input& error) {
-    CHECK_THAT(error.what(), Contains("100489") && Contains("10000") && Contains("--parts file"));
+    CHECK_THAT(error.what(), Contains("100489") && Contains("10000") && Contains("take the objects as parts"));
   }
   Part_splitting_options options;
   options.mode = Part_splitting::COMPONENTS;

@@ -49,7 +49,7 @@ struct Shape_chain
 /// target itself, the chain through the one other shape, the bridge, of least energy (paper, section 6.1, Figure 13),
 /// and the chain along the tree, the one with the least sum of `energies`, among equals the one with the fewest steps.
 /// O(n²)
-/// \param energies those of `Energy_matrix` \param tree a spanning tree
+/// \param energies those of `Energy_matrix` \param tree a spanning tree \param source index of the shape
 std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree,
                                      std::size_t source);
 
