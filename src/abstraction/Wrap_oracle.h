@@ -4,6 +4,7 @@
 #pragma once
 
 #include "shape/Triangle_tree.h"
+#include "shape/alpha_wrap.h"
 #include "shape/meshes.h"
 
 #include <CGAL/version.h>

@@ -9,6 +9,7 @@
 #include "abstraction/bounding_box.h"
 #include "abstraction/holes.h"
 #include "base/library_call.h"
+#include "shape/alpha_wrap.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
 #include <cmath>

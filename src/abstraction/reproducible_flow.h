@@ -58,8 +58,8 @@ template <>
 void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
                                          Shape_correspondence::internal::Flow_traits>::compute_voronoi_pole();
 
-/// Where the middle of an edge (from, to) goes, whose apex is opposite, and its pole. In CGAL 5, the new vertex is a
-/// copy of the first end, and so as fixed as that; in CGAL 6, it is not fixed.
+/// Where the vertex goes that splits an edge: to the foot of the apex's height; also gives it a pole. In CGAL 5, it is
+/// a copy of the first end, and so as fixed as that; in CGAL 6, it would not be fixed.
 template <>
 auto Mean_curvature_flow_skeletonization<
     Shape_correspondence::internal::Halfedge_mesh,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/library_call.h"
+#include "shape/alpha_wrap.h"
 #include "shape/meshes.h"
 #include "shape/oriented_box.h"
 
@@ -9,7 +10,6 @@
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/alpha_wrap_3.h>
 
 #include <vector>
 
