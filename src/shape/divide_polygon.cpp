@@ -57,7 +57,8 @@ std::vector<Corners> few_triangles(const std::vector<Point>& points, const std::
   return joins_ac ? std::vector<Corners>{{a, b, c}, {a, c, d}} : std::vector<Corners>{{b, c, d}, {b, d, a}};
 }
 
-/// The triangles from which an odd number of edges of the border are crossed on the way outside.
+/// The triangles from which an odd number of edges of the border are crossed on the way outside; none if that depends
+/// on the way.
 std::vector<Corners> inside_of(const Planar_triangulation& triangulation)
 {
   std::vector<Planar_triangulation::Face_handle> front{triangulation.infinite_face()};
@@ -70,10 +71,14 @@ std::vector<Corners> inside_of(const Planar_triangulation& triangulation)
       result.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     for (int k = 0; k < 3; ++k) {
       const auto next = face->neighbor(k);
-      if (next->info() != Side::UNKNOWN) continue;
       const bool is_inside = (face->info() == Side::INSIDE) != face->is_constrained(k);
-      next->info() = is_inside ? Side::INSIDE : Side::OUTSIDE;
-      front.push_back(next);
+      const Side side = is_inside ? Side::INSIDE : Side::OUTSIDE;
+      if (next->info() == Side::UNKNOWN) {
+        next->info() = side;
+        front.push_back(next);
+      } else if (next->info() != side) {
+        return {}; // the border has a gap
+      }
     }
   }
   return result;

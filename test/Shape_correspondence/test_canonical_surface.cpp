@@ -6,6 +6,7 @@
 // Results depend on the shape, not on how it is divided into triangles.
 #include "part_meshes.h"
 #include "shape/canonical_surface.h"
+#include "shape/divide_polygon.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <random>
@@ -403,4 +405,23 @@ TEST_CASE("A turn by less than 45 degrees changes no match")
     return Part_mesh{Eigen::AngleAxisd(0.5, Point::UnitY()).toRotationMatrix() * mesh.points, mesh.triangles};
   };
   CHECK(changed_pairs(turned, false) == Names{});
+}
+
+TEST_CASE("A polygon with a gap in its border is not divided")
+{
+  std::vector<Point> points;
+  std::vector<Link> border;
+  const int n = 7;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * double(EIGEN_PI) * i / n;
+    points.push_back({std::cos(angle), std::sin(angle), 0});
+    border.push_back({i, (i + 1) % n});
+  }
+  const Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity();
+  CHECK(divide_polygon(points, border, {}, Point::UnitZ(), stretch).size() == std::size_t(n - 2));
+  for (int gap = 0; gap < n; ++gap) {
+    std::vector<Link> open = border;
+    open.erase(open.begin() + gap);
+    CHECK(divide_polygon(points, open, {}, Point::UnitZ(), stretch).empty());
+  }
 }

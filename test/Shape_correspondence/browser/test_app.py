@@ -28,7 +28,7 @@ import chromium
 from test_pages import AFTER_DRAWING, DESKTOP, LIT, PHONE, PLACE_OF
 
 MOST_TIMES_AS_LONG = 8  # machines are noisy
-LARGEST_PAGE = 2_080_000  # bytes, as a host sends it
+LARGEST_PAGE = 2_140_000  # bytes, as a host sends it
 LONGEST_START = 5000  # milliseconds until one can choose models; on an idle machine far less
 SCREEN = (1200, 760)
 REPOSITORY = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
