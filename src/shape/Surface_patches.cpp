@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -31,7 +32,7 @@ constexpr double cosine_of_crease = 0.5;                     // 60 degrees: wher
 constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas; what is smaller joins a neighbour
 constexpr std::size_t many_sheets = 150, many_patches = 120; // from which on larger ones join neighbours, too
 constexpr std::size_t most_triangles_at_edge = 64;           // at more, none are paired
-constexpr double turn_around = 2 * double(EIGEN_PI);           // in radians
+constexpr double turn_around = 2 * double(EIGEN_PI);         // in radians
 constexpr double same_angle = 0.002;                         // in radians: triangles at an edge that lie on each other
 constexpr double concave_height = 1e-6;                      // of a triangle's middle over its neighbour's plane
 constexpr int all_samples = 8000;                            // points on all patches
@@ -63,24 +64,33 @@ public:
       cells_[cell_of(i)].push_back(std::size_t(i));
   }
 
-  /// Calls a function with each pair of points, of which the first has the lower index, and their squared distance.
+  /// Calls a function with the other points of a point's cell and of those around it that are near, and with their
+  /// squared distances. \param most number of points of a cell that are looked at
   template <typename Function>
-  void for_each_pair(double distance, Function function) const
+  void for_each_near(std::size_t i, double distance, std::size_t most, Function function) const
   {
-    for (Eigen::Index i = 0; i < points_.cols(); ++i) {
-      const Grid_cell at = cell_of(i);
-      for (std::int64_t x = -1; x <= 1; ++x)
-        for (std::int64_t y = -1; y <= 1; ++y)
-          for (std::int64_t z = -1; z <= 1; ++z) {
-            const auto cell = cells_.find({at[0] + x, at[1] + y, at[2] + z});
-            if (cell == cells_.end()) continue;
-            for (std::size_t j : cell->second) {
-              if (j <= std::size_t(i)) continue;
-              const double squared = (points_.col(i) - points_.col(Eigen::Index(j))).squaredNorm();
-              if (squared <= distance * distance) function(std::size_t(i), j, squared);
-            }
+    const auto point = points_.col(Eigen::Index(i));
+    const Grid_cell at = cell_of(Eigen::Index(i));
+    for (std::int64_t x = -1; x <= 1; ++x)
+      for (std::int64_t y = -1; y <= 1; ++y)
+        for (std::int64_t z = -1; z <= 1; ++z) {
+          const auto cell = cells_.find({at[0] + x, at[1] + y, at[2] + z});
+          if (cell == cells_.end()) continue;
+          const std::size_t count = std::min(most, cell->second.size());
+          for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t j = cell->second[k];
+            const double squared = (point - points_.col(Eigen::Index(j))).squaredNorm();
+            if (j != i && squared <= distance * distance) function(j, squared);
           }
-    }
+        }
+  }
+
+  /// Calls a function with the points of each cell.
+  template <typename Function>
+  void for_each_cell(Function function) const
+  {
+    for (const auto& [cell, points] : cells_)
+      function(points);
   }
 
 private:
@@ -127,7 +137,8 @@ struct Triangle_side
 class Patch_finder
 {
 public:
-  Patch_finder(const Segmented_shape& objects, const Eigen::Matrix3d& axes, const std::vector<std::vector<int>>& materials)
+  Patch_finder(const Segmented_shape& objects, const Eigen::Matrix3d& axes,
+               const std::vector<std::vector<int>>& materials)
       : objects_(objects)
   {
     collect(axes);
@@ -148,6 +159,12 @@ public:
   {
     find_sheets();
     find_patches();
+    sort_patches();
+    number_triangles();
+    if (numbers_in(patch_) > most_patches) {
+      result_.patches.resize(numbers_in(patch_));
+      return std::move(result_);
+    }
     measure();
     find_borders();
     find_near();
@@ -201,9 +218,15 @@ private:
 
   void weld()
   {
+    constexpr std::size_t most_compared = 8; // of a cell, whose points are one place in any case
     Disjoint_sets sets(std::size_t(points_.cols()));
-    Point_grid(points_, 2 * welding_distance)
-        .for_each_pair(welding_distance, [&](std::size_t i, std::size_t j, double) { sets.unite(i, j); });
+    const Point_grid grid(points_, welding_distance / 2);
+    grid.for_each_cell([&](const Numbers& points) {
+      for (std::size_t i : points)
+        sets.unite(points[0], i);
+      grid.for_each_near(points[0], welding_distance, most_compared,
+                         [&](std::size_t j, double) { sets.unite(points[0], j); });
+    });
     place_ = numbers_of_sets(sets);
   }
 
@@ -460,7 +483,6 @@ private:
 
   void measure()
   {
-    sort_patches();
     std::vector<Numbers> triangles(numbers_in(patch_));
     for (std::size_t t = 0; t < corners_.size(); ++t)
       triangles[patch_[t]].push_back(t);
@@ -480,6 +502,11 @@ private:
         surfaces_.back().push_back({t[0], t[1] - t[0], t[2] - t[0], area});
       }
     }
+  }
+
+  /// Tells the patch of each triangle.
+  void number_triangles()
+  {
     std::size_t next = 0;
     for (const Shape_part& object : objects_.parts()) {
       const auto count = std::ptrdiff_t(object.mesh.triangles.cols());
@@ -515,9 +542,10 @@ private:
   {
     std::vector<Point> samples;
     Numbers of_patch, count;
+    const int fewest = std::clamp(all_samples / int(surfaces_.size()), 3, fewest_samples);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
       const double share = result_.patches[i].moments.area / result_.area;
-      const auto number = std::max(fewest_samples, int(std::lround(share * all_samples)));
+      const int number = std::max(fewest, int(std::lround(share * all_samples)));
       const auto found = contacts::sample_triangles(surfaces_[i], number);
       samples.insert(samples.end(), found.points.begin(), found.points.end());
       of_patch.resize(samples.size(), i);
@@ -526,20 +554,24 @@ private:
     Points points(3, Eigen::Index(samples.size()));
     for (std::size_t k = 0; k < samples.size(); ++k)
       points.col(Eigen::Index(k)) = samples[k];
-    std::vector<std::array<std::size_t, 2>> near; // sample, and patch that it is near
-    Point_grid(points, patch_reach).for_each_pair(patch_reach, [&](std::size_t a, std::size_t b, double squared) {
-      const std::size_t i = of_patch[a], j = of_patch[b];
-      if (i == j) return;
-      contact(i, j, std::sqrt(squared));
-      near.push_back({a, j});
-      near.push_back({b, i});
-    });
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    for (const auto& [sample, patch] : near) {
-      const std::size_t own = of_patch[sample];
-      contact(own, patch, patch_reach).near[own < patch ? 0 : 1] +=
-          result_.patches[own].moments.area / double(count[own]);
+    const Point_grid grid(points, patch_reach);
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::vector<double> nearest(surfaces_.size(), far); // squared distance of a sample, by patch
+    Numbers found;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const std::size_t own = of_patch[k];
+      grid.for_each_near(k, patch_reach, samples.size(), [&](std::size_t other, double squared) {
+        const std::size_t patch = of_patch[other];
+        if (patch == own) return;
+        if (nearest[patch] == far) found.push_back(patch);
+        nearest[patch] = std::min(nearest[patch], squared);
+      });
+      for (std::size_t patch : found) {
+        contact(own, patch, std::sqrt(nearest[patch])).near[own < patch ? 0 : 1] +=
+            result_.patches[own].moments.area / double(count[own]);
+        nearest[patch] = far;
+      }
+      found.clear();
     }
   }
 

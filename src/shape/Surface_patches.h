@@ -72,6 +72,8 @@ struct Surface_patches
 
 constexpr double patch_reach = 0.02; ///< over the diagonal: how near points of patches are that touch
 
+constexpr std::size_t most_patches = 3000; ///< of more, neither measures nor contacts are found
+
 /// Divides the objects at creases of 60 degrees and at edges of other than two triangles; patches that are small join
 /// the one of their sheet with which they have the longest border. O(n log n) in the number of triangles.
 /// \param axes the rows are the axes of the frame, the second one up

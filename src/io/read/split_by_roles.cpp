@@ -6,12 +6,15 @@
 #include "io/read/read_objects.h"
 #include "roles/Shape_roles.h"
 #include "roles/up_by_roles.h"
-#include "shape/meshes.h"
+#include "shape/has_area.h"
 #include "shape/split_patches.h"
 #include "structure/outline_graph.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -40,8 +43,6 @@ using internal::Part_model;
 using internal::Part_node;
 using internal::Surface_patches;
 
-constexpr std::size_t most_patches = 3000; // of which parts are looked for
-
 std::vector<std::size_t> parts_of_patches(const Surface_patches& surface, const std::vector<Part_node>& nodes,
                                           const std::vector<std::size_t>& cut)
 {
@@ -64,24 +65,48 @@ const Part_model::Category* category_of(const Segmented_shape& parts, const Role
   return nullptr;
 }
 
+/// The parts alone, for their roles.
+Segmented_shape shape_of_patches(const Segmented_shape& objects, const Surface_patches& surface,
+                                 const std::vector<std::size_t>& part_of_patch)
+{
+  std::map<std::size_t, std::vector<Point>> corners; // by part, three of a triangle
+  for (std::size_t i = 0; i < objects.parts().size(); ++i) {
+    const Part_mesh& mesh = objects.parts()[i].mesh;
+    for (std::size_t t = 0; t < surface.of_triangles[i].size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        corners[part_of_patch[surface.of_triangles[i][t]]].push_back(
+            mesh.points.col(mesh.triangles(k, Eigen::Index(t))));
+  }
+  Segmented_shape result(objects.name(), objects.up());
+  for (const auto& [part, points] : corners) {
+    Part_mesh mesh;
+    mesh.points.resize(3, Eigen::Index(points.size()));
+    for (std::size_t v = 0; v < points.size(); ++v)
+      mesh.points.col(Eigen::Index(v)) = points[v];
+    mesh.triangles.resize(3, Eigen::Index(points.size() / 3));
+    std::iota(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size(), 0);
+    if (internal::has_area(mesh)) result.add_part(std::to_string(part), std::move(mesh));
+  }
+  return result;
+}
+
 /// Finds parts: first whatever the category, then of the category that those are most like.
 std::optional<Part_split> find_parts(const Segmented_shape& objects, const std::vector<std::vector<int>>& materials,
                                      const Role_model& roles)
 {
   const Part_model& model = *internal::Role_model_access::data(roles).parts;
   const Surface_patches surface = internal::patches_of_objects(objects, materials);
-  if (surface.patches.size() > most_patches) return std::nullopt;
+  if (surface.patches.size() > internal::most_patches) return std::nullopt;
   const std::vector<Part_node> nodes = internal::part_candidates(surface, model);
-  const auto split_at = [&](const std::vector<std::size_t>& cut) {
-    return internal::split_patches(objects, surface, materials, parts_of_patches(surface, nodes, cut));
-  };
-  const std::vector<std::size_t> any = internal::likeliest_parts(surface, nodes, model, nullptr);
-  Part_split split = split_at(any);
-  if (!may_be_matched(split)) return std::nullopt;
-  if (const Part_model::Category* category = category_of(split.shape, roles)) {
-    const std::vector<std::size_t> cut = internal::likeliest_parts(surface, nodes, model, category);
-    if (cut.size() > 1 && cut != any) split = split_at(cut);
+  std::vector<std::size_t> cut = internal::likeliest_parts(surface, nodes, model, nullptr);
+  if (cut.size() < 2 || cut.size() > internal::most_parts) return std::nullopt;
+  const Segmented_shape any = shape_of_patches(objects, surface, parts_of_patches(surface, nodes, cut));
+  if (const Part_model::Category* category = category_of(any, roles)) {
+    std::vector<std::size_t> known = internal::likeliest_parts(surface, nodes, model, category);
+    if (known.size() > 1) cut = std::move(known);
   }
+  Part_split split = internal::split_patches(objects, surface, materials, parts_of_patches(surface, nodes, cut));
+  if (!may_be_matched(split)) return std::nullopt;
   return split;
 }
 
