@@ -14,11 +14,14 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double height_of_ground = 0.03;  // of the height: what begins lower stands on the height_of_ground
-constexpr double margin_of_middle = 0.05;  // of the width: how far over the middle plane a part must reach to span it
-constexpr double mirror_tolerance = 0.015; // over the diagonal: distance from the mirror image of a copy
-constexpr double nearly_all = 0.98;        // share of a piece from which on a node is all of it
-constexpr double thinnest = 0.004;         // over the diagonal
+// Relative to the height of the shape: a part that begins lower stands on the ground.
+constexpr double height_of_ground = 0.03;
+// Relative to the width of the shape: how far over the middle plane a part must reach on both sides to span it.
+constexpr double margin_of_middle = 0.05;
+// Relative to the diagonal of the shape: distance of a part's centre from the mirror image of its copy's.
+constexpr double mirror_tolerance = 0.015;
+constexpr double nearly_all = 0.98; // share of a piece's area from which on a node counts as all of it
+constexpr double thinnest = 0.004;  // least side of a box, relative to the diagonal of the shape
 constexpr double least_divisor = 1e-9;
 
 double quotient(double a, double b) { return b > least_divisor ? a / b : 0; }
@@ -106,9 +109,9 @@ private:
   struct Around
   {
     std::set<std::size_t> patches;
-    double area = 0; // of the node, near others
+    double area = 0; // area of the node that is near other patches
     Patch_contact borders;
-    const Piece* largest = nullptr; // sheet; null: nothing is near
+    const Piece* largest = nullptr; // the sheet of most area that is near; null if none is
   };
 
   Around around(const Part_node& node) const

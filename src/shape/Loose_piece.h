@@ -18,10 +18,10 @@ struct Loose_piece
   Part_mesh mesh;    ///< its triangles as they are in the model
   Part_mesh surface; ///< the same in canonical triangles, which is what is measured
   double area = 0;
-  Point middle = Point::Zero(); ///< of the surface
-  double size = 0;              ///< approximate diameter, see `size_of()`
-  bool closed = false;          ///< an even number of triangles meets at every edge
-  std::set<int> materials = {}; ///< empty: not known
+  Point middle = Point::Zero();            ///< of the surface
+  double size = 0;                         ///< approximate diameter, see `size_of()`
+  bool closed = false;                     ///< an even number of triangles meets at every edge
+  std::set<int> materials = {};            ///< empty: not known
   std::vector<std::size_t> triangles = {}; ///< of the object, by index; empty for a segment
 };
 

@@ -17,9 +17,10 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double least_thickness_of_box =
-    0.004;                                // over the diagonal: thickness that boxes are given where they have less
-constexpr double mirror_distance = 0.015; // over the diagonal: distance of a part from the mirror image of its copy
+// Relative to the diagonal of the model: the least side of a box, and the distance of a part from the mirror image of
+// its copy.
+constexpr double least_thickness_of_box = 0.004;
+constexpr double mirror_distance = 0.015;
 constexpr double smallest_divisor = 1e-9;
 
 using Indices = std::vector<std::size_t>;
@@ -236,7 +237,7 @@ public:
   }
 
 private:
-  // Affinity in steps of the grid, then the indices with a minus: of equals the lowest are merged_node first.
+  // Affinity in steps of the grid, then the indices with a minus: of equals, those of lowest index are merged first.
   using Offer = std::tuple<Steps, std::ptrdiff_t, std::ptrdiff_t>;
 
   void offer(std::size_t i, std::size_t j)

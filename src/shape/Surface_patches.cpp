@@ -29,16 +29,17 @@ namespace {
 
 constexpr double welding_distance = 1e-5;                    // distance of vertices that are one
 constexpr double cosine_of_crease = 0.5;                     // 60 degrees: where the surface turns more, a patch ends
-constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas; what is smaller joins a neighbour
-constexpr std::size_t many_sheets = 150, many_patches = 120; // from which on larger ones join neighbours, too
+constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which a piece joins a neighbour
+constexpr std::size_t many_sheets = 150, many_patches = 120; // numbers from which on larger ones join neighbours, too
 constexpr std::size_t most_triangles_at_edge = 64;           // at more, none are paired
-constexpr double turn_around = 2 * double(EIGEN_PI);         // in radians
-constexpr double same_angle = 0.002;                         // in radians: triangles at an edge that lie on each other
-constexpr double concave_height = 1e-6;                      // of a triangle's middle over its neighbour's plane
-constexpr int all_samples = 8000;                            // points on all patches
-constexpr int fewest_samples = 12;                           // on a patch
-constexpr double box_margin = 0.01, gap_in_box = 0.03; // of a patch within the box of another, and what counts as gap
-constexpr std::size_t most_in_box = 20;                // patches that are paired with one that holds them
+constexpr double turn_around = 2 * double(EIGEN_PI);         // full turn, in radians
+constexpr double same_angle = 0.002;    // angle, in radians, of triangles at an edge that lie on each other
+constexpr double concave_height = 1e-6; // least height of a triangle's middle over its neighbour's plane
+constexpr int all_samples = 8000;       // number of points on all patches
+constexpr int fewest_samples = 12;      // number of points on a patch
+// How far a patch may reach out of the box of another to lie in it, and the gap that such a pair counts as.
+constexpr double box_margin = 0.01, gap_in_box = 0.03;
+constexpr std::size_t most_in_box = 20; // patches that are paired with one that holds them
 
 using Numbers = std::vector<std::size_t>;
 using Grid_cell = std::array<std::int64_t, 3>;

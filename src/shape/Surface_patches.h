@@ -47,8 +47,8 @@ struct Patch_contact
   std::array<double, 2> near{0, 0}; ///< area of each that is near the other
   double border = 0;                ///< length of the common border
   double flat_border = 0;           ///< the same, times the cosine of the angle between the normals
-  double concave_border = 0;        ///< length of the concave part of it
-  bool has_common_places = false;   ///< vertices of both, where they are of different sheets
+  double concave_border = 0;        ///< length of the part of the border at which the surface is concave
+  bool has_common_places = false;   ///< whether patches of different sheets have common vertices
 
   Patch_contact& operator+=(const Patch_contact& other);
   Patch_contact reversed() const;

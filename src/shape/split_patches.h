@@ -8,7 +8,6 @@
 #include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {

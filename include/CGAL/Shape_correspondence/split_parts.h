@@ -66,15 +66,15 @@ struct Model_piece
 /// What `split_parts()` makes.
 struct Part_split
 {
-  Segmented_shape shape;                    ///< the parts
-  std::vector<Model_piece> pieces;          ///< sorted by object, then by their first triangles
-  std::vector<std::string> decisions;       ///< for every object: what became of it, and why
-  bool by_segments = false;                 ///< whether pieces are segments
-  bool is_found = false;                    ///< whether parts were found by what labelled parts look like
+  Segmented_shape shape;                         ///< the parts
+  std::vector<Model_piece> pieces;               ///< sorted by object, then by their first triangles
+  std::vector<std::string> decisions;            ///< for every object: what became of it, and why
+  bool by_segments = false;                      ///< whether pieces are segments
+  bool is_found = false;                         ///< whether parts were found by what labelled parts look like
   std::vector<std::string> patched_objects = {}; ///< objects of which pieces are patches between creases
-  bool by_materials = false;                ///< whether pieces also end where the material changes
-  std::size_t pieces_left_out = 0;          ///< pieces without area
-  std::size_t pieces_kept_whole = 0;        ///< closed pieces without segments, since they have no inside
+  bool by_materials = false;                     ///< whether pieces also end where the material changes
+  std::size_t pieces_left_out = 0;               ///< pieces without area
+  std::size_t pieces_kept_whole = 0;             ///< closed pieces without segments, since they have no inside
 
   /// Whether the parts are others than the objects.
   bool changes_objects() const;

@@ -53,7 +53,7 @@ std::vector<std::size_t> parts_of_patches(const Surface_patches& surface, const 
   return result;
 }
 
-/// The nearest category of the shape with these parts; null if it is not clear.
+/// The category that the parts are most like, whether clearly or not; null if no parts of it were learned.
 const Part_model::Category* category_of(const Segmented_shape& parts, const Role_model& roles)
 {
   const internal::Role_model_data& data = internal::Role_model_access::data(roles);
