@@ -23,7 +23,8 @@ using namespace model_files;
 
 TEST_CASE("Every file of the corpus is read or refused")
 {
-  const fs::path corpus = fs::path(__FILE__).parent_path() / "fuzz" / "corpus";
+  const fs::path tests = fs::path(SHAPE_CORRESPONDENCE_DATA_DIR).parent_path() / "test" / "Shape_correspondence";
+  const fs::path corpus = tests / "fuzz" / "corpus";
   using Reader = std::function<void(const std::string&)>;
   const auto model = [](auto reader) -> Reader { return [reader](const std::string& text) { reader(text, "input"); }; };
   const std::map<std::string, Reader> readers = {
