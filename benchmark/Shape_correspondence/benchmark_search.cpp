@@ -5,7 +5,7 @@
 
 // Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
-// the beam is from the optimum, the speed of the rod kernel against the machine's best loop, and synthetic problems.
+// the beam is from the optimum, the speed of the rod kernel, and synthetic problems.
 //   benchmark_search [--pairs] [--repeats N] GRAPH.json GRAPH.json ...     all pairs of the graphs that are in one
 //   folder
 // --pairs prints a line a pair instead: numbers of parts, and milliseconds of matching by parts, exact search and beam.
@@ -57,8 +57,8 @@ void print(const char* what, const std::vector<double>& values)
               quantile(values, 1));
 }
 
-// Comparisons of rods a nanosecond of one kernel on sheets, four sets at once, best of many runs.
-double kernel_speed(const SC::internal::Rod_kernel& kernel)
+// Comparisons of rods a nanosecond on sheets, two sets at once, best of many runs.
+double kernel_speed()
 {
   std::srand(1);
   const SC::internal::Sample_lanes first(SC::Points::Random(3, 36)), second(SC::Points::Random(3, 36));
@@ -66,15 +66,16 @@ double kernel_speed(const SC::internal::Rod_kernel& kernel)
   for (SC::internal::Rod_block& block : rods)
     for (auto& axis : block.direction)
       std::fill(std::begin(axis), std::end(axis), 1.0f);
-  const SC::internal::Rod_block* const sets[4] = {rods.data(), rods.data(), rods.data(), rods.data()};
+  const SC::internal::Rod_block* const sets[2] = {rods.data(), rods.data()};
   constexpr int repeats = 200, runs = 50;
   double best = 1e9, sum = 0;
   for (int run = 0; run < runs; ++run)
     best = std::min(best, milliseconds([&] {
                       for (int i = 0; i < repeats; ++i)
-                        sum += double(kernel.four(sets, first, 36, second, 36).squared_cosines[0]);
+                        sum +=
+                            double(SC::internal::compare_rods_of_two(sets, first, 36, second, 36).squared_cosines[0]);
                     }));
-  return sum > 0 ? 4 * 36 * 36 * repeats / (best * 1e6) : 0;
+  return sum > 0 ? 2 * 36 * 36 * repeats / (best * 1e6) : 0;
 }
 
 // Groups in a graph of some width: rods between random points, as between parts far smaller than the shape.
@@ -225,8 +226,7 @@ int main(int argc, char** argv)
   print("tables and beam (K = 20, k = 4)", beam);
   print("energy, beam over exact", gap);
   std::printf("proven optimal: %zu of %zu; beam at the optimum: %zu\n", proven, 2 * align.size(), at_optimum);
-  for (const SC::internal::Rod_kernel& kernel : SC::internal::available_rod_kernels())
-    std::printf("rod kernel %s: %.2f rods a nanosecond\n", kernel.instructions, kernel_speed(kernel));
+  std::printf("rod kernel: %.2f rods a nanosecond\n", kernel_speed());
   print_synthetic_problems(22, 20, 5);
   print_synthetic_problems(100, int(SC::maximum_labels), 2);
 }

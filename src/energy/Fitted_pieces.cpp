@@ -68,7 +68,7 @@ std::uint32_t Fitted_pieces::fit(const Piece_image& image)
 std::size_t Fitted_pieces::source_lanes_of(std::size_t source_piece, int repeats)
 {
   const auto [known, is_new] = source_lanes_of_.try_emplace({source_piece, repeats}, source_lanes_.size());
-  if (is_new) source_lanes_.emplace_back(repeated(source_pieces_[source_piece].samples, repeats), repeats);
+  if (is_new) source_lanes_.emplace_back(repeated(source_pieces_[source_piece].samples, repeats));
   return known->second;
 }
 
@@ -83,10 +83,8 @@ std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target
   const std::vector<int>& order = match_extremities(source, target);
   const auto [known, is_new] = lanes_of_.try_emplace({target_piece, &order}, lanes_.size());
   if (!is_new) return known->second;
-  const int repeats = int(order.size()) / int(target.samples.cols());
-  const bool is_transposed = repeats > 1 && order[0] / repeats != order[1] / repeats; // equal rows, not columns
   points_.push_back(ordered_samples(target, order));
-  lanes_.emplace_back(points_.back(), repeats, is_transposed ? repeats : 1);
+  lanes_.emplace_back(points_.back());
   return lanes_.size() - 1;
 }
 

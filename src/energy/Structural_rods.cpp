@@ -90,9 +90,8 @@ Rod_energy rod_energy(const Points& first, const Points& second, const Points& m
 }
 
 Structural_rods::Structural_rods(const Points& first, const Points& second, int first_repeats, int second_repeats)
-    : Structural_rods(Sample_lanes(repeated(first, first_repeats), first_repeats), int(first.cols()) * first_repeats,
-                      Sample_lanes(repeated(second, second_repeats), second_repeats),
-                      int(second.cols()) * second_repeats)
+    : Structural_rods(Sample_lanes(repeated(first, first_repeats)), int(first.cols()) * first_repeats,
+                      Sample_lanes(repeated(second, second_repeats)), int(second.cols()) * second_repeats)
 {}
 
 Structural_rods::Structural_rods(const Sample_lanes& first, int n, const Sample_lanes& second, int m)
@@ -101,7 +100,7 @@ Structural_rods::Structural_rods(const Sample_lanes& first, int n, const Sample_
   CGAL_precondition(n <= maximum_samples && m <= maximum_samples);
   const auto blocks = std::size_t(blocks_of_rods(n, m));
   rods_ = {rod_pool().take(blocks), {blocks}};
-  const Rod_lengths lengths = rod_kernel().write(first, n, second, m, rods_.get());
+  const Rod_lengths lengths = write_rods(first, n, second, m, rods_.get());
   zero_ = lengths.zero;
   shortest_ = std::sqrt(double(lengths.shortest_squared));
   longest_ = std::sqrt(double(lengths.longest_squared));
@@ -116,16 +115,13 @@ double Structural_rods::distortion(float squared_cosines) const
 void distortions(const std::vector<const Structural_rods*>& pairs, const Sample_lanes& first,
                  const Sample_lanes& second, std::vector<double>& result)
 {
-  const Rod_kernel& kernel = rod_kernel();
   result.resize(pairs.size());
   for (std::size_t done = 0; done < pairs.size();) {
-    const std::size_t left = pairs.size() - done, count = left >= 4 ? 4 : left >= 2 ? 2 : 1;
-    const Rod_kernel::Compare compare = count == 4 ? kernel.four : count == 2 ? kernel.two : kernel.one;
-    const Rod_block* rods[4] = {};
-    for (std::size_t i = 0; i < count; ++i)
-      rods[i] = pairs[done + i]->rods_.get();
-    const Rod_comparison moved = compare(rods, first, pairs[0]->first_count_, second, pairs[0]->second_count_);
-    for (std::size_t i = 0; i < count; ++i, ++done)
+    const bool are_two = done + 1 < pairs.size();
+    const Rod_block* const rods[2] = {pairs[done]->rods_.get(), are_two ? pairs[done + 1]->rods_.get() : nullptr};
+    const Rod_comparison moved = (are_two ? compare_rods_of_two : compare_rods_of_one)(
+        rods, first, pairs[0]->first_count_, second, pairs[0]->second_count_);
+    for (std::size_t i = 0; i < (are_two ? 2 : 1); ++i, ++done)
       result[done] = pairs[done]->distortion(moved.squared_cosines[i]);
   }
 }
@@ -138,7 +134,7 @@ double Structural_rods::connectedness(double distance) const
 Rod_energy Structural_rods::energy(const Sample_lanes& first, const Sample_lanes& second) const
 {
   const Rod_block* const before = rods_.get();
-  const Rod_comparison moved = rod_kernel().one_and_length(&before, first, first_count_, second, second_count_);
+  const Rod_comparison moved = compare_rods_and_length(&before, first, first_count_, second, second_count_);
   return {distortion(moved.squared_cosines[0]), connectedness(std::sqrt(double(moved.least_squared_length)))};
 }
 
@@ -150,7 +146,7 @@ Rod_energy Structural_rods::energy(const Points& first, const Points& second) co
 
 double least_distance(const Sample_lanes& first, int n, const Sample_lanes& second, int m)
 {
-  return std::sqrt(double(rod_kernel().least_length(nullptr, first, n, second, m).least_squared_length));
+  return std::sqrt(double(least_length_of_rods(nullptr, first, n, second, m).least_squared_length));
 }
 
 } // namespace CGAL::Shape_correspondence

@@ -6,208 +6,93 @@
 
 #include "energy/rod_kernel.h"
 
-#include "base/vector_functions.h"
+#include "base/target_clones.h"
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 
 namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-template <int Width>
-using Lane_vector = typename Vector_of<float, Width>::type;
-
-// x becomes max(x, y), or min(x, y), where not both are negative: compared as integers, which compilers know a maximum
-// of. Vectors are passed by reference, since their calling convention depends on the instructions.
-template <int Width, bool Greater, typename Lanes>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void keep(Lanes& x, const Lanes& y)
-{
-  if constexpr (Width == 1) {
-    x = (Greater ? y > x : y < x) ? y : x;
-  } else {
-    using Bits = typename Vector_of<std::int32_t, Width>::type;
-    const Bits a = reinterpret_cast<Bits>(x), b = reinterpret_cast<Bits>(y);
-    x = reinterpret_cast<Lanes>((Greater ? b > a : b < a) ? b : a);
-  }
-}
-
-// A vector of lanes in memory.
-template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE const Lane_vector<Width>& lanes_at(const float* lanes, int index)
-{
-  return *reinterpret_cast<const Lane_vector<Width>*>(lanes + std::ptrdiff_t(index) * Width);
-}
-
-// The rods from a point to a vector of samples, and their squared lengths.
-template <int Width, typename Lanes>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_rods(const float (&from)[3], const Sample_lanes& to, int index,
-                                                       Lanes (&rod)[3], Lanes& squared_length)
-{
-  for (int axis = 0; axis < 3; ++axis)
-    rod[axis] = lanes_at<Width>(to.coordinates[axis], index) - from[axis];
-  squared_length = rod[0] * rod[0] + rod[1] * rod[1] + rod[2] * rod[2];
-}
-
-// The squared lengths of rods along their directions before; 0 beyond a right angle (Eq. 2).
-template <int Width, typename Lanes>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void find_squared_along(const Rod_block& before, int in_block,
-                                                                const Lanes (&rod)[3], Lanes& squared)
-{
-  Lanes along = lanes_at<Width>(before.direction[0], in_block) * rod[0] +
-                lanes_at<Width>(before.direction[1], in_block) * rod[1] +
-                lanes_at<Width>(before.direction[2], in_block) * rod[2];
-  keep<Width, true>(along, Lanes{});
-  squared = along * along;
-}
-
-// A comparison up to a block of lanes.
-template <int Width, int Sources>
+// Sums over rows of rods, by place in a block.
+template <int Sources>
 struct Comparison_lanes
 {
-  using Lanes = Lane_vector<Width>;
-  static constexpr int in_block = block_lanes / Width;
+  float cosines[std::max(Sources, 1)][block_lanes] = {}, least[block_lanes];
 
-  Lanes cosines[std::max(Sources, 1)][in_block] = {}, least[in_block];
-
-  Comparison_lanes()
-  {
-    for (Lanes& lanes : least)
-      lanes = Lanes{} + far_away * far_away;
-  }
+  Comparison_lanes() { std::fill(std::begin(least), std::end(least), far_away * far_away); }
 };
 
-// Compares rows of `Blocks` blocks: row i has the rods from sample i of `from`, between `begin` and `end`, to the first
+// Compares rows of `blocks` blocks: row i has the rods from sample i of `from`, between `begin` and `end`, to the first
 // samples of `to`; those before are `at_block` blocks behind `before`. Two rows at a time share a division, the slowest
-// of the operations.
-template <int Width, int Blocks, int Sources, bool Least>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void
-compare_rows(const Rod_block* const* before, int at_block, const Sample_lanes& from, int begin, int end,
-             const Sample_lanes& to, Comparison_lanes<Width, Sources>& totals)
+// of the operations. A rod that turned beyond a right angle counts 0 (Eq. 2).
+template <int Sources, bool Least>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rows(const Rod_block* const* before, int at_block, int blocks,
+                                                          const Sample_lanes& from, int begin, int end,
+                                                          const Sample_lanes& to, Comparison_lanes<Sources>& totals)
 {
-  using Lanes = Lane_vector<Width>;
-  constexpr int in_block = block_lanes / Width;
-  const Lanes least_length = Lanes{} + zero_rod;
   const auto& at = from.coordinates;
   for (int i = begin; i < end; i += 2) {
-    const bool is_pair = i + 1 < end;
-    const int next = is_pair ? i + 1 : i;
-    const float start[3] = {at[0][i], at[1][i], at[2][i]}, next_start[3] = {at[0][next], at[1][next], at[2][next]};
-    const int row = at_block + (i - begin) * Blocks, next_row = at_block + (next - begin) * Blocks;
-#pragma GCC unroll 12
-    for (int l = 0; l < Blocks * in_block; ++l) {
-      const int block = l / in_block, k = l % in_block;
-      Lanes rod[3], next_rod[3], length, next_length;
-      find_rods<Width>(start, to, l, rod, length);
-      find_rods<Width>(next_start, to, l, next_rod, next_length);
-      if constexpr (Least) {
-        keep<Width, false>(totals.least[k], length);
-        keep<Width, false>(totals.least[k], next_length);
-      }
-      if constexpr (Sources > 0) {
-        keep<Width, true>(length, least_length);
-        keep<Width, true>(next_length, least_length);
-        const Lanes both = 1.0f / (length * next_length), inverse = both * next_length,
-                    next_inverse = is_pair ? both * length : Lanes{};
-#pragma GCC unroll 4
-        for (int s = 0; s < Sources; ++s) {
-          Lanes squared, next_squared;
-          find_squared_along<Width>(before[s][row + block], k, rod, squared);
-          find_squared_along<Width>(before[s][next_row + block], k, next_rod, next_squared);
-          totals.cosines[s][k] += squared * inverse + next_squared * next_inverse;
+    const int next = std::min(i + 1, end - 1);
+    const float x = at[0][i], y = at[1][i], z = at[2][i];
+    const float next_x = at[0][next], next_y = at[1][next], next_z = at[2][next], is_pair = next > i ? 1 : 0;
+    for (int block = 0; block < blocks; ++block) {
+      const float *to_x = to.coordinates[0] + block * block_lanes, *to_y = to.coordinates[1] + block * block_lanes,
+                  *to_z = to.coordinates[2] + block * block_lanes;
+      const int row = at_block + (i - begin) * blocks + block, next_row = row + (next - i) * blocks;
+      for (int k = 0; k < block_lanes; ++k) {
+        const float a = to_x[k] - x, b = to_y[k] - y, c = to_z[k] - z;
+        const float next_a = to_x[k] - next_x, next_b = to_y[k] - next_y, next_c = to_z[k] - next_z;
+        float length = a * a + b * b + c * c, next_length = next_a * next_a + next_b * next_b + next_c * next_c;
+        if constexpr (Least) {
+          totals.least[k] = length < totals.least[k] ? length : totals.least[k];
+          totals.least[k] = next_length < totals.least[k] ? next_length : totals.least[k];
         }
-      }
-    }
-  }
-}
-
-// The same for all n samples of `from`, of which several are equal: their rods after the deformation are found once.
-template <int Width, int Blocks, int Sources, bool Least>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_equal_rows(const Rod_block* const* before,
-                                                                const Sample_lanes& from, int n, const Sample_lanes& to,
-                                                                Comparison_lanes<Width, Sources>& totals)
-{
-  using Lanes = Lane_vector<Width>;
-  constexpr int in_block = block_lanes / Width;
-  const Lanes least_length = Lanes{} + zero_rod;
-  const auto& at = from.coordinates;
-  const int repeats = from.repeats, stride = from.stride;
-  for (int group = 0; group < n / repeats; ++group) {
-    const int first = stride == 1 ? group * repeats : group;
-    const float start[3] = {at[0][first], at[1][first], at[2][first]};
-    for (int l = 0; l < Blocks * in_block; ++l) {
-      const int block = l / in_block, k = l % in_block;
-      Lanes rod[3], length;
-      find_rods<Width>(start, to, l, rod, length);
-      if constexpr (Least) keep<Width, false>(totals.least[k], length);
-      if constexpr (Sources > 0) {
-        keep<Width, true>(length, least_length);
-        const Lanes inverse = 1.0f / length;
-#pragma GCC unroll 4
-        for (int s = 0; s < Sources; ++s) {
-          const Rod_block* rods = before[s] + std::ptrdiff_t(first) * Blocks + block;
-          Lanes sum = {};
-          for (int i = 0; i < repeats; ++i, rods += std::ptrdiff_t(stride) * Blocks) {
-            Lanes squared;
-            find_squared_along<Width>(*rods, k, rod, squared);
-            sum += squared;
+        if constexpr (Sources > 0) {
+          length = length > zero_rod ? length : zero_rod;
+          next_length = next_length > zero_rod ? next_length : zero_rod;
+          const float inverse_of_both = 1 / (length * next_length), inverse = inverse_of_both * next_length,
+                      next_inverse = is_pair * (inverse_of_both * length);
+#pragma GCC unroll 2
+          for (int s = 0; s < Sources; ++s) {
+            const auto &rod = before[s][row].direction, &next_rod = before[s][next_row].direction;
+            float along = rod[0][k] * a + rod[1][k] * b + rod[2][k] * c;
+            float next_along = next_rod[0][k] * next_a + next_rod[1][k] * next_b + next_rod[2][k] * next_c;
+            along = along > 0 ? along : 0;
+            next_along = next_along > 0 ? next_along : 0;
+            totals.cosines[s][k] += along * along * inverse + next_along * next_along * next_inverse;
           }
-          totals.cosines[s][k] += sum * inverse;
         }
       }
     }
   }
 }
 
-// Halves are added up, in the same order for every width.
-template <int Width>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE float sum_of_block(const float* lanes)
+// Halves are added up, in the same order for every set of instructions.
+float sum_of_block(const float (&lanes)[block_lanes])
 {
-  static_assert(block_lanes == 16, "halved four times");
-  constexpr int eight = Width == 1 ? 1 : 8, four = Width == 1 ? 1 : 4;
-  alignas(64) float halves[8], quarters[4];
-  for (int i = 0; i < 8 / eight; ++i) {
-    const auto sum = lanes_at<eight>(lanes, i) + lanes_at<eight>(lanes + 8, i);
-    std::memcpy(halves + std::ptrdiff_t(i) * eight, &sum, sizeof sum);
-  }
-  for (int i = 0; i < 4 / four; ++i) {
-    const auto sum = lanes_at<four>(halves, i) + lanes_at<four>(halves + 4, i);
-    std::memcpy(quarters + std::ptrdiff_t(i) * four, &sum, sizeof sum);
-  }
-  return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
+  float sums[block_lanes];
+  std::copy_n(lanes, block_lanes, sums);
+  for (int half = block_lanes / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k)
+      sums[k] += sums[k + half];
+  return sums[0];
 }
 
-template <int Width, int Sources, bool Least>
+template <int Sources, bool Least>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_comparison compare(const Rod_block* const* before,
                                                                const Sample_lanes& first, int n,
                                                                const Sample_lanes& second, int m)
 {
-  static_assert(maximum_blocks == 3, "a case for every number of blocks");
-  const int in_blocks = samples_in_blocks(m), blocks = blocks_of(in_blocks), back_blocks = blocks_of(n);
-  const int back = n * blocks;
-  Comparison_lanes<Width, Sources> totals;
-  if (blocks == 1) compare_rows<Width, 1, Sources, Least>(before, 0, first, 0, n, second, totals);
-  if (blocks == 2 && first.repeats > 1)
-    compare_equal_rows<Width, 2, Sources, Least>(before, first, n, second, totals);
-  else if (blocks == 2)
-    compare_rows<Width, 2, Sources, Least>(before, 0, first, 0, n, second, totals);
-  if (in_blocks < m) {
-    if (back_blocks == 1) compare_rows<Width, 1, Sources, Least>(before, back, second, in_blocks, m, first, totals);
-    if (back_blocks == 2) compare_rows<Width, 2, Sources, Least>(before, back, second, in_blocks, m, first, totals);
-    if (back_blocks == 3) compare_rows<Width, 3, Sources, Least>(before, back, second, in_blocks, m, first, totals);
-  }
+  const int in_blocks = samples_in_blocks(m), blocks = blocks_of(in_blocks);
+  Comparison_lanes<Sources> totals;
+  if (in_blocks > 0) compare_rows<Sources, Least>(before, 0, blocks, first, 0, n, second, totals);
+  if (in_blocks < m)
+    compare_rows<Sources, Least>(before, n * blocks, blocks_of(n), second, in_blocks, m, first, totals);
   Rod_comparison result;
-  alignas(64) float lanes[block_lanes];
-  if constexpr (Sources > 0)
-    for (int s = 0; s < Sources; ++s) {
-      std::memcpy(lanes, totals.cosines[s], sizeof lanes);
-      result.squared_cosines[s] = sum_of_block<Width>(lanes);
-    }
-  if (Least) {
-    std::memcpy(lanes, totals.least, sizeof lanes);
-    result.least_squared_length = *std::min_element(lanes, lanes + block_lanes);
-  }
+  for (int s = 0; s < Sources; ++s)
+    result.squared_cosines[s] = sum_of_block(totals.cosines[s]);
+  if (Least) result.least_squared_length = *std::min_element(std::begin(totals.least), std::end(totals.least));
   return result;
 }
 
@@ -219,10 +104,9 @@ struct Length_lanes
   Length_lanes() { std::fill(std::begin(shortest_squared), std::end(shortest_squared), far_away * far_away); }
 };
 
-// The row of rods from a point to the first `count` samples of `to`, which stands for `repeats` equal ones. Compilers
-// use vector instructions here.
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], int repeats, const Sample_lanes& to,
-                                                       int count, Rod_block* rods, Length_lanes& totals)
+// The row of rods from a point to the first `count` samples of `to`.
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], const Sample_lanes& to, int count,
+                                                       Rod_block* rods, Length_lanes& totals)
 {
   for (int block = 0; block < blocks_of(count); ++block) {
     Rod_block row;
@@ -230,12 +114,12 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], i
       const int i = block * block_lanes + k;
       const float x = to.coordinates[0][i] - from[0], y = to.coordinates[1][i] - from[1],
                   z = to.coordinates[2][i] - from[2];
-      const float squared = x * x + y * y + z * z, inverse = 1.0f / std::sqrt(squared);
+      const float squared = x * x + y * y + z * z, inverse = 1 / std::sqrt(squared);
       const float scale = squared < zero_rod || i >= count ? 0 : inverse, of_rod = i < count ? squared : 0;
       row.direction[0][k] = x * scale;
       row.direction[1][k] = y * scale;
       row.direction[2][k] = z * scale;
-      totals.zero[k] += squared < zero_rod && i < count ? repeats : 0;
+      totals.zero[k] += squared < zero_rod && i < count ? 1 : 0;
       totals.shortest_squared[k] = squared < totals.shortest_squared[k] ? squared : totals.shortest_squared[k];
       totals.longest_squared[k] = of_rod > totals.longest_squared[k] ? of_rod : totals.longest_squared[k];
     }
@@ -243,26 +127,21 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], i
   }
 }
 
-// The rows from the samples `begin` to `end`.
+// The rows from the samples `begin` to `end`. \return the place behind them
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_block* write_rows(const Sample_lanes& from, int begin, int end,
                                                               const Sample_lanes& to, int count, Rod_block* rods,
                                                               Length_lanes& totals)
 {
   const auto& at = from.coordinates;
-  const int blocks = blocks_of(count);
-  for (int i = begin; i < end;) {
-    const int equal = std::min(end, (i / from.repeats + 1) * from.repeats) - i;
-    write_row({at[0][i], at[1][i], at[2][i]}, equal, to, count, rods, totals);
-    for (int copy = 1; copy < equal; ++copy)
-      std::copy_n(rods, blocks, rods + std::ptrdiff_t(copy) * blocks);
-    rods += std::ptrdiff_t(equal) * blocks;
-    i += equal;
-  }
+  for (int i = begin; i < end; ++i, rods += blocks_of(count))
+    write_row({at[0][i], at[1][i], at[2][i]}, to, count, rods, totals);
   return rods;
 }
 
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_lengths write(const Sample_lanes& first, int n, const Sample_lanes& second,
-                                                          int m, Rod_block* rods)
+} // namespace
+
+CGAL_SHAPE_CORRESPONDENCE_CLONED
+Rod_lengths write_rods(const Sample_lanes& first, int n, const Sample_lanes& second, int m, Rod_block* rods)
 {
   Length_lanes totals;
   const int in_blocks = samples_in_blocks(m);
@@ -277,41 +156,17 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_lengths write(const Sample_lanes& fi
   return result;
 }
 
-#define CGAL_SHAPE_CORRESPONDENCE_COMPARE(name, instructions, bytes, sources, least)                                   \
-  CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
+#define CGAL_SHAPE_CORRESPONDENCE_COMPARE(name, sources, least)                                                        \
+  CGAL_SHAPE_CORRESPONDENCE_CLONED                                                                                     \
   Rod_comparison name(const Rod_block* const* before, const Sample_lanes& first, int n, const Sample_lanes& second,    \
                       int m)                                                                                           \
   {                                                                                                                    \
-    return compare<vector_width<float>(bytes), sources, least>(before, first, n, second, m);                           \
+    return compare<sources, least>(before, first, n, second, m);                                                       \
   }
-#define CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL(name, instructions, bytes)                                                \
-  CGAL_SHAPE_CORRESPONDENCE_TARGET(instructions)                                                                       \
-  Rod_lengths write_##name(const Sample_lanes& first, int n, const Sample_lanes& second, int m, Rod_block* rods)       \
-  {                                                                                                                    \
-    return write(first, n, second, m, rods);                                                                           \
-  }                                                                                                                    \
-  CGAL_SHAPE_CORRESPONDENCE_COMPARE(least_length_##name, instructions, bytes, 0, true)                                 \
-  CGAL_SHAPE_CORRESPONDENCE_COMPARE(one_and_length_##name, instructions, bytes, 1, true)                               \
-  CGAL_SHAPE_CORRESPONDENCE_COMPARE(one_##name, instructions, bytes, 1, false)                                         \
-  CGAL_SHAPE_CORRESPONDENCE_COMPARE(two_##name, instructions, bytes, 2, false)                                         \
-  CGAL_SHAPE_CORRESPONDENCE_COMPARE(four_##name, instructions, bytes, 4, false)                                        \
-  constexpr Rod_kernel rod_kernel_##name{#name,      write_##name, least_length_##name, one_and_length_##name,         \
-                                         one_##name, two_##name,   four_##name};
-CGAL_SHAPE_CORRESPONDENCE_FOR_INSTRUCTIONS(CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL)
-#undef CGAL_SHAPE_CORRESPONDENCE_ROD_KERNEL
+CGAL_SHAPE_CORRESPONDENCE_COMPARE(least_length_of_rods, 0, true)
+CGAL_SHAPE_CORRESPONDENCE_COMPARE(compare_rods_and_length, 1, true)
+CGAL_SHAPE_CORRESPONDENCE_COMPARE(compare_rods_of_one, 1, false)
+CGAL_SHAPE_CORRESPONDENCE_COMPARE(compare_rods_of_two, 2, false)
 #undef CGAL_SHAPE_CORRESPONDENCE_COMPARE
-
-} // namespace
-
-std::vector<Rod_kernel> available_rod_kernels()
-{
-  return runnable<Rod_kernel>(CGAL_SHAPE_CORRESPONDENCE_VERSIONS(rod_kernel_));
-}
-
-const Rod_kernel& rod_kernel()
-{
-  static const Rod_kernel fastest = available_rod_kernels().back();
-  return fastest;
-}
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -6,12 +6,10 @@
 #include "structure/Sampled_part.h"
 
 #include <algorithm>
-#include <vector>
 
 // Eq. 2 (`rod_rotation()`) for all rods of a pair of parts at once: almost all of the search's time goes here. Numbers
-// are in single precision, whose error of 1e-7 is far below what any comparison of energies sees, and in lanes, so that
-// the widest vector instructions give the same bits as the narrowest. By hand, since a library is compiled for one set
-// of instructions; `benchmark_search` compares the sets.
+// are in single precision, whose error of 1e-7 is far below what any comparison of energies sees, and in blocks of as
+// many lanes as the widest vector has, so that all sets of instructions give the same bits.
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -31,10 +29,8 @@ constexpr float zero_rod = 1e-9f;
 struct alignas(64) Sample_lanes
 {
   float coordinates[3][lane_count];
-  int repeats; // every point occurs this often, as the samples of a curve that counts as a sheet do,
-  int stride;  // this far apart
 
-  explicit Sample_lanes(const Points& points, int repeats = 1, int stride = 1) : repeats(repeats), stride(stride)
+  explicit Sample_lanes(const Points& points)
   {
     for (int axis = 0; axis < 3; ++axis) {
       for (int i = 0; i < int(points.cols()); ++i)
@@ -65,30 +61,19 @@ struct Rod_lengths
   float shortest_squared, longest_squared;
 };
 
-// Rods after a deformation, compared with those of up to four pairs of parts before it.
+// Writes the directions of the rods between n samples of one part and m of another.
+Rod_lengths write_rods(const Sample_lanes& first, int n, const Sample_lanes& second, int m, Rod_block* rods);
+
+// Rods after a deformation, compared with those of up to two pairs of parts before it.
 struct Rod_comparison
 {
-  float squared_cosines[4] = {};  // sums over the rods that had a direction
+  float squared_cosines[2] = {};  // sums over the rods that had a direction
   float least_squared_length = 0; // after the deformation, where it is asked for
 };
 
-// The functions for one set of vector instructions, for n samples of one part and m of another.
-struct Rod_kernel
-{
-  using Write = Rod_lengths (*)(const Sample_lanes& first, int n, const Sample_lanes& second, int m, Rod_block* rods);
-  using Compare = Rod_comparison (*)(const Rod_block* const* before, const Sample_lanes& first, int n,
-                                     const Sample_lanes& second, int m);
-
-  const char* instructions;
-  Write write;                          // directions of the rods; samples are in their own order (stride 1)
-  Compare least_length, one_and_length; // no pair before, or one, and the least length
-  Compare one, two, four;               // pairs before, at once
-};
-
-// The kernels that this machine can run, the fastest one last.
-std::vector<Rod_kernel> available_rod_kernels();
-
-// The fastest one.
-const Rod_kernel& rod_kernel();
+// Without any pair before, the least length alone; with one, both; with one or two, the cosines alone.
+using Compare_rods = Rod_comparison(const Rod_block* const* before, const Sample_lanes& first, int n,
+                                    const Sample_lanes& second, int m);
+Compare_rods least_length_of_rods, compare_rods_and_length, compare_rods_of_one, compare_rods_of_two;
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -196,14 +196,13 @@ Surface_distances::Surface_distances(const Shape_features& a, const Shape_featur
     : a_from_b(a, b), b_from_a(b, a)
 {
   Eigen::ArrayXd p_from_q, q_from_p;
-  const Nearest_squared_kernel& kernel = nearest_squared_kernel();
   for (std::size_t i = 0; i < a.lanes.size(); ++i) {
     deadline.check();
     for (std::size_t j = 0; j < b.lanes.size(); ++j) {
       const Point_lanes &p = a.lanes[i], &q = b.lanes[j];
       make_room(p_from_q, p.padded());
       make_room(q_from_p, q.padded());
-      kernel.run(p, q, p_from_q.data(), q_from_p.data());
+      find_nearest_squared(p, q, p_from_q.data(), q_from_p.data());
       a_from_b.set_squared(i, j, p_from_q);
       b_from_a.set_squared(j, i, q_from_p);
     }

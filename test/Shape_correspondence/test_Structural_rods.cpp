@@ -84,53 +84,89 @@ TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
   }
 }
 
-TEST_CASE("Every rod kernel of the machine gives the bits of the plain one")
+namespace {
+
+// Sums of squared cosines of rods by place in a block, and their sum; rods in plain scalars, two rows at a time.
+float plain_squared_cosines(const internal::Rod_block* before, const internal::Sample_lanes& first, int n,
+                            const internal::Sample_lanes& second, int m)
 {
-  const auto kernels = internal::available_rod_kernels();
-  CHECK(kernels.front().instructions == std::string("plain"));
-#if defined(__x86_64__) && defined(__GNUC__)
-  REQUIRE(kernels.size() > 1);
-  if (kernels.back().instructions != std::string("avx512"))
-    WARN("this machine has no AVX-512: that kernel is not tested, the widest one is " << kernels.back().instructions);
-#endif
+  using namespace internal;
+  float sums[block_lanes] = {};
+  const auto add_rows = [&](const Sample_lanes& from, int begin, int end, const Sample_lanes& to, int blocks) {
+    for (int i = begin; i < end; i += 2, before += 2 * blocks)
+      for (int at = 0; at < blocks * block_lanes; ++at) {
+        float length[2], along[2] = {};
+        for (int row = 0; row < 2; ++row) {
+          const int sample = std::min(i + row, end - 1), of_row = sample - i;
+          float rod[3], squared = 0;
+          for (int axis = 0; axis < 3; ++axis) {
+            rod[axis] = to.coordinates[axis][at] - from.coordinates[axis][sample];
+            squared += rod[axis] * rod[axis];
+            along[row] += before[of_row * blocks + at / block_lanes].direction[axis][at % block_lanes] * rod[axis];
+          }
+          length[row] = std::max(squared, zero_rod);
+          along[row] = std::max(along[row], 0.f);
+        }
+        const float inverse = 1 / (length[0] * length[1]);
+        const float next = i + 1 < end ? along[1] * along[1] * (inverse * length[0]) : 0;
+        sums[at % block_lanes] += along[0] * along[0] * (inverse * length[1]) + next;
+      }
+    before -= (end - begin) % 2 * blocks;
+  };
+  const int in_blocks = samples_in_blocks(m);
+  add_rows(first, 0, n, second, blocks_of(in_blocks));
+  add_rows(second, in_blocks, m, first, blocks_of(n));
+  for (int half = block_lanes / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k)
+      sums[k] += sums[k + half];
+  return sums[0];
+}
+
+} // namespace
+
+TEST_CASE("The machine's vector instructions compare rods with the bits of plain numbers")
+{
+  using namespace internal;
   std::srand(3);
-  for (const auto& [n, repeats] : {std::pair(1, 1), {5, 1}, {6, 1}, {17, 1}, {36, 1}, {36, 6}})
+  for (const int n : {1, 5, 6, 17, 36})
     for (const int m : {1, 6, 16, 33, 36}) {
-      const Points a = Points::Random(3, n / repeats), b = Points::Random(3, m);
-      std::vector<internal::Rod_block> before(4 * std::size_t((n + m) * internal::maximum_blocks));
-      for (internal::Rod_block& block : before)
-        for (int j = 0; j < internal::block_lanes; ++j) {
+      CAPTURE(n, m);
+      const Points a = Points::Random(3, n), b = Points::Random(3, m);
+      const auto blocks = std::size_t(blocks_of_rods(n, m));
+      std::vector<Rod_block> before(2 * blocks);
+      for (Rod_block& block : before)
+        for (int j = 0; j < block_lanes; ++j) {
           const Point r = Point::Random().normalized();
           for (int axis = 0; axis < 3; ++axis)
             block.direction[axis][j] = float(r[axis]);
         }
-      const internal::Rod_block* rods[4];
-      for (int s = 0; s < 4; ++s)
-        rods[s] = before.data() + s * (n + m) * internal::maximum_blocks;
-      const internal::Sample_lanes first(repeated(a, repeats), repeats), second(b);
-      const auto expected = kernels[0].four(rods, first, n, second, m);
-      const float least = kernels[0].least_length(nullptr, first, n, second, m).least_squared_length;
-      for (const internal::Rod_kernel& kernel : kernels) {
-        CAPTURE(kernel.instructions, n, m, repeats);
-        CHECK(kernel.least_length(nullptr, first, n, second, m).least_squared_length == least);
-        const auto four = kernel.four(rods, first, n, second, m);
-        for (int s = 0; s < 4; ++s) {
-          CHECK(four.squared_cosines[s] == expected.squared_cosines[s]);
-          const auto one = kernel.one_and_length(rods + s, first, n, second, m);
-          CHECK(one.squared_cosines[0] == expected.squared_cosines[s]);
-          CHECK(one.least_squared_length == least);
-          CHECK(kernel.one(rods + s, first, n, second, m).squared_cosines[0] == expected.squared_cosines[s]);
-        }
-        const auto two = kernel.two(rods + 1, first, n, second, m);
-        CHECK(two.squared_cosines[0] == expected.squared_cosines[1]);
-        CHECK(two.squared_cosines[1] == expected.squared_cosines[2]);
+      const Sample_lanes first(a), second(b);
+      const Rod_block* const rods[2] = {before.data(), before.data() + blocks};
+      const Rod_comparison two = compare_rods_of_two(rods, first, n, second, m);
+      for (int s = 0; s < 2; ++s) {
+        const float expected = plain_squared_cosines(rods[s], first, n, second, m);
+        CHECK(two.squared_cosines[s] == expected);
+        CHECK(compare_rods_of_one(rods + s, first, n, second, m).squared_cosines[0] == expected);
+        CHECK(compare_rods_and_length(rods + s, first, n, second, m).squared_cosines[0] == expected);
       }
+      float least = far_away;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < m; ++j) {
+          float squared = 0;
+          for (int axis = 0; axis < 3; ++axis) {
+            const float along = second.coordinates[axis][j] - first.coordinates[axis][i];
+            squared += along * along;
+          }
+          least = std::min(least, squared);
+        }
+      CHECK(compare_rods_and_length(rods, first, n, second, m).least_squared_length == least);
+      CHECK(least_length_of_rods(nullptr, first, n, second, m).least_squared_length == least);
     }
 }
 
 namespace {
 
-// Seven pairs are compared four, two and one at once.
+// Seven pairs are compared two at once, and one alone.
 std::vector<Structural_rods> seven_pairs(int first_count, int second_count)
 {
   std::vector<Structural_rods> rods;
@@ -167,88 +203,53 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
       b.col(m - 1) = a.col(n - 1); // rods of length zero
       const Points c = Points::Random(3, 36), d = Points::Random(3, 36);
       const Rod_energy expected = Structural_rods(repeated(a, first), repeated(b, second)).energy(c, d);
-      for (const Rod_energy& energy : {Structural_rods(a, b, first, second).energy(c, d),
-                                       Structural_rods(internal::Sample_lanes(repeated(a, first), first), 36,
-                                                       internal::Sample_lanes(repeated(b, second), second), 36)
-                                           .energy(c, d)}) {
-        CHECK(energy.distortion == expected.distortion);
-        CHECK(energy.connectedness == expected.connectedness);
-      }
+      const Rod_energy energy = Structural_rods(a, b, first, second).energy(c, d);
+      CHECK(energy.distortion == expected.distortion);
+      CHECK(energy.connectedness == expected.connectedness);
     }
 }
 
-TEST_CASE("A sheet that becomes a curve has the rods of a sheet of equal columns or rows")
-{
-  std::srand(19);
-  const Points curve = Points::Random(3, 6), d = Points::Random(3, 36);
-  const std::vector<Structural_rods> rods = seven_pairs(36, 36);
-  std::vector<const Structural_rods*> pairs;
-  for (const Structural_rods& pair : rods)
-    pairs.push_back(&pair);
-  for (const bool columns : {true, false})
-    for (const bool backwards : {true, false}) {
-      Points samples(3, 36);
-      for (int i = 0; i < 36; ++i) {
-        const int along = columns ? i / 6 : i % 6;
-        samples.col(i) = curve.col(backwards ? 5 - along : along);
-      }
-      const internal::Sample_lanes equal(samples, 6, columns ? 1 : 6);
-      std::vector<double> result;
-      distortions(pairs, equal, internal::Sample_lanes(d), result);
-      for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const Rod_energy expected = rods[i].energy(internal::Sample_lanes(samples), internal::Sample_lanes(d));
-        CHECK(result[i] == Approx(expected.distortion).margin(1e-6));
-        const Rod_energy one = rods[i].energy(equal, internal::Sample_lanes(d));
-        CHECK(one.distortion == result[i]);
-        CHECK(one.connectedness == expected.connectedness);
-      }
-    }
-}
-
-TEST_CASE("All vector instructions write the same directions of rods")
+TEST_CASE("The directions of rods are those of plain numbers")
 {
   std::srand(17);
   for (const int n : {6, 36})
-    for (const int m : {1, 6, 16, 32, 36})
-      for (const int repeats : {1, 6}) {
-        const Points a = repeated(Points::Random(3, n / repeats), repeats);
-        Points b = Points::Random(3, m);
-        b.col(m - 1) = a.col(0); // rods of length zero
-        const internal::Sample_lanes from(a, repeats), to(b);
-        const int in_blocks = internal::samples_in_blocks(m);
-        const int row = internal::blocks_of(in_blocks), back_row = internal::blocks_of(n);
-        float longest_squared = 0;
-        std::vector<internal::Rod_block> expected(std::size_t(internal::blocks_of_rods(n, m)));
-        for (internal::Rod_block& block : expected)
-          for (auto& axis : block.direction)
-            std::fill(std::begin(axis), std::end(axis), 0.f);
-        for (int i = 0; i < n; ++i)
-          for (int j = 0; j < m; ++j) {
-            float rod[3], squared = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-              rod[axis] = to.coordinates[axis][j] - from.coordinates[axis][i];
-              squared += rod[axis] * rod[axis];
-            }
-            longest_squared = std::max(longest_squared, squared);
-            const bool is_back = j >= in_blocks;
-            const int lane = is_back ? i : j;
-            internal::Rod_block& block =
-                expected[std::size_t((is_back ? n * row + (j - in_blocks) * back_row : i * row) + lane / 16)];
-            for (int axis = 0; axis < 3 && squared > 0; ++axis)
-              block.direction[axis][lane % 16] = (is_back ? -rod[axis] : rod[axis]) * (1 / std::sqrt(squared));
+    for (const int m : {1, 6, 16, 32, 36}) {
+      const Points a = Points::Random(3, n);
+      Points b = Points::Random(3, m);
+      b.col(m - 1) = a.col(0); // rods of length zero
+      const internal::Sample_lanes from(a), to(b);
+      const int in_blocks = internal::samples_in_blocks(m);
+      const int row = internal::blocks_of(in_blocks), back_row = internal::blocks_of(n);
+      float longest_squared = 0;
+      std::vector<internal::Rod_block> expected(std::size_t(internal::blocks_of_rods(n, m)));
+      for (internal::Rod_block& block : expected)
+        for (auto& axis : block.direction)
+          std::fill(std::begin(axis), std::end(axis), 0.f);
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < m; ++j) {
+          float rod[3], squared = 0;
+          for (int axis = 0; axis < 3; ++axis) {
+            rod[axis] = to.coordinates[axis][j] - from.coordinates[axis][i];
+            squared += rod[axis] * rod[axis];
           }
-        for (const internal::Rod_kernel& kernel : internal::available_rod_kernels()) {
-          std::vector<internal::Rod_block> rods(expected.size());
-          const internal::Rod_lengths lengths = kernel.write(from, n, to, m, rods.data());
-          CHECK(lengths.zero == repeats);
-          CHECK(lengths.longest_squared == longest_squared);
-          CHECK(lengths.shortest_squared == 0);
-          for (std::size_t block = 0; block < rods.size(); ++block)
-            for (int axis = 0; axis < 3; ++axis)
-              CHECK(std::equal(std::begin(rods[block].direction[axis]), std::end(rods[block].direction[axis]),
-                               expected[block].direction[axis]));
+          longest_squared = std::max(longest_squared, squared);
+          const bool is_back = j >= in_blocks;
+          const int lane = is_back ? i : j;
+          internal::Rod_block& block =
+              expected[std::size_t((is_back ? n * row + (j - in_blocks) * back_row : i * row) + lane / 16)];
+          for (int axis = 0; axis < 3 && squared > 0; ++axis)
+            block.direction[axis][lane % 16] = (is_back ? -rod[axis] : rod[axis]) * (1 / std::sqrt(squared));
         }
-      }
+      std::vector<internal::Rod_block> rods(expected.size());
+      const internal::Rod_lengths lengths = internal::write_rods(from, n, to, m, rods.data());
+      CHECK(lengths.zero == 1);
+      CHECK(lengths.longest_squared == longest_squared);
+      CHECK(lengths.shortest_squared == 0);
+      for (std::size_t block = 0; block < rods.size(); ++block)
+        for (int axis = 0; axis < 3; ++axis)
+          CHECK(std::equal(std::begin(rods[block].direction[axis]), std::end(rods[block].direction[axis]),
+                           expected[block].direction[axis]));
+    }
 }
 
 TEST_CASE("Rods of every layout agree with Eq. 2 and 3 in double precision")

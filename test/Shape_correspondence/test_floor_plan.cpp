@@ -179,7 +179,7 @@ TEST_CASE("What only some compilers and systems have stands where it is met for 
 {
   const std::regex compiler("__attribute__|__builtin_|\\b__int128|\\bssize_t"),
       system("#include <(unistd|windows|fcntl|io|dlfcn|spawn|poll|sys/.*)\\.h>|_WIN32|__linux__|__APPLE__");
-  const std::set<std::string> of_compilers{"base/vector_functions.h"},
+  const std::set<std::string> of_compilers{"base/target_clones.h"},
       of_systems{"io/system/posix.cpp",    "io/system/windows.cpp",     "io/system/posix_systems.h",
                  "io/system/Descriptor.h", "io/system/run_program.cpp", "io/read/import_parts.cpp",
                  "import/main.cpp"};
