@@ -40,9 +40,9 @@ constexpr std::size_t most_segmented_triangles = 200000;
 /// Loose pieces that are grouped into parts, in time quadratic in them.
 constexpr std::size_t most_grouped_pieces = 10000;
 
-/// Congruent pairs of parts, times the parts, to which the search for rows of parts is proportional; any shape of 240
-/// parts is below it.
-constexpr std::size_t most_symmetry_work = 15'000'000;
+/// Pairs of congruent parts that rows of parts are looked for from, until no more are looked for: any shape of 1000
+/// parts whose rows are found in ten rounds is below it.
+constexpr std::size_t most_row_beginnings = 10'000'000;
 
 /// Groups of parts that a search for the least energy deforms: the time of the beam search is cubic in them, and exact
 /// search needs memory for all pairs of labels of each contact.

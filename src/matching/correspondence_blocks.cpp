@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <map>
+#include <queue>
+#include <set>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -23,7 +25,9 @@ constexpr double weak_bridge = .5;       // mean weight between two sets over th
 struct Part_set
 {
   std::size_t sources = 0, targets = 0;
-  double inside = 0; ///< weight of its pairs
+  double inside = 0;                     ///< weight of its pairs
+  std::size_t changes = 0;               ///< that it has gone through
+  std::map<std::size_t, double> between; ///< weight of the pairs with another set
 
   bool has_both() const { return sources > 0 && targets > 0; }
   double mean() const { return inside / double(sources * targets); }
@@ -36,71 +40,141 @@ public:
   Part_sets(const Correspondence& c, std::size_t sources, std::size_t targets)
       : set_of_(sources + targets), sets_(sources + targets)
   {
-    for (std::size_t i = 0; i < sets_.size(); ++i)
-      (i < sources ? sets_[i].sources : sets_[i].targets) = 1;
-    for (const Part_correspondence& pair : c.pairs) {
-      const bool differ = !c.source_roles.empty() && c.source_roles[pair.source] != c.target_roles[pair.target];
-      const double confidence = pair.has_confidence() ? pair.confidence : 1;
-      between_[{pair.source, sources + pair.target}] += (differ ? other_role_weight : 1) * confidence;
+    std::vector<Weighted_pair> pairs = weighted_pairs(c, sources);
+    internal::Steps greatest = -1;
+    for (const Weighted_pair& pair : pairs)
+      greatest = std::max(greatest, internal::quantized(pair.weight));
+    for (const Weighted_pair& pair : pairs) // the closest sets of one part, before anything is kept of each pair
+      if (internal::quantized(pair.weight) == greatest) set_of_.unite(pair.source, pair.target);
+    for (std::size_t part = 0; part < sets_.size(); ++part) {
+      Part_set& set = sets_[set_of_[part]];
+      ++(part < sources ? set.sources : set.targets);
     }
+    for (const Weighted_pair& pair : pairs) {
+      const std::size_t a = set_of_[pair.source], b = set_of_[pair.target];
+      if (a == b)
+        sets_[a].inside += pair.weight;
+      else
+        add_between(a, b, pair.weight);
+    }
+    for (std::size_t set = 0; set < sets_.size(); ++set)
+      push_bridges(set);
   }
 
   /// Unites the sets with the greatest mean weight between them, all where several are equal. \return whether there are
   /// any
   bool unite_closest()
   {
-    internal::Steps greatest = -1;
-    std::vector<std::pair<std::size_t, std::size_t>> closest;
-    for (const auto& [sets, weight] : between_) {
-      const double mean = mean_between(sets.first, sets.second, weight);
-      if (is_weak_bridge(sets_[sets.first], sets_[sets.second], mean)) continue;
-      const internal::Steps step = internal::quantized(mean);
-      if (step > greatest) closest.clear();
-      if (step >= greatest) closest.push_back(sets);
-      greatest = std::max(greatest, step);
+    std::vector<Bridge> closest;
+    while (!bridges_.empty() && (closest.empty() || bridges_.top().mean == closest[0].mean)) {
+      if (is_present(bridges_.top())) closest.push_back(bridges_.top());
+      bridges_.pop();
     }
-    for (const auto& [a, b] : closest)
-      set_of_.unite(a, b);
-    if (!closest.empty()) collect();
+    std::set<std::size_t> changed;
+    for (const Bridge& bridge : closest)
+      unite(set_of_[bridge.a], set_of_[bridge.b]);
+    for (const Bridge& bridge : closest)
+      if (const std::size_t set = set_of_[bridge.a]; changed.insert(set).second) ++sets_[set].changes;
+    for (std::size_t set : changed)
+      push_bridges(set);
     return !closest.empty();
   }
 
   std::size_t operator[](std::size_t part) const { return set_of_[part]; }
 
 private:
-  double mean_between(std::size_t a, std::size_t b, double weight) const
+  /// Two parts, and the weight of all pairs of their segments.
+  struct Weighted_pair
   {
-    return weight / double(sets_[a].sources * sets_[b].targets + sets_[b].sources * sets_[a].targets);
+    std::size_t source, target;
+    double weight;
+  };
+
+  static std::vector<Weighted_pair> weighted_pairs(const Correspondence& c, std::size_t sources)
+  {
+    std::vector<Weighted_pair> pairs;
+    for (const Part_correspondence& pair : c.pairs) {
+      const bool differ = !c.source_roles.empty() && c.source_roles[pair.source] != c.target_roles[pair.target];
+      const double confidence = pair.has_confidence() ? pair.confidence : 1;
+      pairs.push_back({pair.source, sources + pair.target, (differ ? other_role_weight : 1) * confidence});
+    }
+    const auto parts = [](const Weighted_pair& pair) { return std::pair(pair.source, pair.target); };
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [&](const Weighted_pair& a, const Weighted_pair& b) { return parts(a) < parts(b); });
+    std::vector<Weighted_pair> result;
+    for (const Weighted_pair& pair : pairs)
+      if (!result.empty() && parts(result.back()) == parts(pair))
+        result.back().weight += pair.weight;
+      else
+        result.push_back(pair);
+    return result;
   }
 
-  static bool is_weak_bridge(const Part_set& a, const Part_set& b, double mean)
+  /// Two sets with pairs between them.
+  struct Bridge
   {
-    using internal::quantized;
-    return a.has_both() && b.has_both() && quantized(mean) < quantized(weak_bridge * std::min(a.mean(), b.mean()));
+    internal::Steps mean; ///< of the weights
+    std::size_t a, b;
+    std::size_t changes_of_a, changes_of_b; ///< of the sets when it was measured
+
+    friend bool operator<(const Bridge& x, const Bridge& y) { return x.mean < y.mean; }
+  };
+
+  void add_between(std::size_t a, std::size_t b, double weight)
+  {
+    sets_[a].between[b] += weight;
+    sets_[b].between[a] += weight;
   }
 
-  /// Adds up the members of sets that were united.
-  void collect()
+  bool is_present(const Bridge& bridge) const
   {
-    for (std::size_t i = 0; i < sets_.size(); ++i) {
-      const std::size_t set = set_of_[i];
-      if (set == i) continue;
-      sets_[set].sources += sets_[i].sources;
-      sets_[set].targets += sets_[i].targets;
-      sets_[set].inside += sets_[i].inside;
-      sets_[i] = {};
+    return sets_[bridge.a].changes == bridge.changes_of_a && sets_[bridge.b].changes == bridge.changes_of_b;
+  }
+
+  /// The bridges of a set that are not weak.
+  void push_bridges(std::size_t a)
+  {
+    for (const auto& [b, weight] : sets_[a].between) {
+      const internal::Steps mean = internal::quantized(mean_between(sets_[a], sets_[b], weight));
+      if (!is_weak_bridge(sets_[a], sets_[b], mean)) bridges_.push({mean, a, b, sets_[a].changes, sets_[b].changes});
     }
-    std::map<std::pair<std::size_t, std::size_t>, double> between;
-    for (const auto& [sets, weight] : between_) {
-      const auto [a, b] = std::minmax({set_of_[sets.first], set_of_[sets.second]});
-      a == b ? sets_[a].inside += weight : between[{a, b}] += weight;
+  }
+
+  static double mean_between(const Part_set& a, const Part_set& b, double weight)
+  {
+    return weight / double(a.sources * b.targets + b.sources * a.targets);
+  }
+
+  static bool is_weak_bridge(const Part_set& a, const Part_set& b, internal::Steps mean)
+  {
+    return a.has_both() && b.has_both() && mean < internal::quantized(weak_bridge * std::min(a.mean(), b.mean()));
+  }
+
+  void unite(std::size_t a, std::size_t b)
+  {
+    if (a == b) return;
+    set_of_.unite(a, b);
+    const std::size_t kept = set_of_[a], left = kept == a ? b : a;
+    Part_set gone = std::exchange(sets_[left], {});
+    sets_[left].changes = gone.changes + 1;
+    Part_set& set = sets_[kept];
+    set.sources += gone.sources;
+    set.targets += gone.targets;
+    set.inside += gone.inside;
+    if (const auto inside = gone.between.find(kept); inside != gone.between.end()) {
+      set.inside += inside->second;
+      gone.between.erase(inside);
+      set.between.erase(left);
     }
-    between_ = std::move(between);
+    for (const auto& [other, weight] : gone.between) {
+      sets_[other].between.erase(left);
+      add_between(kept, other, weight);
+    }
   }
 
   internal::Disjoint_sets set_of_;
   std::vector<Part_set> sets_; ///< by their first part
-  std::map<std::pair<std::size_t, std::size_t>, double> between_;
+  std::priority_queue<Bridge> bridges_;
 };
 
 /// The most frequent role of the parts; of several, the first in the alphabet.

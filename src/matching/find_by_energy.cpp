@@ -6,7 +6,6 @@
 #include "matching/Correspondence_finder_impl.h"
 #include "matching/Search_run.h"
 
-#include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <algorithm>
@@ -31,16 +30,12 @@ std::size_t number_of_counted_pairs(const Aligned_shape& shape)
   return std::max<std::size_t>(1, shape.contacts.size() + alone);
 }
 
-// Refuses shapes with more groups than `method` can deform.
-void check_size(const Aligned_shape& deformed, const std::string& name, const Search_options& options)
+constexpr int automatic_coarse_parts = 50; // that are matched first where not all can be at once
+
+// Whether a shape has more groups than a method can deform at once.
+bool has_too_many_groups(const Aligned_shape& deformed, Search_method method)
 {
-  const bool is_beam = options.method == Search_method::BEAM;
-  const std::size_t most = is_beam ? most_beam_groups : most_exact_groups;
-  if (options.coarse_to_fine > 0 || deformed.number_of_groups() <= most) return;
-  throw Invalid_input("find_correspondence: shape '" + name + "' has " + std::to_string(deformed.number_of_groups()) +
-                      " groups of parts, and " + (is_beam ? "beam" : "exact") + " search takes at most " +
-                      std::to_string(most) +
-                      " at once; match it coarse to fine, match its largest parts only, or use the default method");
+  return deformed.number_of_groups() > (method == Search_method::BEAM ? most_beam_groups : most_exact_groups);
 }
 
 // A lower bound of the energy; 0 where its tables take too much memory.
@@ -77,7 +72,6 @@ Search_runs Correspondence_finder::Impl::runs(const Prepared_shape& target, cons
   result.count = turns.size() * directions.size();
   for (int turn : turns) {
     const Shared_shape shape = aligned(target, turn);
-    if (options.both_directions) check_size(*shape, structure(target.graph()).name, options);
     for (Direction direction : directions) {
       if (options_.progress && !options_.progress(double(result.done) / double(result.count))) {
         result.end = search_was_cancelled;
@@ -130,9 +124,17 @@ Correspondence Correspondence_finder::Impl::by_costs(const Prepared_shape& targe
 std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
 {
   const Deadline limit = deadline();
-  check_size(*source_, structure(prepared_source_.graph()).name, options_);
   Correspondence known;
-  const Search_runs searched = runs(target, with_role_costs(target, known), limit);
+  Search_options options = with_role_costs(target, known);
+  const bool is_coarse = options.coarse_to_fine > 0;
+  if (!is_coarse && (has_too_many_groups(*source_, options.method) ||
+                     (options_.both_directions && has_too_many_groups(*aligned(target, 0), options.method))))
+    options.coarse_to_fine = automatic_coarse_parts;
+  Search_runs searched = runs(target, options, limit);
+  if (!is_coarse && !searched.best && !searched.too_large.empty()) {
+    options.coarse_to_fine = automatic_coarse_parts;
+    searched = runs(target, options, limit);
+  }
   std::vector<Correspondence> result;
   if (searched.best)
     result = correspondences_of(searched, limit);

@@ -80,12 +80,6 @@ public:
 
   bool related(std::size_t i, std::size_t j, Basic_map map) const { return related_[map][i * size() + j] != 0; }
 
-  std::size_t number_of_congruent_pairs() const
-  {
-    const std::vector<char>& translated = related_[TRANSLATED];
-    return std::size_t(std::count(translated.begin(), translated.end(), 1));
-  }
-
   /// Root mean square deviation of the hull of part i after the map from that of part j, in heights; infinite if they
   /// are not congruent.
   double deviation(std::size_t i, std::size_t j, const Eigen::Matrix3d& map) const

@@ -7,8 +7,11 @@
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -55,6 +58,37 @@ struct Symmetry_candidate
 };
 
 inline bool operator<(const Symmetry_candidate& a, const Symmetry_candidate& b) { return a.rank() < b.rank(); }
+
+/// The candidates that have most members of all that were added, but for those that were rejected.
+class Largest_candidates
+{
+public:
+  /// Whether a candidate of so many members would be kept.
+  bool takes(std::size_t members) const { return found_.empty() || members >= found_.front().members.size(); }
+
+  void add(Symmetry_candidate candidate)
+  {
+    if (!takes(candidate.members.size()) || rejected_.count(key(candidate))) return;
+    if (!found_.empty() && candidate.members.size() > found_.front().members.size()) found_.clear();
+    found_.push_back(std::move(candidate));
+  }
+
+  /// What was added, the best first, and nothing any more.
+  std::vector<Symmetry_candidate> take_out()
+  {
+    std::sort(found_.begin(), found_.end());
+    return std::exchange(found_, {});
+  }
+
+  void reject(const Symmetry_candidate& candidate) { rejected_.insert(key(candidate)); }
+
+private:
+  using Key = std::pair<Preference, std::vector<std::size_t>>;
+  static Key key(const Symmetry_candidate& candidate) { return {candidate.preference, candidate.members}; }
+
+  std::vector<Symmetry_candidate> found_;
+  std::set<Key> rejected_;
+};
 
 /// Of two opposite horizontal normals the one that points right, or to the front.
 inline Point rightward(const Point& normal)

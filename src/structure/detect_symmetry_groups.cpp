@@ -11,7 +11,6 @@
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
 
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -32,8 +31,8 @@ public:
 
   std::vector<Symmetry_candidate> operator()()
   {
-    take_while_found([this](std::vector<Symmetry_candidate>& found) { add_sets(found); });
-    take_while_found([this](std::vector<Symmetry_candidate>& found) { add_pairs(found); });
+    take_while_found([this] { add_sets(); });
+    take_while_found([this] { add_pairs(); });
     for (std::size_t part : free_) {
       Symmetry_candidate single;
       single.members = {part};
@@ -43,26 +42,32 @@ public:
     return std::move(groups_);
   }
 
+  bool are_all_rows_found() const { return row_beginnings_ <= most_row_beginnings; }
+
 private:
-  void add_sets(std::vector<Symmetry_candidate>& found) const
+  void add_sets()
   {
-    if (options_.rotation) add_rings(parts_, free_, found);
-    if (options_.reflection) add_orbits_of_four(parts_, free_, found);
-    if (options_.translation) add_rows(parts_, free_, found);
+    if (options_.rotation) add_rings(parts_, free_, found_);
+    if (options_.reflection) add_orbits_of_four(parts_, free_, found_);
+    if (!options_.translation) return;
+    for (const Copies& copies : translated_copies(parts_, free_)) {
+      row_beginnings_ += copies.members.size() * copies.members.size();
+      if (are_all_rows_found()) add_rows(parts_, copies, found_);
+    }
   }
 
-  void add_pairs(std::vector<Symmetry_candidate>& found) const
+  void add_pairs()
   {
     if (!options_.reflection && !options_.rotation && !options_.translation) return;
     for (std::size_t i : free_)
       for (std::size_t j : free_) {
         if (j <= i || parts_.are_at_different_ends(i, j)) continue;
         for (const Basic_map map : {MIRRORED_X, MIRRORED_Z}) {
-          if (options_.reflection) add_pair_in_plane(parts_, i, j, map, found);
-          if (options_.rotation) add_turned_pair(parts_, i, j, map, found);
+          if (options_.reflection) add_pair_in_plane(parts_, i, j, map, found_);
+          if (options_.rotation) add_turned_pair(parts_, i, j, map, found_);
         }
-        if (options_.translation) add_translated_pair(parts_, i, j, found);
-        if (options_.reflection) add_pair_mirrored_anyhow(parts_, i, j, found);
+        if (options_.translation) add_translated_pair(parts_, i, j, found_);
+        if (options_.reflection) add_pair_mirrored_anyhow(parts_, i, j, found_);
       }
   }
 
@@ -86,32 +91,25 @@ private:
   void take_while_found(const Collect& collect)
   {
     while (true) {
-      std::vector<Symmetry_candidate> found;
-      collect(found);
-      found.erase(std::remove_if(found.begin(), found.end(), [this](const auto& e) { return rejected_.count(key(e)); }),
-                  found.end());
-      if (found.empty()) return;
-      std::sort(found.begin(), found.end());
-      const std::size_t largest = found.front().members.size();
-      for (const Symmetry_candidate& candidate : found) {
-        if (candidate.members.size() < largest) break;
+      collect();
+      std::vector<Symmetry_candidate> largest = found_.take_out();
+      if (largest.empty()) return;
+      for (Symmetry_candidate& candidate : largest) {
         if (!is_free(candidate)) continue;
         if (confirm(parts_, candidate))
-          take(candidate);
+          take(std::move(candidate));
         else
-          rejected_.insert(key(candidate));
+          found_.reject(candidate);
       }
     }
   }
-
-  using Key = std::pair<Preference, std::vector<std::size_t>>;
-  static Key key(const Symmetry_candidate& candidate) { return {candidate.preference, candidate.members}; }
 
   Part_relations& parts_;
   Symmetry_options options_;
   std::vector<std::size_t> free_; ///< ascending
   std::vector<Symmetry_candidate> groups_;
-  std::set<Key> rejected_; ///< candidates that the surfaces do not confirm
+  Largest_candidates found_;
+  std::size_t row_beginnings_ = 0; ///< so far
 };
 
 /// An order of the parts that does not depend on the file: by the place of the centre along a direction, size and, for
@@ -194,20 +192,17 @@ std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstractio
   if (!options.enabled) kinds.reflection = kinds.rotation = kinds.translation = false;
 
   Part_relations relations(std::move(sorted), frame, options.tolerance);
-  if (options.enabled &&
-      relations.number_of_congruent_pairs() > most_symmetry_work / std::max<std::size_t>(1, parts.size())) {
-    kinds.reflection = kinds.rotation = kinds.translation = false;
-    if (warnings)
-      warnings->push_back("Too many of the " + std::to_string(parts.size()) +
-                          " parts are alike to look for symmetry groups; every part is a group of its own.");
-  }
+  Group_finder finder(relations, kinds);
   std::vector<Part_group> groups;
-  for (Symmetry_candidate& candidate : Group_finder(relations, kinds)()) {
+  for (Symmetry_candidate& candidate : finder()) {
     for (std::size_t& member : candidate.members)
       member = order[member];
     groups.push_back(make_group(parts, std::move(candidate.members), to_world(candidate.symmetry, frame)));
   }
   sort_by_first_part(groups);
+  if (!finder.are_all_rows_found() && warnings)
+    warnings->push_back("So many of the " + std::to_string(parts.size()) +
+                        " parts are alike that not all rows of them were looked for; the longest ones are groups.");
   return groups;
 }
 

@@ -39,7 +39,7 @@ inline double plane_distance(const Part_relations& parts, Basic_map map, const P
 /// Completes an orbit of two orthogonal mirror planes from a corner i, its image j in the main plane and its image k in
 /// the other one.
 inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
-                     const std::vector<std::size_t>& free, std::vector<Symmetry_candidate>& result)
+                     const std::vector<std::size_t>& free, Largest_candidates& result)
 {
   const Basic_map main = parts.main_mirror(), other = parts.other_mirror();
   const Point expected = parts[j].centre + parts[k].centre - parts[i].centre;
@@ -55,29 +55,33 @@ inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, 
     four.cost =
         rounded(plane_distance(parts, main, middle) + plane_distance(parts, other, middle) + 0.01 / (1 + spread));
     four.links = {{0, 1, matrix_of(main), false}, {2, 3, matrix_of(main), false}, {0, 2, matrix_of(other), true}};
-    result.push_back(four);
+    result.add(four);
   }
 }
 
 /// Adds orbits of four under reflection in two orthogonal planes, such as the legs of a chair.
 inline void add_orbits_of_four(const Part_relations& parts, const std::vector<std::size_t>& free,
-                               std::vector<Symmetry_candidate>& result)
+                               Largest_candidates& result)
 {
   const auto is_pair = [&](std::size_t i, std::size_t j, Basic_map map) {
     return parts[i].centre[axis_of(map)] > parts[j].centre[axis_of(map)] && parts.related(i, j, map) &&
            parts.displaced_along(i, j, map);
   };
-  for (std::size_t i : free)
+  for (std::size_t i : free) {
+    std::vector<std::size_t> images; // in the other plane
+    std::copy_if(free.begin(), free.end(), std::back_inserter(images),
+                 [&](std::size_t k) { return is_pair(i, k, parts.other_mirror()); });
     for (std::size_t j : free) {
-      if (!is_pair(i, j, parts.main_mirror())) continue;
-      for (std::size_t k : free)
-        if (is_pair(i, k, parts.other_mirror())) add_four(parts, i, j, k, free, result);
+      if (images.empty() || !is_pair(i, j, parts.main_mirror())) continue;
+      for (std::size_t k : images)
+        add_four(parts, i, j, k, free, result);
     }
+  }
 }
 
 /// Adds a pair mirrored in one of the shape's mirror planes.
 inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
-                              std::vector<Symmetry_candidate>& result)
+                              Largest_candidates& result)
 {
   const int axis = axis_of(map);
   if (!parts.plane(map) || !parts.related(i, j, map) || !parts.displaced_along(i, j, map)) return;
@@ -92,13 +96,13 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
   const Point across = parts[i].centre - parts[j].centre;
   pair.cost = rounded(std::abs(middle[axis] - *parts.plane(map)) + across.norm() - std::abs(across[axis]));
   pair.links = {{0, 1, matrix_of(map), map != parts.main_mirror()}};
-  result.push_back(pair);
+  result.add(pair);
 }
 
 /// Adds a pair that half a turn carries into each other, about an axis in one of the shape's mirror planes, at right
 /// angles to the difference of their centres.
 inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
-                            std::vector<Symmetry_candidate>& result)
+                            Largest_candidates& result)
 {
   const int normal = axis_of(map);
   const Point middle = (parts[i].centre + parts[j].centre) / 2, between = parts[i].centre - parts[j].centre;
@@ -118,12 +122,11 @@ inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::siz
   const Eigen::Matrix3d half_turn = -mirror_matrix(pair.symmetry.direction);
   if (!std::isfinite(parts.deviation(i, j, half_turn))) return;
   pair.links = {{0, 1, half_turn, true}};
-  result.push_back(pair);
+  result.add(pair);
 }
 
 /// Adds a pair along a vector.
-inline void add_translated_pair(const Part_relations& parts, std::size_t i, std::size_t j,
-                                std::vector<Symmetry_candidate>& result)
+inline void add_translated_pair(const Part_relations& parts, std::size_t i, std::size_t j, Largest_candidates& result)
 {
   Point vector = parts[j].centre - parts[i].centre;
   if (!parts.related(i, j, TRANSLATED) || vector.norm() <= least_position_tolerance) return;
@@ -139,12 +142,12 @@ inline void add_translated_pair(const Part_relations& parts, std::size_t i, std:
   pair.symmetry.direction = vector;
   pair.cost = rounded(vector.norm());
   pair.links = {{0, 1, matrix_of(TRANSLATED), !(parts.is_wheel(i) && parts.is_wheel(j))}};
-  result.push_back(pair);
+  result.add(pair);
 }
 
 /// Adds a pair mirrored in the vertical plane midway between its centres.
 inline void add_pair_mirrored_anyhow(const Part_relations& parts, std::size_t i, std::size_t j,
-                                     std::vector<Symmetry_candidate>& result)
+                                     Largest_candidates& result)
 {
   Point across = parts[i].centre - parts[j].centre;
   const double height = std::abs(across.y());
@@ -159,7 +162,7 @@ inline void add_pair_mirrored_anyhow(const Part_relations& parts, std::size_t i,
   pair.symmetry = mirror((parts[i].centre + parts[j].centre) / 2, normal);
   pair.cost = rounded(across.norm());
   pair.links = {{0, 1, mirror_matrix(normal), true}};
-  result.push_back(pair);
+  result.add(pair);
 }
 
 /// The symmetry of a part that is in no group with others: its own mirror plane, if it has one.

@@ -95,7 +95,7 @@ inline std::optional<Symmetry_candidate> make_ring(const Part_relations& parts, 
 
 /// Adds the rings about one axis; returns whether there are any.
 inline bool add_rings_about(const Part_relations& parts, const std::vector<std::size_t>& candidates, const Axis& axis,
-                            std::vector<Symmetry_candidate>& result)
+                            Largest_candidates& result)
 {
   bool found = false;
   const std::vector<Ring_place> places = places_about(parts, candidates, axis);
@@ -111,7 +111,7 @@ inline bool add_rings_about(const Part_relations& parts, const std::vector<std::
         used[i] = 1;
       }
     if (auto ring = make_ring(parts, same, axis)) {
-      result.push_back(*ring);
+      result.add(*ring);
       found = true;
     }
   }
@@ -158,7 +158,7 @@ inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations
 /// Adds rings of parts of one size: about the vertical axis and a horizontal one through their mean, else those in the
 /// halves on either side of the widest gap.
 inline void add_rings_among(const Part_relations& parts, const std::vector<std::size_t>& set, int splits,
-                            std::vector<Symmetry_candidate>& result)
+                            Largest_candidates& result)
 {
   if (set.size() < 3) return;
   const Point mean = mean_centre(parts, set);
@@ -176,8 +176,7 @@ inline void add_rings_among(const Part_relations& parts, const std::vector<std::
 }
 
 /// Adds complete rings of three parts or more.
-inline void add_rings(const Part_relations& parts, const std::vector<std::size_t>& free,
-                      std::vector<Symmetry_candidate>& result)
+inline void add_rings(const Part_relations& parts, const std::vector<std::size_t>& free, Largest_candidates& result)
 {
   constexpr int most_splits = 3;
   std::vector<char> used(parts.size(), 0);

@@ -43,7 +43,7 @@ struct Correspondence_block
 /// count 1; without roles, too, blocks are the connected components of the pairs.
 ///
 /// Does not depend on the order of parts, or on which shape is the source.
-/// Complexity: for <i>p</i> pairs and <i>n</i> parts, O(<i>p n</i>).
+/// Complexity: for <i>p</i> pairs and <i>n</i> parts, O((<i>p</i> + <i>n</i>²) log <i>n</i>).
 std::vector<Correspondence_block> correspondence_blocks(const Correspondence& correspondence);
 
 } // namespace Shape_correspondence
