@@ -239,15 +239,13 @@ Aligned_shape turned_over(Aligned_shape shape)
   return shape;
 }
 
-// The cost of the best pair of either part that was not taken, minus that of the pair.
-double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::Index i, Eigen::Index j)
+// By pair, the cost of the best pair of either part that was not taken, minus that of the pair.
+Eigen::MatrixXd margins(const Eigen::MatrixXd& costs, const Match_matrix& pairs)
 {
-  double alternative = std::numeric_limits<double>::infinity();
-  for (Eigen::Index k = 0; k < costs.cols(); ++k)
-    if (!pairs(i, k)) alternative = std::min(alternative, costs(i, k));
-  for (Eigen::Index k = 0; k < costs.rows(); ++k)
-    if (!pairs(k, j)) alternative = std::min(alternative, costs(k, j));
-  return alternative - costs(i, j);
+  const Eigen::MatrixXd others = pairs.select(
+      Eigen::MatrixXd::Constant(costs.rows(), costs.cols(), std::numeric_limits<double>::infinity()), costs);
+  const Eigen::VectorXd of_source = others.rowwise().minCoeff(), of_target = others.colwise().minCoeff();
+  return of_source.replicate(1, costs.cols()).cwiseMin(of_target.transpose().replicate(costs.rows(), 1)) - costs;
 }
 
 // Logistic in the margin. Pairs of blocks may have negative margins and are as often right as those of margin 0.
@@ -270,10 +268,11 @@ Part_matching matching_of(Eigen::MatrixXd costs, const Shape_features& source, c
                           const Part_matching_options& options, const Match_constraints& constraints)
 {
   const Match_matrix pairs = matched(costs, source, target, options);
+  const Eigen::MatrixXd margin = margins(costs, pairs);
   Part_matching result;
   for (Eigen::Index i = 0; i < pairs.rows(); ++i)
     for (Eigen::Index j = 0; j < pairs.cols(); ++j)
-      if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(costs, pairs, i, j))});
+      if (pairs(i, j)) result.pairs.push_back({std::size_t(i), std::size_t(j), confidence(margin(i, j))});
   result.costs = std::move(costs);
   constrain(constraints, result);
   return result;
