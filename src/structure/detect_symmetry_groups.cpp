@@ -20,7 +20,7 @@ using namespace internal::symmetry;
 
 namespace {
 
-/// Finds groups: takes the best candidates one after the other until every part is in a group.
+/// Takes the best candidates one after the other until every part is in a group.
 class Group_finder
 {
 public:
@@ -80,8 +80,8 @@ private:
     groups_.push_back(std::move(candidate));
   }
 
-  /// Collects candidates among the free parts and takes the best, until there are none. After the largest ones of a
-  /// round candidates are collected anew, since a row that lost members to a better one may leave a shorter row.
+  /// Collects candidates among the free parts and takes the best, until there are none. Candidates are collected anew
+  /// after the largest ones of a round, since a row that lost members to a better group may leave a shorter row.
   template <typename Collect>
   void take_while_found(const Collect& collect)
   {
@@ -111,11 +111,11 @@ private:
   Symmetry_options options_;
   std::vector<std::size_t> free_; ///< ascending
   std::vector<Symmetry_candidate> groups_;
-  std::set<Key> rejected_; ///< candidates that the surfaces do not confirm
+  std::set<Key> rejected_; ///< candidates that the surfaces did not confirm
 };
 
-/// An order of the parts that does not depend on the file: by the place of the centre along a direction, size and, for
-/// parts that cross each other, support function, rounded.
+/// An order of the parts that does not depend on the file: by rounded position of the centre along a direction, size
+/// and, for parts that cross each other, support function.
 std::vector<std::size_t> canonical_order(const std::vector<Part_signature>& signatures)
 {
   constexpr double quantum = 1e-5;
@@ -144,7 +144,7 @@ Symmetry to_world(Symmetry symmetry, const Shape_frame& frame)
   return symmetry;
 }
 
-/// The volume of the hull of several parts' union.
+/// The volume of the convex hull of the union of several parts.
 double hull_volume_of_union(const std::vector<Part_abstraction>& parts, const std::vector<std::size_t>& members)
 {
   if (members.size() == 1 && parts[members[0]].hull_volume > 0) return parts[members[0]].hull_volume;

@@ -10,15 +10,16 @@ namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr auto full_turn = double(2 * EIGEN_PI);
-constexpr double uneven_angle = 0.15;    ///< deviation of an angle between neighbours from the mean one, over it
-constexpr double star_core = 0.4;        ///< inner over outer radius of a star's members, at most
-constexpr double horizontal_limit = 0.1; ///< vertical component of an axis that counts as horizontal, at most
-constexpr std::size_t least_horizontal_ring = 5; ///< fewer about a horizontal axis must be a star: a frame is no ring
+constexpr double uneven_angle = 0.15; ///< deviation of an angle between neighbours from the mean angle, over the mean
+constexpr double star_core = 0.4;     ///< largest ratio of inner and outer radius of a star's members
+constexpr double horizontal_limit = 0.1; ///< largest vertical component of an axis that counts as horizontal
+constexpr std::size_t least_horizontal_ring =
+    5; ///< fewer members about a horizontal axis must be a star: a frame is no ring
 
 struct Axis
 {
   Point point;
-  Point direction; ///< unit
+  Point direction; ///< unit vector
 };
 
 /// Cylindrical coordinates of a part's centre about an axis.
@@ -69,7 +70,7 @@ inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
   return inner <= star_core * outer;
 }
 
-/// The ring that parts at one height and radius make, if they are evenly turned copies.
+/// The ring of parts at one height and radius; none if they are not evenly turned copies.
 inline std::optional<Symmetry_candidate> make_ring(const Part_relations& parts, const std::vector<Ring_place>& places,
                                                    const Axis& axis)
 {
@@ -93,7 +94,7 @@ inline std::optional<Symmetry_candidate> make_ring(const Part_relations& parts, 
   return ring;
 }
 
-/// Adds the rings about one axis; returns whether there are any.
+/// Adds the rings about one axis. \return whether there are any
 inline bool add_rings_about(const Part_relations& parts, const std::vector<std::size_t>& candidates, const Axis& axis,
                             std::vector<Symmetry_candidate>& result)
 {
@@ -126,7 +127,7 @@ inline Point mean_centre(const Part_relations& parts, const std::vector<std::siz
   return sum / set.size();
 }
 
-/// The directions in which the centres of a set spread least and most.
+/// The directions of least and most spread of the centres of a set.
 struct Spread
 {
   Point least, most;
@@ -143,7 +144,7 @@ inline Spread spread(const Part_relations& parts, const std::vector<std::size_t>
   return {axes.col(0), axes.col(2)};
 }
 
-/// Splits a set where its centres leave the widest gap along a direction.
+/// Splits a set at the widest gap between its centres along a direction.
 inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations& parts, std::vector<std::size_t> set,
                                                             const Point& direction)
 {
@@ -155,8 +156,8 @@ inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations
   return {{{set.begin(), set.begin() + cut}, {set.begin() + cut, set.end()}}};
 }
 
-/// Adds rings of parts of one size: about the vertical axis and a horizontal one through their mean, else those in the
-/// halves on either side of the widest gap.
+/// Adds rings of parts of one size: about the vertical axis and a horizontal axis through their mean; if there are
+/// none, those in the two subsets on either side of the widest gap.
 inline void add_rings_among(const Part_relations& parts, const std::vector<std::size_t>& set, int splits,
                             std::vector<Symmetry_candidate>& result)
 {

@@ -10,10 +10,10 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double uneven_spacing = 0.3; ///< deviation of a step of a row from the mean step, over it
-constexpr double crookedness = 0.1;    ///< distance of a member from the row's line, over the row's length
+constexpr double uneven_spacing = 0.3; ///< deviation of a step of a row from the mean step, over the mean
+constexpr double crookedness = 0.1;    ///< distance of a member from the row's line, over the length of the row
 
-/// The one of `candidates` nearest to the next place in a row, if it is near enough.
+/// The candidate nearest to the next place in a row, if it is near enough.
 inline std::optional<std::size_t> next_in_row(const Part_relations& parts, std::size_t last, const Point& step,
                                               const std::vector<std::size_t>& candidates)
 {
@@ -45,7 +45,7 @@ inline bool is_even_and_straight(const Part_relations& parts, const std::vector<
   return true;
 }
 
-/// The row that starts with two parts.
+/// The row that starts with two given parts, continued as long as there is a next member.
 inline std::vector<std::size_t> follow_row(const Part_relations& parts, std::size_t first, std::size_t second,
                                            const std::vector<std::size_t>& free)
 {
@@ -58,7 +58,7 @@ inline std::vector<std::size_t> follow_row(const Part_relations& parts, std::siz
   }
 }
 
-/// Adds rows of three or more parts, each of which a translation carries into the next.
+/// Adds rows of three or more parts, each of which is a translate of the one before.
 inline void add_rows(const Part_relations& parts, const std::vector<std::size_t>& free,
                      std::vector<Symmetry_candidate>& result)
 {
