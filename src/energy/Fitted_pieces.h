@@ -70,7 +70,8 @@ public:
   const Fitted_piece& operator[](std::size_t index) const { return fitted_[index]; }
   // Index of the first fitted piece of a source part; for the number of parts, the end.
   std::size_t begin_of(std::size_t part) const { return fitted_begin_[part]; }
-  // What a source part is fitted to by a label of its group: its clones, or the pieces that it is cut into.
+  // The fitted pieces of a source part under a label of its group: one for each clone, or for each piece that it is cut
+  // into.
   Fitted_range images(std::size_t part, std::size_t label) const
   {
     const std::size_t i = label_begin_[part] + label;

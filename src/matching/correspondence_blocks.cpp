@@ -16,20 +16,21 @@
 namespace CGAL::Shape_correspondence {
 namespace {
 
-constexpr double other_role_weight = .5; // of a pair whose parts have different roles
-constexpr double weak_bridge = .5;       // mean weight between two sets over that inside either
+constexpr double other_role_weight = .5; // weight of a pair whose parts have different roles
+constexpr double weak_bridge =
+    .5; // mean weight of the pairs between two sets, over that inside them, below which they stay apart
 
-/// Parts of both shapes, those of the target numbered after the source's.
+/// Parts of both shapes; indices of target parts follow those of the source.
 struct Part_set
 {
   std::size_t sources = 0, targets = 0;
-  double inside = 0; ///< weight of its pairs
+  double inside = 0; ///< total weight of the pairs within the set
 
   bool has_both() const { return sources > 0 && targets > 0; }
   double mean() const { return inside / double(sources * targets); }
 };
 
-/// The sets of parts, to begin with one for each part, and the weights of the pairs between them.
+/// A partition of the parts, initially into single parts, and the weights of the pairs between its sets.
 class Part_sets
 {
 public:
@@ -45,8 +46,8 @@ public:
     }
   }
 
-  /// Unites the sets with the greatest mean weight between them, all where several are equal. \return whether there are
-  /// any
+  /// Unites the sets with the greatest mean weight between them, all of them in case of ties. \return whether there
+  /// were any
   bool unite_closest()
   {
     internal::Steps greatest = -1;
@@ -79,7 +80,7 @@ private:
     return a.has_both() && b.has_both() && quantized(mean) < quantized(weak_bridge * std::min(a.mean(), b.mean()));
   }
 
-  /// Adds up the members of sets that were united.
+  /// Collects the members of sets that were united.
   void collect()
   {
     for (std::size_t i = 0; i < sets_.size(); ++i) {
@@ -99,11 +100,11 @@ private:
   }
 
   internal::Disjoint_sets set_of_;
-  std::vector<Part_set> sets_; ///< by their first part
+  std::vector<Part_set> sets_; ///< ordered by first part
   std::map<std::pair<std::size_t, std::size_t>, double> between_;
 };
 
-/// The most frequent role of the parts; of several, the first in the alphabet.
+/// The most frequent role of the parts; of equally frequent ones, the first in alphabetical order.
 std::string role_of(const Correspondence_block& block, const Correspondence& c)
 {
   std::map<std::string, int> counts;
