@@ -93,8 +93,8 @@ struct Coarse_shape
     coarse = std::make_shared<Deformable_shape>(restricted(bridged, is_kept));
   }
 
-  /// Coarse groups that only small parts connect count as in contact, each part with the nearest one of the other
-  /// group: otherwise nothing would tell how they lie to each other.
+  /// Connects coarse groups that only small parts connect, each part with the nearest one of the other group: otherwise
+  /// the energy would not see their relative position.
   void add_bridges(std::vector<Aligned_shape::Contact>& contacts) const
   {
     std::set<std::array<std::size_t, 2>> pairs;
