@@ -45,7 +45,7 @@ class Surface_map
 public:
   /// \param source,target the structural graphs
   /// \param source_shape,target_shape the models that the graphs were built from
-  /// \param correspondence of the graphs
+  /// \param correspondence correspondence of the graphs
   /// \throw Invalid_input if a model does not have the parts of its graph
   Surface_map(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence);
