@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-// Maps between curves and sheets of shapes of boxes, whose answers are known.
+// Maps between curves and sheets of shapes made of boxes, whose results are known.
 
 using namespace box_shapes;
 using namespace boxed_graphs;
@@ -48,7 +48,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
     const auto images = map({0, parameter});
     REQUIRE(images.size() == 1);
     ++hits[images[0].part];
-    // Lath and plate lie in the same place: the image is the lath's share of the way
+    // Lath and plate are in the same place: the image is the lath's share of the plate
     const Point place = evaluate(structure(from).parts[0], parameter);
     const Point image = evaluate(structure(to).parts[images[0].part], images[0].parameter);
     CHECK(std::abs(place.x() - image.x()) < 0.06);
@@ -56,7 +56,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
     if (part_before == images[0].part) CHECK((image - before).norm() < 2 * 1.2 / n);
     before = image;
     part_before = images[0].part;
-    // And back
+    // The inverse map returns to the lath
     bool returns = false;
     for (const Part_parameter& back : map.inverse()(images[0]))
       returns = returns || (back.part == 0 && (back.parameter - parameter).norm() < 1e-9);

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Pinned and forbidden pairs, which every method keeps to.
+// Pinned and forbidden pairs, which all methods respect.
 
 #include "energy/Match_constraints.h"
 #include "hand_made_graphs.h"
@@ -63,7 +63,7 @@ TEST_CASE("A pinned pair corresponds, and its parts to nothing else, by every me
     CHECK(partners_of_source(c, 2) == Parts{3});
     CHECK(partners_of_target(c, 3) == Parts{2});
     CHECK(partners_of_source(c, 0) == Parts{0});
-    // The other legs are a group still
+    // The other legs are still a group
     if (method != Search_method::PARTS)
       CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {2, 3}, {3, 2}, {4, 4}, {5, 5}});
   }
@@ -92,7 +92,7 @@ TEST_CASE("A pin may cross what parts are for: what is left is matched without t
 {
   for (Search_method method : methods) {
     Search_options options = by(method);
-    options.matching.pinned = {{0, back}, {back, 0}}; // seat and back
+    options.matching.pinned = {{0, back}, {back, 0}}; // swaps seat and back
     const Correspondence c = find_correspondence(chair(), chair(), options);
     CHECK(partners_of_source(c, 0) == Parts{back});
     CHECK(partners_of_source(c, back) == Parts{0});
@@ -129,7 +129,7 @@ TEST_CASE("A search that constraints leave nothing to choose says so; parts may 
   options.matching.unmatched_cost = 1;
   const Correspondence c = find_correspondence(chair(), chair(), options);
   CHECK(c.unmatched_source == std::vector<std::size_t>{back});
-  // The default leaves parts unmatched anyway
+  // By default, parts may be unmatched anyway
   options = by(Search_method::PARTS);
   for (std::size_t part = 0; part < 6; ++part)
     options.matching.forbidden.push_back({back, part});
@@ -145,12 +145,12 @@ TEST_CASE("Constraints that cannot be kept are errors")
     options.maximum_parts = maximum_parts;
     return find_correspondence(chair(), slatted_chair(), options);
   };
-  CHECK_THROWS_AS(matched_with({{6, 0}}, {}), Invalid_input); // there are parts 0 to 5, and 0 to 7
+  CHECK_THROWS_AS(matched_with({{6, 0}}, {}), Invalid_input); // the shapes have parts 0 to 5 and 0 to 7
   CHECK_THROWS_AS(matched_with({{0, 8}}, {}), Invalid_input);
   CHECK_THROWS_AS(matched_with({}, {{6, 0}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({}, {{0, 8}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({{0, 0}}, {{0, 0}}), Invalid_input);
-  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // does not take part
+  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // the part is not in the coarse shape
   CHECK_NOTHROW(matched_with({}, {{2, 4}}, 1));
 }
 

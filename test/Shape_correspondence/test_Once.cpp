@@ -19,7 +19,7 @@ TEST_CASE("Work is done once, and is done when any of the threads goes on")
   for (int round = 0; round < rounds; ++round) {
     Once once;
     std::atomic<int> times{0}, ready{0}, unfinished{0};
-    std::vector<int> result; // not atomic: the lock must make it visible
+    std::vector<int> result; // not atomic: the lock must make writes visible
     std::vector<std::thread> threads;
     for (int i = 0; i < number_of_threads; ++i)
       threads.emplace_back([&] {

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Roles of parts: learning, predicting, writing and reading.
+// Roles of parts: training, prediction, writing and reading.
 #include "labelled_furniture.h"
 #include "model_files.h"
 #include "roles/Role_model_data.h"
@@ -105,7 +105,7 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
   CHECK_THROWS_WITH(IO::read_role_model(folder.path("damaged.roles")),
                     Contains("damaged.roles") && Contains("longer than 256 MB"));
 
-  // What no digest guards
+  // Errors that the digest does not detect
   const std::string whole = bytes(model);
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 50) {
     std::istringstream in(whole.substr(0, size));
@@ -115,7 +115,7 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
 
 namespace {
 
-/// Examples of three classes, by chance.
+/// Random examples of three classes.
 std::vector<Role_example> random_examples(std::size_t count)
 {
   std::mt19937 random(7);
@@ -137,7 +137,7 @@ std::string bytes_of(const Role_forest& forest)
   return out.str();
 }
 
-/// Whether it is a forest, all of it; `forest` gets it.
+/// Reads a forest into `forest`. \return whether the entire text is a valid one
 bool is_read(const std::string& text, int trees, int roles, Role_forest& forest)
 {
   const auto owner = std::make_shared<const std::string>(text);
@@ -224,19 +224,19 @@ TEST_CASE("A model that is extended knows what all shapes teach together")
   CHECK(bytes(extend_role_model(train_role_model(chairs), shelves)) == bytes(together));
   CHECK(bytes(extend_role_model(Role_model(), all)) == bytes(together));
 
-  // Shapes of a category that is known: its roles are learned from the old and the new ones
+  // Shapes of a known category: its roles are learned from the old and the new shapes
   const Role_model extended = extend_role_model(train_role_model(first_half), second_half);
   for (const Furniture& shape : {chair(0.17, 1.9), shelf(0.08, 4)}) {
     const Part_roles a = part_roles(shape.graph, extended), b = part_roles(shape.graph, together);
     CHECK(a.probabilities == b.probabilities);
     CHECK(a.distance == b.distance);
   }
-  // Also after it was kept in a file
+  // The same after the model was stored in a file
   const Temporary_folder folder;
   IO::write_role_model(folder.path("half.roles"), train_role_model(first_half));
   CHECK(bytes(extend_role_model(IO::read_role_model(folder.path("half.roles")), second_half)) == bytes(extended));
 
-  // The forests have as many trees as those of the model
+  // The new forests have as many trees as the model's
   Role_training_options few;
   few.trees = 7;
   CHECK(Role_model_access::data(extend_role_model(train_role_model(chairs, few), shelves)).trees == 7);
@@ -293,7 +293,7 @@ TEST_CASE("Fine labels are learned where all parts of a role have one, and the s
   for (Labelled_graph& example : shapes)
     example.labels[0].fine = "";
   CHECK(fine_of_legs() == std::vector<std::string>(4, ""));
-  // All legs are taken to be alike, which does not tell them apart
+  // All legs get the same label, so that they are not told apart
   for (Labelled_graph& example : shapes)
     for (Part_label& label : example.labels)
       if (label.coarse == "leg") label.fine = "leg_front";

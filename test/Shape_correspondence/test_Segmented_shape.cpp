@@ -179,7 +179,7 @@ TEST_CASE("Points are those of the vertex point map")
   CHECK(height(named) == 5);
   CHECK(named.parts()[0].name == "all");
 
-  // Parts that are views of one mesh share its map
+  // Parts that are views of one mesh share its point map
   using View = CGAL::Face_filtered_graph<Mesh>;
   const std::map<std::string, View> views{{"view", View(mesh, 0, ids)}};
   CHECK(height(Segmented_shape::from_meshes(views, "views", Point::UnitY(), vertex_points)) == 5);
