@@ -119,7 +119,7 @@ TEST_CASE("Work is told of, and ends when it is told to")
   options.progress = [](std::size_t done, std::size_t) { return done < 2; };
   const Energy_matrix cancelled = energy_matrix(shapes(), options);
   CHECK(!cancelled.complete);
-  CHECK(!std::isnan(cancelled.energies(1, 0))); // with its reversed pair
+  CHECK(!std::isnan(cancelled.energies(1, 0))); // computed together with its reversed pair
   CHECK(std::isnan(cancelled.energies(0, 3)));
 }
 

@@ -29,7 +29,7 @@ Box_model upright(const std::vector<Named_box>& boxes)
   return result;
 }
 
-/// The steps by the names of parts: `name~` of an old one, `~name` of a new one.
+/// The steps by the names of parts: `name~` for an old part, `~name` for a new one.
 std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, const std::vector<Named_box>& to,
                                            const Correspondence& correspondence)
 {
@@ -55,7 +55,7 @@ std::vector<Named_box> on_walls()
           {"box", {0, 0.82, 0}, {0.9, 0.36, 0.6}}};
 }
 
-/// The same board on a column with a needle on it.
+/// The same board on a column, with a needle on it.
 std::vector<Named_box> on_column()
 {
   return {board, {"column", {0, 0.28, 0}, {0.15, 0.56, 0.15}}, {"needle", {0, 0.82, 0}, {0.05, 0.36, 0.05}}};
@@ -133,7 +133,7 @@ TEST_CASE("There are no two steps if most of what is to stand would be missing b
 
 TEST_CASE("What would come off what held it is exchanged with that")
 {
-  // A bar on two rods that become one: if the rods changed first, one end of the bar would hang in the air.
+  // A bar on two rods that become one: if the rods changed first, one end of the bar would have no support.
   const Named_box base = {"base", {0, 0.05, 0}, {1.4, 0.1, 0.6}}, wall = {"wall", {0.6, 0.5, 0}, {0.1, 0.8, 0.5}};
   const std::vector<Named_box> from = {base,
                                        wall,
@@ -152,7 +152,7 @@ TEST_CASE("What would come off what held it is exchanged with that")
 
 TEST_CASE("Large parts on a small one are not left hanging in the air")
 {
-  // A panel on a hook on a pole, and a sign on a link on a pin, far from that.
+  // A panel on a hook on a pole and, far from that, a sign on a link on a pin.
   const Named_box base = {"base", {0, 0.05, 0}, {2.4, 0.1, 0.6}}, wall = {"wall", {1.1, 0.5, 0}, {0.1, 0.96, 0.5}};
   const std::vector<Named_box> from = {base,
                                        wall,
@@ -185,12 +185,12 @@ TEST_CASE("Old and new parts are in one place at no time, though they hold on to
 
 TEST_CASE("What would be hidden inside a new part is not kept beside it")
 {
-  // The old bar runs through the new block, but fills few of the cells of its faces.
+  // The old bar passes through the new block, but fills few of the cells of its faces.
   std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {2, 0.2, 0.8}},
                                  {"back", {-0.95, 0.5, 0}, {0.1, 0.6, 0.8}},
                                  {"top", {0, 0.85, 0}, {2, 0.1, 0.8}}},
                          to = from;
-  from.push_back({"bar", {-0.35, 0.5, 0}, {1.1, 0.04, 0.04}}); // holds on to the back
+  from.push_back({"bar", {-0.35, 0.5, 0}, {1.1, 0.04, 0.04}}); // attached to the back
   to.push_back({"block", {-0.2, 0.4, 0}, {1.0, 0.4, 0.6}});    // stands on the shelf
   auto found = steps(from, to, same_parts(3));
   CHECK(found.at("bar~") != Exchange_step::NONE);
@@ -199,8 +199,8 @@ TEST_CASE("What would be hidden inside a new part is not kept beside it")
 
 TEST_CASE("What both shapes fill is not left empty between the steps")
 {
-  // An old bar that ends where a new one begins, and a third of which are in one place: either has its counterpart
-  // elsewhere. If the old bar, whose group is lower, went first, there would be a hole between them.
+  // An old bar ends where a new one begins, and a third of each is in the same place; either has its counterpart
+  // elsewhere. If the old bar, whose group is lower, changed first, there would be a hole between them.
   const Named_box back = {"back", {0, 0.5, -0.3}, {2.4, 1, 0.1}};
   const std::vector<Named_box> from = {
       back, {"left bar", {-0.4, 0.5, -0.2}, {1.2, 0.08, 0.1}}, {"high", {-0.9, 0.85, -0.2}, {0.3, 0.2, 0.1}}};
@@ -218,7 +218,7 @@ TEST_CASE("What holds on to the place where something else did takes its place")
                                       {"post", {0, 0.6, -0.25}, {0.1, 0.4, 0.1}}};
   std::vector<Named_box> from = pot, to = pot;
   from.push_back({"cactus", {-0.05, 0.55, 0.1}, {0.2, 0.3, 0.2}});
-  to.push_back({"leaf", {0.11, 0.7, 0.1}, {0.02, 0.6, 0.1}}); // beside it
+  to.push_back({"leaf", {0.11, 0.7, 0.1}, {0.02, 0.6, 0.1}}); // beside the old one
   auto found = steps(from, to, same_parts(2));
   CHECK(found.at("cactus~") != Exchange_step::NONE);
   CHECK(found.at("cactus~") == found.at("~leaf"));

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Other libraries fail at each place where they are called with a surface, through each command: the result says what
-// takes the place of theirs, or an error names the file.
+// Makes other libraries fail at each of their calls with a surface, in each command: the result must report the
+// replacement, or an error must name the file.
 
 #include "base/library_call.h"
 #include "cli/Command.h"
@@ -24,14 +24,14 @@ using internal::failing_library_call;
 
 namespace {
 
-/// Lets the library calls of a name fail while it lives.
+/// Makes the library calls of this name fail during its lifetime.
 struct Failing_calls
 {
   explicit Failing_calls(const std::string& name) { failing_library_call = name; }
   ~Failing_calls() { failing_library_call.clear(); }
 };
 
-/// What goes to a stream while it lives.
+/// Captures the output to a stream during its lifetime.
 class Captured
 {
 public:
@@ -45,7 +45,7 @@ private:
   std::streambuf* before_;
 };
 
-/// All that a command prints, or its error. Other exceptions than those that the program reports fail the test.
+/// The output of a command, or its error. Exceptions that the program does not report fail the test.
 std::string outcome(const std::string& command, const std::vector<std::string>& arguments)
 {
   const Captured out(std::cout), notes(std::cerr);
@@ -57,7 +57,7 @@ std::string outcome(const std::string& command, const std::vector<std::string>& 
   return out.text() + notes.text();
 }
 
-/// A box as OBJ polygons, each side with a corner in the middle of two of its edges.
+/// A box as OBJ polygons, with two edges of each side split at their midpoints.
 std::string box_text(const Point& low, const Point& high, int first)
 {
   std::ostringstream text;

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls of the library with what it cannot work with: each is refused, and none is undefined.
+// Calls of the library with invalid arguments: each is refused, and none has undefined behaviour.
 
 #include "box_shapes.h"
 #include "boxed_graphs.h"
@@ -118,7 +118,7 @@ TEST_CASE("Meshes with indices of no vertex, or coordinates that are no numbers,
   CHECK_THROWS_AS(convex_hull_volume(bad_point.points), Invalid_input);
   CHECK(segment_mesh({}).shape.parts().empty());
   Segmentation_options most;
-  most.patches = largest; // as many as there are triangles
+  most.patches = largest; // clamped to the number of triangles
   CHECK(segment_mesh(box_shapes::box(Point::Zero(), Point::Ones()), most).shape.parts().size() == 1);
 }
 

@@ -35,7 +35,7 @@ Structural_graph read(const std::string& text, const Structure_options& options 
   return IO::read_structural_graph_json(in, "chair.json", options);
 }
 
-/// What reading says of a chair that `change` has spoilt.
+/// The error for a chair modified by `change`.
 template <typename Change>
 std::string complaint_after(Change&& change)
 {
@@ -44,7 +44,7 @@ std::string complaint_after(Change&& change)
   return model_files::complaint([&] { read(document.dump()); });
 }
 
-/// Numbers with all 53 bits in use
+/// A graph with numbers that use all 53 bits.
 Structural_graph crooked(const Structural_graph& graph)
 {
   Structural_graph result = hand_made::moved(graph, 0.3, 1 / 3.0, Point(std::sqrt(2.0), 1e-17, -1e9));
@@ -138,7 +138,7 @@ TEST_CASE("The keys are those of the format")
   CHECK(leg["type"] == "curve");
   CHECK(leg["closed"] == false);
   CHECK(leg["points"].size() == 2);
-  CHECK_FALSE(leg.contains("surface")); // unknown
+  CHECK_FALSE(leg.contains("surface")); // it is unknown
   CHECK(leg["abstraction"]["method"] == "given");
   CHECK(leg["abstraction"]["repair"] == "none");
   CHECK(leg["abstraction"]["coverage"] == 1.0);

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Limits of the time and the memory of a match: there is always a result, and it says what it is.
+// Limits of time and memory in a match: there is always a result, which reports the limit.
 
 #include "base/deadline.h"
 #include "hand_made_graphs.h"
@@ -25,7 +25,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// A clock that moves on by a second whenever somebody looks at it.
+/// A clock that advances by a second at every reading.
 struct Looked_at_clock
 {
   std::shared_ptr<int> looks = std::make_shared<int>(0);
@@ -35,7 +35,7 @@ struct Looked_at_clock
 
 internal::Deadline after(int looks) { return internal::Deadline(looks, Looked_at_clock()); }
 
-/// Points of which each touches all others.
+/// Points, all in contact with each other.
 Structural_graph cluster(std::size_t n)
 {
   std::vector<Point> places;
