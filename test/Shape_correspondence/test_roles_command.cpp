@@ -164,7 +164,7 @@ TEST_CASE("The program uses the user's own examples of a category that it does n
                Contains("examples of the category chair were not used") && Contains("until there are 3"));
   }
   CHECK_THAT(run("collection " + folder.path("two") + " --json - --roles none" + two).error, Contains("not used"));
-  // Without other examples, shapes of the user's own category can be labelled
+  // `label` uses any number of examples, since nothing else can label shapes of a user's own category
   const std::string stool = "label " + data + "/stool/parts -o - ";
   CHECK(run(stool + two).error.find("not used") == std::string::npos); // chairs are a known category
 

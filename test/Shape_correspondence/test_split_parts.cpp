@@ -301,7 +301,7 @@ TEST_CASE("Patches whose borders run along one another are one part, unless thei
   CHECK(parts(0.05, {}).shape.parts().size() == 4);
   const Eigen::Index strip = patches_of_cushion(0)[0].triangles.cols();
   std::vector<int> of_fabric(std::size_t(strip) + 4, 0);
-  of_fabric[std::size_t(strip)] = of_fabric[std::size_t(strip) + 1] = 1; // another face
+  of_fabric[std::size_t(strip)] = of_fabric[std::size_t(strip) + 1] = 1; // one face has another material
   const std::vector<int> of_frame(std::size_t(frame.triangles.cols()), 0);
   const Part_split split = parts(0.004, {of_fabric, of_frame});
   CHECK(split.shape.parts().size() == 3);
