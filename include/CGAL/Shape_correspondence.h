@@ -11,9 +11,8 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_H
 
-/// \file Shape_correspondence.h Includes the entire package except reading and writing of files
-/// (`Shape_correspondence/IO/`) and the solvers that can be used without shapes (`exact_search.h`,
-/// `markov_clustering.h`).
+/// \file Shape_correspondence.h Includes the package except files (`Shape_correspondence/IO/`) and the solvers that can
+/// be used without shapes (`exact_search.h`, `markov_clustering.h`).
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 #include <CGAL/Shape_correspondence/Surface_map.h>

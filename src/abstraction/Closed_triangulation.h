@@ -16,9 +16,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A closed triangle mesh whose edges can be split and collapsed. The halfedges of face f are 3f, 3f + 1 and 3f + 2 in
-/// turn, so that only the source and the opposite of each are stored (directed edges; Campagna, Kobbelt and Seidel
-/// 1998).
+/// A closed triangle mesh whose edges can be split and collapsed. The halfedges of face f are 3f, 3f + 1 and 3f + 2;
+/// only their sources and opposites are stored (directed edges; Campagna, Kobbelt and Seidel 1998).
 class Closed_triangulation
 {
 public:

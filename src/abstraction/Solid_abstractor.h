@@ -28,8 +28,7 @@ public:
 protected:
   using Method = Abstraction_report::Method;
 
-  /// Calls `use_prism()` if the part is a prism, which needs no remeshing. \param repaired closed and connected \return
-  /// whether the part is a prism
+  /// Calls `use_prism()` if the part is a prism, and returns whether it is. \param repaired closed and connected
   virtual bool find_geometry_from_faces(const Repaired_part& /*repaired*/) { return false; }
   /// Calls one of `use_curve()`, `use_axis()` and `use_sheet()`. \throw Flow_failure
   virtual void find_geometry(const Part_mesh& solid) = 0;

@@ -165,8 +165,7 @@ std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape
   return result;
 }
 
-/// Indices of the meshes that are not copies, by descending number of triangles, since large ones probably take
-/// longest.
+/// Indices of the meshes that are not copies, the largest first, since they probably take longest.
 std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
                                            const std::vector<Congruence>& congruences)
 {

@@ -21,8 +21,7 @@ inline Curve medial_curve(const Oriented_box& box, int control_points, Eigen::In
   return result;
 }
 
-/// The axis of a box whose extent differs most from the other two, such as that of a square prism; for a cube, the
-/// upright axis.
+/// The axis of a box, as of a square prism, whose extent differs most from the other two; for a cube, the upright one.
 inline Eigen::Index distinct_axis(const Oriented_box& box)
 {
   const double alike = 0.9;

@@ -188,8 +188,7 @@ inline Curve smoothed(const Curve& raw, int samples)
   return result;
 }
 
-/// Moves a curve, perpendicular to itself, to the mean of the nearby points of the medial axis: those about as far from
-/// the curve as from the surface.
+/// Moves a curve across itself to the mean of the medial points that are about as far from it as from the surface.
 /// \param axis the medial poles of the surface's points
 inline void centre(Curve& curve, const Points& axis, const Points& surface)
 {

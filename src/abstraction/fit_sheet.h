@@ -114,8 +114,7 @@ inline Outline_corners largest_quadrilateral(const Planar_points& outline)
   return result;
 }
 
-/// The extreme points of an outline along the diagonals of its bounding rectangle, counter-clockwise from the lower
-/// left.
+/// The extreme points of an outline along the diagonals of its bounding box, counter-clockwise from the lower left.
 inline Outline_corners diagonal_corners(const Planar_points& outline)
 {
   Eigen::Array2d low = outline[0], high = low;
@@ -232,8 +231,8 @@ inline Eigen::MatrixXd bending_form(int rows, int cols)
   return result;
 }
 
-/// Smooth values at the control points of a flat grid, one column for each, that approximate given values at points of
-/// its plane.
+/// Smooth values, one column for each control point of a flat grid, that approximate given values at points in its
+/// plane.
 inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, const Eigen::MatrixXd& values)
 {
   const double smoothness = 0.05; // weight of the bending energy relative to the points

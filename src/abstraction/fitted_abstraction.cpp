@@ -68,8 +68,7 @@ bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
   return axis.slenderness >= least_slenderness && (!has_handle || 2 * thickness <= thin_wall * axis.height);
 }
 
-/// Whether a body of revolution with a layer as medial axis is truly round, as a wheel is, and no cushion with rounded
-/// corners.
+/// Whether a body of revolution with a layer as medial axis is truly round, like a wheel, and not a cushion.
 bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
 {
   const double most_deviation = 0.03; // over the radius; that of a wheel of twelve sides is less
@@ -138,8 +137,7 @@ class Fitter : public Solid_abstractor
       use_axis(medial_curve(box, options().curve_points, distinct_axis(box)));
       return;
     }
-    // Largest residual of a fit: greater for a blade with arms that branch off, and for a net that no single curve
-    // follows
+    // Largest residual; greater for a blade with branching arms, and for a net that no single curve follows
     const double most = 0.02 * diagonal_of_part();
     if (wanted_kind() == Abstraction_kind::AUTOMATIC && !has_handle &&
         (kind == Intrinsic_kind::FLAT || kind == Intrinsic_kind::BLADE)) {
@@ -201,8 +199,7 @@ private:
     return intrinsic_layout(layer);
   }
 
-  /// The axis of a body of revolution that is not elongated. It says more than a skeleton, which may have any
-  /// direction.
+  /// The axis of a body of revolution that is not elongated: a skeleton of it might have any direction.
   std::optional<Revolution_axis> axis_of_revolution(const Part_mesh& solid, Intrinsic_kind kind) const
   {
     if (wanted_kind() == Abstraction_kind::SHEET || kind == Intrinsic_kind::ELONGATED) return std::nullopt;

@@ -165,8 +165,7 @@ bool is_solid(Halfedge_mesh& mesh)
   return fullness(mesh) > smallest_fullness;
 }
 
-// Number of points that a wrap may insert at existing points. With its rounded distances, it can insert the same point
-// forever.
+// Limit for points that a wrap inserts at existing points, which its rounded distances can make it do forever.
 constexpr int most_repeated_points = 1000;
 
 /// Throws if a wrap takes too long or does not terminate.
@@ -236,8 +235,7 @@ double box_diagonal(const Halfedge_mesh& mesh)
                    CGAL::square(box.zmax() - box.zmin()));
 }
 
-/// Whether a component represents the whole part: it spans the part and has about half of its area, as the tyre of a
-/// wheel with thin spokes.
+/// Whether a component, such as the tyre of a wheel with thin spokes, spans its part and has about half of its area.
 bool dominates(const Halfedge_mesh& component, const Part_mesh& part, double area)
 {
   return box_diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.45 * area;

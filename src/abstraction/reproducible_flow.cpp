@@ -41,8 +41,7 @@ std::optional<Point> circumcentre(const Delaunay::Cell& cell, double flattest)
   return Point(result.template cast<double>());
 }
 
-/// The circumcentre, bitwise the same on all machines: with IEEE rounding, or in longer numbers if double does not
-/// suffice.
+/// The circumcentre, bitwise equal on all machines: by IEEE rounding, or with longer numbers where double is too short.
 Point circumcentre(const Delaunay::Cell& cell)
 {
   using Long_number = boost::multiprecision::cpp_bin_float_100;

@@ -14,8 +14,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A kernel type of our own, so that the mesh within the flow has a distinct type for which the order of edges can be
-/// specialized.
+/// A kernel type of our own makes the type of the mesh within the flow distinct, so that its edges can be ordered.
 struct Flow_traits : Mesh_kernel
 {};
 
@@ -27,8 +26,8 @@ using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 
 /// The flow collapses short edges in the order of a `std::set` of edges. In CGAL 5 that is the order of their
 /// addresses, which makes the skeleton differ from run to run. The flow numbers all halfedges before each collapse, in
-/// the order of its mesh; comparing these numbers makes its result a function of the input. CGAL 6 compares numbers
-/// itself, in the same order.
+/// the order of its mesh; comparing the numbers makes the result reproducible. CGAL 6 does so itself, in the same
+/// order.
 template <>
 struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
 {

@@ -106,8 +106,7 @@ inline Points farthest_points(const Points& candidates, std::size_t n)
   return result;
 }
 
-/// Points evenly spread over a surface. If there are few vertices, they are candidates as well, so that corners are
-/// included.
+/// Points evenly spread over a surface. Few vertices are candidates as well, so that corners are included.
 inline Points even_surface_points(const Part_mesh& mesh, std::size_t n)
 {
   const std::size_t candidates_a_point = 8;

@@ -80,8 +80,7 @@ bool is_caller_alone() { return tbb::global_control::active_value(tbb::global_co
 template <typename Work>
 void run_in_parallel(std::size_t n, const Work& work)
 {
-  // An isolated context: in that of an enclosing loop, the calls of this loop would be silently skipped when that one
-  // is cancelled
+  // An isolated context: an enclosing loop's would silently skip calls of this loop when it is cancelled
   tbb::task_group_context group(tbb::task_group_context::isolated);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, n, 1),

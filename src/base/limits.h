@@ -11,8 +11,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Limits of inputs, documented in the section "Limits" of the manual. `benchmark_limits` measures times and memory at
-// them.
+// Limits of inputs (manual, "Limits"). `benchmark_limits` measures times and memory at them.
 
 /// Largest absolute value of a coordinate. Products of volumes stay far inside the range of double.
 constexpr double largest_coordinate = 1e15;

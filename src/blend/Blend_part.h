@@ -60,8 +60,8 @@ struct Blend_part
 std::vector<std::size_t> parts_of(const std::vector<Blend_part>& parts, int end, std::size_t given);
 
 /// The parts of a blend. Matched parts come first: one for every pair of parts, or pieces of parts, that correspond or
-/// are similar leftovers and, if both ends are symmetric, for their mirror images. Then the unmatched parts, those of
-/// the source first.
+/// are similar leftovers and, if both ends are symmetric, for their mirror images; then unmatched parts, the source's
+/// first.
 /// \param unlike receives the pairs that correspond but do not morph
 std::vector<Blend_part> blend_parts(const Blend_stage& stage, const Correspondence& correspondence, Part_pairs& unlike);
 

@@ -22,8 +22,7 @@ bool is_mirrored_in_x(const Blend_input& input)
   return input.quarter_turns % 2 == 0 ? frame.mirror_x : frame.mirror_z;
 }
 
-/// The frame of the stage, fitted to the surface itself, not to samples of it: the surface stands on the ground, is
-/// centred and has height 1.
+/// The frame of the stage, in which the surface itself, not its samples, stands on the ground, centred, with height 1.
 Shape_frame staged_frame(const Blend_input& input)
 {
   constexpr double upright = 0.5; // height, in the given frame, below which a flat shape keeps the height of that frame

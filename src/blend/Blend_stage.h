@@ -52,8 +52,7 @@ struct Blend_stage
 
   /// Adds the pair of mirror images of every pair whose two parts have mirror images.
   void add_mirrored(Part_pairs& pairs) const;
-  /// From the stage to the world, after a share `done` of the change of size, in [0, 1]; sizes change by equal factors
-  /// in equal times.
+  /// From the stage to the world, at a share `done` of the change of size, which grows by equal factors in equal times.
   Points to_world(const Points& points, double done) const;
 
 private:

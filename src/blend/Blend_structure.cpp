@@ -14,8 +14,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The pairs of parts whose given parts are in contact according to the graphs; of pieces of parts, only those that are
-/// near.
+/// The pairs of parts whose given parts are in contact according to the graphs; of pieces, only those that are near.
 std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
 {
   std::set<Touch> found; // the smaller index first

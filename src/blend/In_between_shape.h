@@ -13,8 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are given by index.
 ///
 /// *Layout*: matched parts move linearly from their places at one end to those at the other. Unmatched parts follow the
-/// warps of the ends. Then the whole is stretched vertically so that it stands on the ground and has the interpolated
-/// height.
+/// warps of the ends. Then the whole is stretched vertically to stand with the interpolated height.
 struct In_between_shape
 {
   /// \param tasks empty: all parts of both ends are present in full size

@@ -18,8 +18,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Whether most rays from a point, in both directions of three axes, cross a surface an odd number of times; the
-/// surface may have holes.
+/// Whether most rays from a point, along three axes, cross a surface, which may have holes, an odd number of times.
 bool is_inside(const Point& p, const contacts::Triangle_tree& surface)
 {
   static const std::array<Point, 3> along = {Point(1, 0.0123, 0.0217), Point(0.0171, 1, 0.0119),

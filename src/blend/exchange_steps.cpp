@@ -172,8 +172,7 @@ private:
     }
   }
 
-  /// Unites old and new parts without counterpart that are attached to the same place, such as a cactus and leaves in a
-  /// pot.
+  /// Unites old and new parts without counterpart that are attached to the same place, as a cactus and leaves in a pot.
   void unite_what_is_held_alike()
   {
     constexpr double near = 0.1; // over the height

@@ -10,8 +10,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// How a part changes: `NONE` morphs, appears or vanishes by itself; the others are exchanged in the first or second
-/// step.
+/// How a part changes: in the first or second step of an exchange, or (`NONE`) by morphing, appearing or vanishing.
 enum class Exchange_step { NONE, FIRST, SECOND };
 
 /// By part, its step of exchange.

@@ -30,8 +30,7 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 
 /// The tasks with their times. Exchanged parts change together with the surfaces of matched parts or, in two steps, one
 /// before and one after that, so that the default of `Blend_options::samples` sees all stages. Unmatched parts that are
-/// not exchanged vanish before the first step or grow after the second, so fast that they are hardly seen at small
-/// sizes.
+/// not exchanged vanish before the first step or grow after the second, so fast that they are hardly seen small.
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange_step>& steps,
                                     bool at_one_time)
 {

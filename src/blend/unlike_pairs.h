@@ -22,12 +22,11 @@ struct Unlike_pairs
   std::set<Part_pairs::value_type> torn;
 };
 
-/// The change needed for a part, a piece, or the box around several parts to become another. Lengths are over the
-/// height.
+/// The change needed for a part, a piece, or the box around parts to become another. Lengths are over the height.
 struct Difference
 {
-  /// \param are_whole whether extents are also compared as shares of the whole shape's, taking the smaller difference;
-  /// false for pieces
+  /// \param are_whole whether shares of the whole shape's extents are compared, too, taking the less different; not for
+  /// pieces
   Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole = true);
 
   /// Whether the proportions change little.

@@ -119,8 +119,8 @@ bool are_same_file(const std::string& a, const std::string& b)
 
 /// Checks output files before long work; empty paths are ignored, `-` is standard output.
 /// \param inputs files and folders that are read
-/// \throw Usage_error if two are the same file, however they are spelt, or one is an input; Invalid_input if one cannot
-/// be written
+/// \throw Usage_error if two are the same file, in any spelling, or one is an input; Invalid_input if one is not
+/// writable
 void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& inputs)
 {
   std::vector<std::string> outputs;

@@ -40,8 +40,7 @@ struct Common_options
   std::array<Of_input, 2> of_pair; ///< for the source and the target
   /// Role model to find the upright axes of models that do not give one; null: by stability alone.
   std::shared_ptr<const Role_model> roles;
-  /// Called instead of showing a progress bar, with the name of the work, the amount done and the total. May throw to
-  /// end the work.
+  /// Called, instead of a progress bar, with the name of the work, the amount done and the total. May throw to end it.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false, verbose = false, help = false, help_all = false;
   int threads = 0; ///< 0: as many as the machine has
@@ -61,8 +60,7 @@ struct Common_options
 };
 
 /// The field of `--output`: files by the endings of their names; `-` is JSON on standard output.
-/// \param files an ending, such as `.json`, and the variable that it sets \throw Usage_error (in the setter) for other
-/// endings
+/// \param files an ending, such as `.json`, and the variable that it sets; the setter throws `Usage_error` for others
 Text_field output_by_ending(const std::vector<std::pair<std::string, std::string*>>& files);
 
 /// The words of a comma-separated list.

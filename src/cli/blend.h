@@ -46,8 +46,7 @@ void check_output(const Blend_output& output);
 Blend_options blend_options(const Blend_output& output);
 
 /// Writes the blend. \param appearance appearance of the models; null: corresponding parts have one colour
-/// \param finish writes related files: before a folder gets its name, so that everything exists or nothing does, or
-/// after a file
+/// \param finish writes related files: after a file, or before a folder gets its name, which makes all appear at once
 void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
                  const IO::Blend_appearance* appearance, const std::function<void()>& finish);
 

@@ -43,8 +43,7 @@ std::string words_of_inputs(const std::string& command)
   return command == "help" ? names_of_commands() : command == "completion" ? "bash" : command == "roles" ? "train" : "";
 }
 
-/// Writes completion for Bash: names of commands and options, and values from lists of words; everything else is left
-/// to its completion of files.
+/// Writes completion for Bash: of commands, options and values from lists of words; for the rest, Bash completes files.
 void write_bash(std::ostream& out)
 {
   out << "# bash completion of shape_correspondence\n"

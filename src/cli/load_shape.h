@@ -127,12 +127,10 @@ void read_appearance(Loaded_shape& shape);
 /// The warnings about a shape's appearance.
 std::vector<std::string> warnings_of_appearance(const Loaded_shape& shape);
 
-/// Adds the warnings about a shape's appearance to the notes of a table, or prints them to standard error if there is
-/// no table.
+/// Adds the warnings about a shape's appearance to the notes of a table, or prints them if there is no table.
 void note_appearance(const Loaded_shape& shape, const Common_options& options, std::vector<std::string>& notes);
 
-/// A warning if the parts of a graph were abstracted by another method than the wanted one (mean curvature flow or the
-/// default); empty: no warning.
+/// A warning if the parts of a graph were not abstracted by the wanted method, flow or default; empty: no warning.
 std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_wanted);
 
 std::vector<std::string> part_names(const Structural_graph& graph);

@@ -23,8 +23,7 @@ struct Matched_shapes
 Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& target, const Search_options& options);
 
 /// Writes a correspondence as a table, in lines of 80 characters if names allow: one row for each block
-/// (`correspondence_blocks()`) with role, operation and confidence, then the unmatched parts, the energy and the
-/// distance.
+/// (`correspondence_blocks()`) with role, operation and confidence, then unmatched parts, energy and distance.
 /// \param verbose whether to list all parts of large blocks
 void write_match_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                        const Structural_graph& target, bool verbose);

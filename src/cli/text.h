@@ -20,8 +20,8 @@ constexpr std::size_t line_width = 80; ///< characters
 /// Words wrapped to lines of at most `width` characters; a longer word is broken after a separator, if it has one.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes one note in each line; if there are several, only their number unless `all`. Names of the library's options
-/// are removed.
+/// Writes one note in each line, or unless `all` only the number of several. Names of the library's options are
+/// removed.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
 
 /// A number with four significant digits.
@@ -58,8 +58,7 @@ inline std::vector<std::string> about(const std::string& path, const std::vector
 /// The words, separated by commas; "-" if there are none.
 std::string listed(const std::vector<std::string>& words);
 
-/// "; did you mean 'WORD'?" with the known word that starts like `word`, or else the nearest one by edit distance;
-/// empty if none is near.
+/// "; did you mean 'WORD'?" with the known word that starts like `word`, or the nearest by edit distance; empty: none.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -104,8 +104,7 @@ private:
   std::vector<Counterpart> list_;
 };
 
-// Of the third shapes in which both parts have counterparts, the share in which they have a common one; 1 if there are
-// no such shapes.
+// Of the third shapes in which both parts have counterparts, the share with a common one; 1 if there are none.
 double cycle_support(const Counterpart_range& of_a, const Counterpart_range& of_b)
 {
   std::size_t able = 0, confirming = 0;

@@ -86,8 +86,7 @@ std::vector<std::size_t> way(std::size_t from, const std::vector<std::size_t>& n
   return path;
 }
 
-// The chain with one intermediate shape that has the least sum of energies; the direct chain if there is no third
-// shape.
+// The chain via one intermediate shape with the least sum of energies; the direct one if there is no third shape.
 Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
 {
   std::vector<std::size_t> best{source, target};

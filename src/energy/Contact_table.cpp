@@ -60,8 +60,7 @@ public:
   // Whether the listed comparisons take more memory than the processor's cache has.
   bool is_full() const { return comparisons_.size() > maximum_comparisons || used_bytes_ > maximum_bytes; }
 
-  // Appends the energies of the listed contacts, contact by contact, by first and then second label, and clears the
-  // list.
+  // Appends the energies of the listed contacts, contact by contact, by first, then second label; clears the list.
   void compute(std::vector<Rod_energy>& result)
   {
     compare();

@@ -15,15 +15,14 @@
 namespace CGAL::Shape_correspondence {
 
 /// A source or target shape with the quantities that the energy needs of it alone: structural rods and distances of
-/// parts. They are computed on demand and shared by copies, so that a shape matched repeatedly is measured once.
-/// Thread-safe.
+/// parts, computed on demand and shared by copies, so that repeated matches compute them once. Thread-safe.
 class Deformable_shape : public Aligned_shape
 {
 public:
   explicit Deformable_shape(Aligned_shape shape);
 
-  /// The structural rods of a contact. The samples of either part are used once, or `samples_per_side` times each where
-  /// a curve becomes a sheet.
+  /// The structural rods of a contact. Samples of a part are used once, or `samples_per_side` times for a curve to
+  /// sheet.
   const Structural_rods& rods(std::size_t contact, int first_repeats, int second_repeats) const;
   /// The least distance between the samples of two parts.
   const Eigen::MatrixXd& part_distances() const;

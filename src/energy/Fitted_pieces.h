@@ -70,7 +70,7 @@ public:
   const Fitted_piece& operator[](std::size_t index) const { return fitted_[index]; }
   // Index of the first fitted piece of a source part; for the number of parts, the end.
   std::size_t begin_of(std::size_t part) const { return fitted_begin_[part]; }
-  // The fitted pieces of a source part under a label of its group: one for each clone, or for each piece that it is cut
+  // The fitted pieces of a source part under a label of its group, one for each clone or each piece that it is cut
   // into.
   Fitted_range images(std::size_t part, std::size_t label) const
   {

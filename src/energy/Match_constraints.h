@@ -37,8 +37,7 @@ private:
   std::vector<std::vector<char>> allowed_;    // by source part and target part
 };
 
-/// The connected components of the graph of pinned pairs: the source parts and the target parts of each, by the indices
-/// that the pins use.
+/// The connected components of the graph of pinned pairs, with source and target parts by the indices of the pins.
 struct Pinned_sets
 {
   std::vector<std::vector<std::size_t>> source, target;

@@ -54,8 +54,7 @@ public:
                    const Group_candidates& allowed = {}, const internal::Deadline& deadline = internal::Deadline());
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
   /// Takes the labels as given, by source group, to rate a mapping found by other means. Members of a group may have no
-  /// image; their contacts add no energy. \pre every group has a label, and every label a list of images for each
-  /// member of its group
+  /// image; their contacts add no energy. \pre every group has a label, with a list of images per member
   /// \throw Too_large, internal::Out_of_time
   Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
                    const Matching_options& options = {}, const internal::Deadline& deadline = internal::Deadline());

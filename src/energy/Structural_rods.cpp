@@ -26,8 +26,7 @@ double rounded_distortion(double mean_squared_cosine)
   return mean_squared_cosine > 1 - comparison_grid ? 0 : distortion_energy(mean_squared_cosine);
 }
 
-// A pool of memory for rods. Returned blocks are reused, since the system zeroes new memory, which takes long.
-// Thread-safe.
+// A pool of memory for rods, which is reused since the system zeroes new memory, which takes long. Thread-safe.
 class Rod_pool
 {
 public:

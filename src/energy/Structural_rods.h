@@ -35,8 +35,7 @@ struct Rod_energy
 /// case; the value is the one the authors' program uses.
 constexpr double collapsed_connectedness = 0.5;
 
-/// E_d and E_c of a pair of connected parts by Eqs. 2 to 4, from the samples of the two parts before and after the
-/// deformation.
+/// E_d and E_c of a pair of connected parts by Eqs. 2 to 4, from their samples before and after the deformation.
 Rod_energy rod_energy(const Points& first, const Points& second, const Points& moved_first, const Points& moved_second);
 
 /// The structural rods of a pair of connected parts before the deformation (paper, section 4.3): all vectors from a

@@ -176,8 +176,7 @@ double Structure_preservation::sweep()
   return change;
 }
 
-// Displaces and deforms a group by the contacts of its representative; at a contact of two unmatched parts both move to
-// the midpoint.
+// Displaces and deforms a group by the contacts of its representative; two unmatched parts in contact meet midway.
 void Structure_preservation::stretch(std::size_t group, const std::vector<char>& matched,
                                      const std::vector<std::array<Point, 2>>& contact_displacement,
                                      std::vector<Part_motion>& motions) const

@@ -22,8 +22,7 @@ constexpr int e = samples_per_side;
 
 bool is_open_curve(const Sampled_part& part) { return part.kind == Sampled_part::Kind::CURVE; }
 
-// The segment of a curve that corresponds to each of several curves: the optimal assignment of centroids in the unit
-// boxes.
+// The segment of a curve that corresponds to each of several curves, by optimal assignment in the unit boxes.
 std::vector<std::size_t> matching_segments(const Sampled_part& curve, const Unit_box& curve_box,
                                            const std::vector<Point>& centroids, const Unit_box& box)
 {

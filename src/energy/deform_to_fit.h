@@ -13,16 +13,15 @@ namespace CGAL::Shape_correspondence {
 
 /// Deform-to-fit (paper, section 5): the positions of the samples of `source` after it takes the shape of `target`.
 /// With `SAMPLES` these are the target's samples in the order of `match_extremities()`; with `EXTREMITIES`, the
-/// source's samples displaced by interpolation between the displacements of its ends or corners. If one of the parts is
-/// a sheet, there are e² samples.
+/// source's samples displaced by interpolation between its ends or corners. If one part is a sheet, there are e²
+/// samples.
 Points deform_to_fit(const Sampled_part& source, const Sampled_part& target,
                      Deform_to_fit fit = Deform_to_fit::SAMPLES);
 
 /// The first step of deform-to-fit: sample i of the source goes to sample [i] of the target. After the centres are
 /// aligned, extremities are matched by proximity: of the 2 directions of a curve, the 8 layouts of a sheet or the 2 e
 /// orders of a closed curve, the one with the least sum of squared distances of ends, corners or samples. If one part
-/// is a sheet, a curve counts as a sheet of e equal columns: [i] is its sample [i] / e. The result refers to a static
-/// table.
+/// is a sheet, a curve counts as a sheet of e equal columns: [i] is its sample [i] / e. Refers to a static table.
 const std::vector<int>& match_extremities(const Sampled_part& source, const Sampled_part& target);
 
 /// The samples of the target in the given order.

@@ -81,8 +81,7 @@ struct Group_label
 /// The operation by the numbers of parts of two groups: match, split, duplicate or merge.
 Operation topological_operation(std::size_t source_size, std::size_t target_size);
 
-/// S_i of Eq. 5; 1 between groups of equal size, whose parts correspond one to one, and where one of the groups is
-/// rotational.
+/// S_i of Eq. 5; 1 between groups of equal size, whose parts correspond one to one, and if one of them is rotational.
 double solidity_ratio(const Part_group& source, const Part_group& target);
 
 /// Whether a search may match two groups (paper, section 5): a group with a group or with a single self-symmetric part,

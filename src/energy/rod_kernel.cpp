@@ -1,8 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Compiled with -fno-rounding-math and -fno-math-errno, without which compilers do not vectorize comparisons and square
-// roots.
+// Compiled with -fno-rounding-math and -fno-math-errno, so that compilers vectorize comparisons and square roots.
 
 #include "energy/rod_kernel.h"
 

@@ -71,8 +71,7 @@ struct Rod_comparison
   float least_squared_length = 0; // after the deformation; not set by all functions
 };
 
-// Comparisons with no pair of parts before (least length only), with one (with or without the least length) and with
-// two (cosines only).
+// Comparisons with no pair of parts before (least length only), one (least length or not), or two (cosines only).
 using Compare_rods = Rod_comparison(const Rod_block* const* before, const Sample_lanes& first, int n,
                                     const Sample_lanes& second, int m);
 Compare_rods least_length_of_rods, compare_rods_and_length, compare_rods_of_one, compare_rods_of_two;

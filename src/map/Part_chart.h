@@ -44,9 +44,8 @@ public:
 
   /// The chart refitted so that it just contains the points.
   Part_chart fitted(const Points& surface) const;
-  /// The chart with its spine moved to the middle of the surface everywhere, which separates the two sides of a thin
-  /// and bent part; unchanged if the result would not be narrower. \param surface points that cover the surface as
-  /// densely as the stations
+  /// The chart with its spine in the middle of the surface everywhere, which separates the two sides of a thin and bent
+  /// part; unchanged if that is not narrower. \param surface points that cover the surface as densely as the stations
   Part_chart centred(const Points& surface) const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;

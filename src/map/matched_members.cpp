@@ -45,9 +45,8 @@ Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
   return result;
 }
 
-/// Matches the parts of two sets by relative positions: one to one by optimal assignment as far as their numbers allow;
-/// every remaining part with the nearest one, or with all that are about as near, so that symmetric sets are matched
-/// symmetrically.
+/// Matches the parts of two sets by relative positions: by optimal assignment as far as their numbers allow; every
+/// remaining part with the nearest one, or all about as near, so that symmetric sets are matched symmetrically.
 Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source, const Charted_shape& target)
 {
   constexpr double as_near = 0.02; // in units of the bounding box; tolerance for parts about as near as the nearest one

@@ -185,8 +185,7 @@ private:
     return result;
   }
 
-  /// Splits edges of a filling until it follows the chart, which a long edge in a bent part does not. The sides are
-  /// kept.
+  /// Splits edges of a filling, but for its sides, until it follows the chart, unlike a long edge in a bent part.
   void bend(Subdivision& section, std::vector<Point>& coordinates, const std::vector<Section_side>& sides) const
   {
     std::set<Section_side> kept;

@@ -47,8 +47,7 @@ struct Prepared_shape::Alignments
 
   Matching_problem::Shared_shape aligned(int quarter_turns) { return shapes_->aligned(quarter_turns); }
 
-  /// The features in an alignment; only those for the last options are cached, since a shape is hardly ever matched
-  /// with several.
+  /// The features in an alignment; cached for the last options only, since shapes are hardly ever matched with several.
   std::shared_ptr<const internal::Shape_features> features(int quarter_turns, const Part_matching_options& options);
 
   /// The roles predicted by a model for the four quarter turns of the shape from its given orientation.

@@ -131,8 +131,7 @@ private:
                                              const Alignment_candidate& alignment, Correspondence& result) const;
   // Removes pairs of confidence below `Search_options::min_confidence`.
   Part_match_result without_unsure(Part_match_result found) const;
-  // The result with the energy of deforming the source. If that would take long, only the likeliest counterpart of each
-  // part is used.
+  // The result with the energy of deforming the source, with only the likeliest counterparts if all would take long.
   Correspondence rated(const Shared_shape& source, const Part_match_result& found, const Deadline& limit) const;
   // The result with the energy of deforming the target.
   // \pre the target is not turned

@@ -28,8 +28,7 @@ struct Search_run
   Search_run(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
              const Search_options& options, const Deadline& deadline);
 
-  // Computes the energy of a known mapping, given as the only label of each source group. Unmatched groups cost
-  // nothing.
+  // Computes the energy of a mapping, given as the only label of each source group. Unmatched groups cost nothing.
   Search_run(const Shared_shape& source, const Shared_shape& target, int turns,
              std::vector<std::vector<Group_label>> labels, const Search_options& options, const Deadline& deadline);
 

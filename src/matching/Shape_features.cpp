@@ -15,8 +15,7 @@ namespace {
 
 constexpr double no_variance = 1e-12; // variance in a direction, over the largest one, below which it counts as zero
 
-// Square root of the covariance matrix, scaled to Frobenius norm 1: the shape and orientation of a part, independent of
-// size.
+// Square root of the covariance matrix, of Frobenius norm 1: form and orientation of a part, independent of size.
 Eigen::Matrix3d orientation(const Surface& surface)
 {
   const Surface centred = surface.rowwise() - surface.colwise().mean();

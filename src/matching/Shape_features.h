@@ -64,8 +64,7 @@ struct Part_extent
   bool is_in_chain = false; // one of the rings of a chain
 };
 
-// Sort key of shapes that does not depend on turns about the up axis; ties are broken by it regardless of which shape
-// is the source.
+// Sort key of shapes, invariant to turns about the up axis, by which ties are broken whichever shape is the source.
 using Shape_rank = std::tuple<std::size_t, Steps, Steps>;
 
 Shape_rank rank_of(const Aligned_shape& shape);

@@ -46,8 +46,7 @@ public:
     }
   }
 
-  /// Unites the sets with the greatest mean weight between them, all of them in case of ties. \return whether there
-  /// were any
+  /// Unites the sets with the greatest mean weight between them, all if tied. \return whether there were any
   bool unite_closest()
   {
     internal::Steps greatest = -1;

@@ -31,8 +31,7 @@ std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligne
   return result;
 }
 
-// Whether the energy of a matching is computed fast: for parts in contact, all pairs of their counterparts are
-// compared.
+// Whether the energy of a matching is computed fast: all counterparts of parts in contact are compared pairwise.
 bool is_rated_fast(const Part_matching& matching, const Aligned_shape& source)
 {
   constexpr double most_comparisons = 2e8; // number of pairs of counterparts that takes about two seconds

@@ -72,8 +72,7 @@ std::vector<Block> blocks_of(const Match_matrix& confident, const Shape_features
   return result;
 }
 
-// The pairs that are the best one of a part, and whose cost exceeds the least costs of its two parts by at most
-// `excess` in sum.
+// The pairs that are the best of a part, and whose cost exceeds the least costs of both by at most `excess` in sum.
 Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
 {
   const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
@@ -170,8 +169,7 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Completes blocks to all pairs of their parts, where the numbers of parts differ, or where panels do not pair one to
-// one.
+// Completes blocks to all pairs, where the numbers of parts differ, or panels do not pair one to one.
 void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
                      const Shape_features& source, const Shape_features& target, const Part_matching_options& options,
                      Match_matrix& pairs)
@@ -252,8 +250,7 @@ double margin(const Eigen::MatrixXd& costs, const Match_matrix& pairs, Eigen::In
   return alternative - costs(i, j);
 }
 
-// Logistic function of the margin. Pairs of blocks may have negative margins; they are right as often as those of
-// margin 0.
+// Logistic function of the margin. Pairs of blocks with negative margins are right as often as those of margin 0.
 double confidence(double margin) { return std::min(1 / (1 + std::exp(-std::max(0., margin))), 1 - least_doubt); }
 
 // Cost of a pair that is not allowed; greater than all others.

@@ -28,14 +28,13 @@ struct Part_matching
 /// A pair is judged by how much its cost exceeds the least costs of its parts, so that no cost is too high for parts
 /// without a better counterpart. Pairs of small excess, the confident ones, join parts and panels of both shapes to
 /// blocks. A block with equally many parts of both shapes keeps its pairs (four legs and four legs). In a block with
-/// different numbers, every part corresponds to every other (backs of five and of seven slats; a pedestal and four
-/// legs); so it does in a block with a panel, unless the parts pair one to one at costs of at most
-/// `Part_matching_options::tolerance`.
+/// different numbers, every part corresponds to every other (five and seven slats; a pedestal and four legs); so it
+/// does in a block with a panel, unless the parts pair one to one at costs up to `Part_matching_options::tolerance`.
 ///
 /// The supports of the shapes (`Part_assemblies::support`) are matched as sets, and only with each other, unless their
 /// parts pair one to one, apart from legs left over on the ground (a ladder beside the legs of a bed). If one of the
-/// two shapes has a chain, it hangs, and is turned over. Pinned pairs are in the result, with confidence 1; pairs that
-/// are not allowed are not.
+/// two shapes has a chain, it hangs, and is turned over. Pinned pairs get confidence 1; pairs that are not allowed are
+/// left out.
 ///
 /// Deterministic, and symmetric in source and target. O(n m k²), see `part_costs()`.
 /// \throw Invalid_input if a weight or an option is negative or not finite

@@ -13,8 +13,7 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// Sets of parts of one shape with a common function, which people perceive as one thing. Indices are those of the
-/// aligned shape, ascending.
+/// Sets of parts with a common function, which people perceive as one thing; indices in the aligned shape, ascending.
 struct Part_assemblies
 {
   /// Panels, which are disjoint:
@@ -31,14 +30,12 @@ struct Part_assemblies
   std::vector<std::size_t> legs;
   std::vector<char> is_on_ground; ///< by part
   /// By part, whether it is in a chain: at least `Part_matching_options::repetition` rings (closed curves) of similar
-  /// size, each touching the next. A shape with a chain hangs from it, and its rings correspond only to rings of a
-  /// chain.
+  /// size, each touching the next. A shape hangs from its chain, whose rings only correspond to those of a chain.
   std::vector<char> is_in_chain;
   bool has_chain() const { return std::find(is_in_chain.begin(), is_in_chain.end(), 1) != is_in_chain.end(); }
 };
 
-/// The assemblies of a shape, from positions, contacts and symmetry groups alone. O(n (n + c)) for n parts and c
-/// contacts.
+/// The assemblies of a shape, by positions, contacts and symmetry groups. O(n (n + c)) for n parts and c contacts.
 Part_assemblies part_assemblies(const Aligned_shape& shape, const Part_matching_options& options = {});
 
 } // namespace CGAL::Shape_correspondence

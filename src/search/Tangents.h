@@ -14,8 +14,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The energy with its root terms replaced by tangents: a sum of terms of one and of two variables, nowhere above the
-// energy, since -sqrt is convex.
+// The energy with root terms replaced by tangents: a sum of unary and binary terms, a lower bound, since -sqrt is
+// convex.
 struct Tangent_bound
 {
   Mini_bucket_bound tables;

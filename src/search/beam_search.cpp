@@ -18,8 +18,7 @@ using namespace internal;
 
 namespace {
 
-// The order of assignment: first the group with most contacts, then always the one with most contacts to assigned
-// groups.
+// The order of assignment: first the group with most contacts, then always the one with most to assigned groups.
 std::vector<std::size_t> assignment_order(const Aligned_shape::Graph& graph)
 {
   const std::size_t n = num_vertices(graph);
@@ -59,8 +58,7 @@ struct Expansion
 };
 
 // Expands a parent by all labels of a group: appends its `count` best expansions (k), except those that are not among
-// the `most` best (K) of the level so far. Labels are rated in ascending order of their lower bounds, so that most need
-// no full rating.
+// the `most` best (K) of the level so far. Labels are rated by ascending lower bound, so that most need no full rating.
 class Expander
 {
 public:

@@ -51,8 +51,7 @@ private:
     std::vector<std::size_t> tables;
     std::size_t message;
   };
-  // The tables in the bound of a variable: given ones that become complete with it, messages to it, and messages past
-  // it to earlier variables.
+  // Tables in the bound of a variable: given ones completed by it, messages to it, and messages past it.
   struct Level
   {
     std::vector<std::size_t> complete, arriving, passing;

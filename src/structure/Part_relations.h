@@ -38,8 +38,7 @@ inline Eigen::Matrix3d mirror_matrix(const Point& normal)
   return Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
 }
 
-/// The congruences between parts, which are in a canonical order. All pairs are compared by their hulls; `confirm()`
-/// compares surfaces.
+/// The congruences between parts in canonical order. All are compared by their hulls, and by surfaces in `confirm()`.
 class Part_relations
 {
 public:
@@ -122,8 +121,7 @@ public:
   Basic_map main_mirror() const { return main_mirror_; }
   Basic_map other_mirror() const { return main_mirror_ == MIRRORED_X ? MIRRORED_Z : MIRRORED_X; }
 
-  /// The offset d of the mirror plane x = d or z = d that mirrors most of the surface; none if its support is too
-  /// small.
+  /// The offset d of the mirror plane x = d or z = d of most surface; none if its support is too small.
   const std::optional<double>& plane(Basic_map map) const { return planes_[map]; }
 
   /// Whether two parts are at different ends of an elongated shape, such as a bed's head and foot or a bicycle's front
@@ -139,8 +137,7 @@ public:
     return !are_covered(i, j) && !is_wheel(i);
   }
 
-  /// Whether a part is an upright disc or ring, perhaps with an axle, a hub or a sprocket: nearly a body of revolution
-  /// about a horizontal axis.
+  /// Whether a part is an upright disc or ring, maybe with axle or hub: nearly round about a horizontal axis.
   bool is_wheel(std::size_t i) const
   {
     const Point size = boxes_[i].sizes();
@@ -202,8 +199,7 @@ private:
     double offset = 0;
   };
 
-  /// Takes votes for the offset from every mirrored pair and every self-symmetric part. \return the plane with most
-  /// surface
+  /// Takes votes from every mirrored pair and self-symmetric part. \return the plane with most surface
   Supported_plane best_plane(Basic_map map, const std::optional<double>& wanted) const
   {
     const int axis = axis_of(map);

@@ -24,8 +24,7 @@ constexpr double area_ratio = 1.35;    ///< ratio of areas
 constexpr double volume_ratio = 1.5;   ///< ratio of volumes, which are uncertain for open meshes
 constexpr double largest_factor = 2.5; ///< largest deviation, over the allowed mean deviation
 
-/// Directions of support functions: the lattice points on the surface of a cube, which reflections in coordinate planes
-/// permute.
+/// Directions of support functions: lattice points on a cube, which reflections in coordinate planes permute.
 class Directions
 {
 public:
@@ -193,8 +192,7 @@ inline Eigen::VectorXd moved_support(const Part_signature& part, const Eigen::Ma
   return support(support_directions().vectors() * map, part.extremes);
 }
 
-/// Whether the mean distance of points from `others` is at most tolerance + spacing, and the 95th percentile at most
-/// `largest_factor` times that.
+/// Whether points are on others: up to tolerance + spacing in the mean, 95 % up to `largest_factor` times that.
 inline bool lie_on(const Points& points, const Points& others, double tolerance, double spacing)
 {
   Eigen::ArrayXd distances(points.cols());

@@ -78,8 +78,7 @@ public:
     return odd >= 2;
   }
 
-  /// About `n` samples of the marked triangles inside `region`; if there are few, also the corners of the clipped
-  /// triangles, with area 0.
+  /// About `n` samples of the marked triangles inside `region`; if these are few, also clipped corners, with area 0.
   Surface_samples sample(const std::vector<char>& marked, const Box& region, int n) const
   {
     std::vector<Sampled_triangle> pieces;

@@ -45,8 +45,7 @@ struct Shape_layout
   std::vector<char> is_on_ground;
   std::vector<std::vector<std::size_t>> neighbours;
 
-  // \param tolerance largest distance, over the height, from the lowest point of the shape for a part to be on the
-  // ground
+  // \param tolerance height, over that of the shape, up to which a part starts on the ground
   Shape_layout(const Aligned_shape& shape, double tolerance) : neighbours(touching_parts(shape))
   {
     for (const Sampled_part& part : shape.parts)

@@ -90,8 +90,7 @@ inline bool are_equally_wide(const Eigen::VectorXd& support_a, const Eigen::Vect
 }
 
 /// Whether a part is a copy of another, not just congruent within the tolerance. Members of rings, rows and translated
-/// pairs must be copies, or similar rails, shelves and cushions would be grouped; mirrored parts may be bent
-/// differently.
+/// pairs must be, or similar rails and shelves would be grouped; mirrored parts may be bent differently.
 inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
 {
   const double limit = copy_tolerance * parts.deviation_limit(i, j);

@@ -28,8 +28,7 @@ struct Sampled_contact
 
 /// The structural graph of a shape in the common frame (paper, section 5, "Initial alignment"), with parts replaced by
 /// samples: the shape stands on the ground, is centred and has height 1. The search works on it. The order of parts,
-/// groups and contacts depends on their geometry alone, so that ties are broken alike for a shape that was moved or
-/// whose file was shuffled.
+/// groups and contacts depends on geometry alone, so that ties are broken alike for a moved or shuffled shape.
 struct Aligned_shape
 {
   using Contact = Sampled_contact;
@@ -66,8 +65,7 @@ Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns = 0);
 /// A copy in which every part is a group.
 Aligned_shape ungrouped(Aligned_shape shape);
 
-/// A copy in which each set of parts is a group without symmetry and with solidity 1; the remaining parts of a group
-/// stay together.
+/// A copy in which each set is a group without symmetry, of solidity 1; remaining parts of a group stay together.
 /// \param sets disjoint sets of indices in the structural graph; parts that the aligned shape lacks are ignored
 Aligned_shape regrouped(Aligned_shape shape, const std::vector<std::vector<std::size_t>>& sets);
 
@@ -83,8 +81,7 @@ std::vector<char> most_prominent_parts(const Aligned_shape& shape, std::size_t c
 int given_quarter_turns(const Shape_frame& frame);
 
 /// The quarter turns of the target to try, best guess first: the one by which the orientations of the two files agree.
-/// Turning either shape by less than 45° thus changes nothing. If each shape has exactly one mirror plane, only half
-/// turns.
+/// Turning a shape by less than 45° changes nothing. Only half turns if both shapes have one mirror plane.
 std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target);
 
 } // namespace CGAL::Shape_correspondence

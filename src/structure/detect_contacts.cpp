@@ -260,8 +260,7 @@ double area(const Sheet& sheet)
   return sum;
 }
 
-/// Distance of the surface from the abstraction of a part of even thickness: the radius of a rod or half the thickness
-/// of a plate; 0 if unknown.
+/// Radius of a rod, or half the thickness of a plate, if even; 0 if unknown.
 double half_thickness(const Part_abstraction& part)
 {
   const double extent = part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry))

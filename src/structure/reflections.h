@@ -38,8 +38,7 @@ inline double plane_distance(const Part_relations& parts, Basic_map map, const P
   return parts.plane(map) ? std::abs(middle[axis_of(map)] - *parts.plane(map)) : 1;
 }
 
-/// Completes an orbit under two orthogonal mirror planes from a corner i, its image j in the main plane and its image k
-/// in the other one.
+/// Completes an orbit under two mirror planes: a corner i, its image j in the main plane and k in the other one.
 inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
                      const std::vector<std::size_t>& free, std::vector<Symmetry_candidate>& result)
 {
@@ -97,8 +96,7 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
   result.push_back(pair);
 }
 
-/// Adds a pair related by half a turn about an axis that lies in a mirror plane of the shape, perpendicular to the
-/// difference of the two centres.
+/// Adds a pair related by half a turn about an axis in a mirror plane of the shape, across the line of their centres.
 inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
                             std::vector<Symmetry_candidate>& result)
 {

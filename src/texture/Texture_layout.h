@@ -34,8 +34,7 @@ inline Eigen::Vector3d barycentric_coordinates(const Flat_triangle& t, const Eig
 inline std::size_t pixel_at(int x, int y, int size) { return std::size_t(y) * std::size_t(size) + std::size_t(x); }
 
 /// Calls `visit` for the pixels whose centres are in the triangle.
-/// \param inside the least barycentric coordinate; a positive one leaves out pixels on the border, which other
-/// triangles share
+/// \param inside least barycentric coordinate; if positive, pixels on borders between triangles are left out
 template <typename Visit>
 void for_each_pixel(const Flat_triangle& t, int size, const Visit& visit, double inside = -1e-9)
 {

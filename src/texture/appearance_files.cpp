@@ -62,8 +62,7 @@ Part_mesh divided(const Part_mesh& mesh, double longest_edge)
   return {fine.points(), fine.triangles()};
 }
 
-/// An appearance that encodes places: the material is the index of a triangle, the texture coordinates the location in
-/// it.
+/// An appearance that encodes locations: triangles as materials, locations in them as texture coordinates.
 Part_appearance numbered(Eigen::Index triangles)
 {
   Part_appearance result;

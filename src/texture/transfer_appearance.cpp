@@ -71,8 +71,7 @@ public:
   const Point_map& map() const { return map_; }
   std::vector<Transferred_part>& parts() { return result_.parts; }
 
-  /// Takes the appearance from the largest part of the source that has one; of several about equally large, from the
-  /// highest.
+  /// Takes the appearance of the largest source part that has one; of several about as large, of the highest.
   void take_from_sources(const Segmented_shape& source, const Shape_frame& frame, const Looks_sampler& looks)
   {
     constexpr double about_as_large = 0.8;

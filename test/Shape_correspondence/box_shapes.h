@@ -21,8 +21,7 @@ namespace box_shapes {
 
 using namespace CGAL::Shape_correspondence;
 
-/// A box with given centre and size, every side split into n × n squares, rotated by `yaw` about the up axis through
-/// the origin.
+/// A box with n × n squares on each side, rotated by `yaw` about the up axis through the origin.
 inline Part_mesh box(const Point& centre, const Point& size, double yaw = 0, int n = 2)
 {
   std::vector<Point> points;

@@ -141,8 +141,7 @@ inline Structural_graph slatted_chair()
                                 group({4, 5}, pair, Point::UnitX(), .1), group({6, 7}, pair, Point::UnitX(), .1)});
 }
 
-// A square top (part 0) on four legs (1 to 4) at its corners, of height 1. \param grouped whether the legs are one
-// group
+// A square top (part 0) on four legs (1 to 4) at its corners, of height 1. \param grouped legs are one group
 inline Structural_graph table(bool grouped = true)
 {
   Shape_structure shape;

@@ -100,8 +100,8 @@ inline Part_mesh turned(const std::vector<Eigen::Vector2d>& profile, int n = 24)
   return result;
 }
 
-/// A cushion in the plane y = 0 with a superellipse as outline: an ellipse for exponent 2, nearly a rectangle for large
-/// exponents.
+/// A cushion in the plane y = 0 with a superellipse as outline: an ellipse for exponent 2, nearly a rectangle for
+/// large.
 inline Part_mesh cushion(const Point& size, double exponent)
 {
   const int rings = 16;

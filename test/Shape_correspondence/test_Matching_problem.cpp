@@ -225,8 +225,8 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
 
 TEST_CASE("Two parts that split: every clone counts with its nearest counterpart, every pair once")
 {
-  // Parts 2 and 4 are nearest to 0 and 1, and 0 is nearest to 3. The rod from 0 to 3 is rotated by an angle of cosine
-  // 0.8; no rod is longer than 2
+  // 2 and 4 are nearest to 0 and 1, 0 to 3. The rod from 0 to 3 turns by an angle of cosine 0.8; rods are at most 2
+  // long
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 2, 0}}, {{0, 1}});
   const Structural_graph target =
       point_graph({{0, 0, 0}, {10, 0, 0}, {0, 1, 0}, {.75, 1, 0}, {10, 2, 0}}, {{0, 2}, {0, 3}, {1, 4}},

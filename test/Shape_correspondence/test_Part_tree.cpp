@@ -156,8 +156,7 @@ TEST_CASE("Congruent patches have the same number")
   std::map<std::size_t, int> count;
   for (const Surface_patch& patch : surface.patches)
     ++count[patch.shape];
-  // The top has two faces, two long sides, and two short ones congruent to the 16 sides of legs; there are 8 ends of
-  // legs
+  // The top has two faces, two long sides, two short ones congruent to 16 sides of legs; there are 8 ends of legs
   std::multiset<int> sizes;
   for (const auto& [shape, n] : count)
     sizes.insert(n);

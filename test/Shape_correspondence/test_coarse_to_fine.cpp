@@ -20,8 +20,7 @@ using namespace hand_made;
 
 namespace {
 
-// Boxes in a row, each in contact with the next, with increasing or scattered heights; the first and the last are
-// large.
+// Boxes in a row, each touching the next, of increasing or scattered heights; the first and the last are large.
 Structural_graph row(int parts, double step, int scatter = 1)
 {
   Segmented_shape shape;
@@ -56,8 +55,7 @@ TEST_CASE("Coarse to fine: groups may become what is near to the images of the l
   const auto shape = std::make_shared<Deformable_shape>(align_shape(row(7, 0.01)));
   const Group_candidates allowed = internal::coarse_candidates(shape, shape, search(Search_method::EXACT, 2));
   REQUIRE(allowed.size() == 7);
-  // From left to right: A b c d e f G. b and c are nearest to A, d to both, e and f to G; e is in contact with d, so it
-  // is near A as well
+  // From left to right: A b c d e f G. b and c are nearest to A, d to both, e and f to G; e touches d, so it is near A
   const auto at = [&](std::size_t original) {
     const auto found = std::find(shape->original.begin(), shape->original.end(), original);
     return shape->group_of[std::size_t(found - shape->original.begin())];

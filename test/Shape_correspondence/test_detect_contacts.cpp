@@ -228,8 +228,7 @@ TEST_CASE("The point of a triangle nearest to a point, also of needles and of tr
   CHECK(nearest({-2, 1, 3}, right).isApprox(Point(0, 1, 0)));
   CHECK(nearest({3, 3, -2}, right).isApprox(Point(2, 1, 0)));
   CHECK(nearest({1, 0.5, -7}, right).isApprox(Point(1, 0.5, 0)));
-  // The point is not farther than any corner or point of a side, and the rest of the triangle is beyond the plane
-  // through it
+  // No corner or point of a side is nearer, and the rest of the triangle is beyond the plane through it
   std::mt19937 random(7);
   std::normal_distribution<double> place;
   const auto anywhere = [&] { return Point(place(random), place(random), place(random)); };

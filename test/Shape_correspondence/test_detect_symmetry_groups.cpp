@@ -134,8 +134,7 @@ double diagonal_of(const Segmented_shape& shape)
   return box.diagonal().norm();
 }
 
-/// Whether a vertical plane is another mirror plane of the shape than the expected one: a square shape has more than
-/// two.
+/// Whether a vertical plane is another mirror plane than the expected one: a square shape has more than two.
 bool is_other_plane(const Symmetry& a, const Symmetry& expected, double diagonal)
 {
   Point apart = a.point - expected.point;

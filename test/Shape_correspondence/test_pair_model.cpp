@@ -21,8 +21,7 @@ TEST_CASE("The set of pairs of greatest expected F1")
   const auto taken = [](const std::vector<double>& p) {
     return pairs_of_greatest_expected_f1(Eigen::Map<const Eigen::ArrayXd>(p.data(), Eigen::Index(p.size())));
   };
-  // Expected number of right pairs: 1.7. F1 of one pair: 2 (0.9) / (1 + 1.7) = 0.667; two: 3 / 3.7 = 0.811; three: 3.4
-  // / 4.7 = 0.723
+  // Expected right pairs: 1.7. F1 of one: 2 (0.9) / (1 + 1.7) = 0.667; two: 3 / 3.7 = 0.811; three: 3.4 / 4.7 = 0.723
   CHECK(taken({0.6, 0.2, 0.9}) == std::vector<char>{1, 0, 1});
   // Expected number of right pairs: 0.9. F1 of one pair: 0.6 / 1.9; two: 1.2 / 2.9; three: 1.8 / 3.9, the largest
   CHECK(taken({0.3, 0.3, 0.3}) == std::vector<char>{1, 1, 1});

@@ -60,8 +60,7 @@ Structural_graph with_parts(const Structural_graph& graph, const std::vector<Par
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// The slatted chair with a top rail (8), two posts (9, 10) and a far bar (11) on the rail, and a rail under the seat
-// (12).
+// The slatted chair with a top rail (8), posts (9, 10), a far bar (11) on the rail, and a rail under the seat (12).
 Structural_graph framed_chair()
 {
   using hand_made::curve;

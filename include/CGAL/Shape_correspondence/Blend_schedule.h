@@ -34,13 +34,12 @@ enum class Blend_task_type {
 enum class Blend_obstacle {
   NONE,  ///< none: it morphs, or has no counterpart
   TORN,  ///< it would be torn or folded, or its surface differs too much
-  UNLIKE ///< it, or another part with the same counterpart, would change its proportions or position, or be cut up, too
-         ///< much
+  UNLIKE ///< it, or a part with the same counterpart, would change its proportions or position, or be cut up, too much
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// The change of one part, or a piece of one, with its times. In case of an obstacle, the part shrinks and its
-/// counterpart grows.
+/// The change of a part, or a piece of one, and its times. With an obstacle, the part shrinks and its counterpart
+/// grows.
 struct Blend_task
 {
   static constexpr std::size_t no_part = std::size_t(-1); ///< index that stands for no part

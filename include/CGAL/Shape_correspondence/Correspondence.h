@@ -70,8 +70,8 @@ struct Correspondence
   std::vector<Contact_energy> contacts;      ///< by contact of the deformed shape
   std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
-  /// Deformation energy, E of Eq. 1. After matching by parts it is computed for whole parts, after a search with the
-  /// pieces of split sheets.
+  /// Deformation energy, E of Eq. 1; after matching by parts, of whole parts, after a search with the pieces of split
+  /// sheets.
   double energy = 0;
   Energy_terms terms;                                ///< the terms of the energy
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which

@@ -59,8 +59,7 @@ struct Matching_options
   /// Whether contacts of unmatched parts are hard constraints (paper, section 4.2): then a part follows its contact
   /// points wherever an affine map can; otherwise it resists stretching slightly.
   bool hard_proximity = false;
-  /// Energy of an unmatched group, for each of its contacts (at least once), not negative; `never`: groups must be
-  /// matched.
+  /// Energy of an unmatched group per contact (at least once), not negative; `never`: groups must be matched.
   double unmatched_cost = never;
   /// Pairs that must correspond; their parts correspond to no other parts. A part in several pairs corresponds to all
   /// its partners. A search removes these parts from their symmetry groups and charges no E_s for them.

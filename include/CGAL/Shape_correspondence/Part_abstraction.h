@@ -140,8 +140,7 @@ Eigen::Vector2d nearest_parameter(const Part_abstraction& part, const Point& p);
 Point evaluate(const Part_abstraction& part, const Eigen::Vector2d& parameter);
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Solidity (paper, section 4.3): volume over volume of the convex hull, at most 1; 1 if either is unknown or the hull
-/// is flat.
+/// Solidity (paper, section 4.3): volume over that of the convex hull, at most 1; 1 if either is unknown or 0.
 double solidity(double volume, double hull_volume);
 
 } // namespace Shape_correspondence

@@ -22,8 +22,7 @@ namespace Shape_correspondence {
 struct Correspondence;
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Corresponding parts of two shapes with their confidences; the part of a `Correspondence` that is stored for sets of
-/// shapes.
+/// Corresponding parts with their confidences: the part of a `Correspondence` that is stored for sets of shapes.
 struct Part_map
 {
   /// Pairs of whole parts, sorted by source, then target, each once; the confidence is 1 if the method computes none.

@@ -22,9 +22,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Weights of the terms in the cost of substituting one part for another. Lengths are relative to the extents of the
-/// shapes: along each axis of the common frame, each shape extends from 0 to 1. Weights are not negative; 0 switches a
-/// term off.
+/// Weights, not negative, of the terms in the cost of substituting one part for another; 0 switches a term off. Lengths
+/// are relative to the extents of the shapes: along each axis of the common frame, each shape extends from 0 to 1.
 struct Part_cost_weights
 {
   /// Share of the smaller bounding box that lies outside of the other one.
@@ -61,8 +60,7 @@ struct Part_matching_options : Role_options
   double excess = 1.5;
   /// The same bound for pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;
-  /// Share of the shape, as seen from above, that a seat or table top covers at least, and its largest thickness over
-  /// its shorter side.
+  /// Share of the top view that a seat or table top covers at least, and its largest thickness over its shorter side.
   double main_surface = 0.3;
   /// Length: largest thickness and distance of parts that lie in one side of the shape.
   double side_depth = 0.1;

@@ -68,8 +68,7 @@ private:
 /// Thresholds for the category of shapes and for the direction that they face.
 struct Role_options
 {
-  /// Shapes belong to a category if their distance from its labelled parts is at most this fraction of that from any
-  /// other category.
+  /// Limit for the distance from a category's labelled parts over that from any other's for a shape to belong to it.
   double category_ratio = 0.78;
   /// Shapes also belong to the nearest category if at least this share of its trees, in the geometric mean over their
   /// parts, votes for the likeliest role of a part, and the distance is at most `category_distance`.

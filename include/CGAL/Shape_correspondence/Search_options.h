@@ -52,8 +52,7 @@ struct Search_options
   Matching_options matching; ///< options of the deformation energy
   bool both_directions =
       true; ///< whether to deform either shape, and keep the lower energy per pair of connected parts
-  /// Whether to compare directions by their energies, as in the paper, instead of the energies per pair of connected
-  /// parts.
+  /// Whether to compare directions by energy, as in the paper, instead of energy per pair of connected parts.
   bool direction_by_energy = false;
   /// Coarse correspondence: number of largest parts to match, in whole groups as far as they fit; 0: all parts.
   int maximum_parts = 0;

@@ -42,8 +42,7 @@ struct Shape_part
 /// \ingroup PkgShapeCorrespondenceShapes
 /// A shape that is segmented into named parts, each a triangle mesh; the input of the package.
 ///
-/// Units and position are arbitrary, with coordinates of at most 1e15 in absolute value; the up direction is the only
-/// convention.
+/// Units and position are arbitrary, with absolute coordinates up to 1e15; the up direction is the only convention.
 class Segmented_shape
 {
 public:

@@ -71,8 +71,7 @@ struct Part_appearance
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// Materials, textures and colours of a shape. They are kept apart from its `Segmented_shape`, since matching does not
-/// depend on them.
+/// Materials, textures and colours of a shape, apart from its `Segmented_shape`, since matching does not use them.
 struct Shape_appearance
 {
   std::vector<Surface_material> materials; ///< of all parts

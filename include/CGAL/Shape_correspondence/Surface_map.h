@@ -60,8 +60,7 @@ public:
   /// enumerated types) are taken from the nearest corner.
   /// \param values by source part and vertex
   /// \param none value for vertices without a counterpart
-  /// \pre values other than labels can be added and multiplied by a number; there is one for every vertex of every
-  /// source part
+  /// \pre values other than labels can be added and multiplied by a number; every vertex of the source has a value
   template <typename Value>
   std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
 

@@ -71,8 +71,7 @@ struct Bounding_box_abstraction
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `abstract_part()` and `abstract_parts()`. Lengths are relative to the diagonal of the part's bounding
-/// box.
+/// Options of `abstract_part()` and `abstract_parts()`. Lengths are relative to the part's diagonal.
 struct Abstraction_options
 {
   /// Function object that finds the curve or sheet of a part: a model of `PartAbstractor`.
@@ -80,8 +79,7 @@ struct Abstraction_options
   Abstraction_kind kind = Abstraction_kind::AUTOMATIC; ///< kind of abstraction of all parts
   std::map<std::string, Abstraction_kind> part_kinds;  ///< kinds of single parts, by name; override `kind`
   double edge_length = 0.02;                           ///< edge length of the remeshed part, more than 0
-  int triangles = 1500;      ///< approximate limit for the triangles of the remeshed part, at least 100; edges are made
-                             ///< longer where needed
+  int triangles = 1500;      ///< approximate limit for triangles of the remeshed part, at least 100; lengthens edges
   double stop_volume = 0.02; ///< fraction of the volume at which the flow is stopped to detect sheets and hollow parts
   int maximum_iterations = 300; ///< limit for the iterations of the flow; parts that need more get their bounding box
   /// Limit in seconds for one part; parts that need more get their bounding box, which the report states. Default: no
@@ -101,8 +99,7 @@ struct Abstraction_options
 /// abstractors of this package succeed on every part that `Segmented_shape` accepts. Deterministic.
 /// \param part the part
 /// \param options the options of the abstraction
-/// \throw Invalid_input if an option, the mesh or the abstractor's result is invalid; exceptions of the abstractor are
-/// passed on
+/// \throw Invalid_input if an option, the mesh or the abstractor's result is invalid; its exceptions are passed on
 Part_abstraction abstract_part(const Shape_part& part, const Abstraction_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAbstraction

@@ -48,8 +48,7 @@ struct Blend_surface
 /// - *Stage*: every shape stands on the ground with the centre of its bounding box, or its mirror plane, above the
 ///   origin, in the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end; position, size and rotation are interpolated between them;
-///   the axes of boxes are paired by the least rotation. The whole stands on the ground and has the interpolated
-///   height.
+///   the axes of boxes are paired by the least rotation. The whole stands, with the interpolated height.
 /// - *Matched parts* morph in their boxes: in coordinates relative to cross-sections, the source's surface moves
 ///   smoothly onto the target's, which replaces it at time .45. A part that corresponds to many is cut into closed
 ///   pieces, one for each.
@@ -77,8 +76,8 @@ public:
   /// \param source_shape,target_shape the models that the graphs were built from
   /// \param correspondence correspondence of the graphs
   /// \param options the tolerance of contacts, the size, and how schedules are rated
-  /// \throw Invalid_input if a model does not have the parts of its graph, the schedule does not exist, or an option is
-  /// out of range
+  /// \throw Invalid_input if a model lacks parts of its graph, the schedule does not exist, or an option is out of
+  /// range
   Shape_blend(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence,
               const Blend_options& options = {});
@@ -93,16 +92,14 @@ public:
   /// The shape at `t` wrapped (`CGAL::alpha_wrap_3()`) to one closed, outward oriented surface, for printing and
   /// Boolean operations.
   /// \param t the time, in [0, 1]
-  /// \param detail size of the smallest hollows that the wrap enters, over the diagonal of the bounding box, in [0.001,
-  /// 1]
+  /// \param detail size of the smallest hollows that the wrap enters, over the shape's diagonal, in [0.001, 1]
   /// \throw Invalid_input if `detail` is out of range
   Part_mesh solid(double t, double detail = 0.01) const;
 
   /// The names of all schedules.
   static std::vector<std::string> schedule_names();
 
-  /// The blend with each of the schedules that give different in-between shapes, the best first (Alhashim et al. 2014,
-  /// section 6).
+  /// The blends by schedules with different in-between shapes, the best first (Alhashim et al. 2014, section 6).
   std::vector<Shape_blend> different_blends() const;
 
   /// The quality of the shape at `t`.

@@ -36,14 +36,12 @@ struct Structure_times
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Builds the structural graph of a segmented shape: its frame, the abstraction of every part, symmetry groups and
-/// contacts.
+/// Builds the structural graph of a shape: its frame, the abstraction of every part, symmetry groups and contacts.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param options the options of the steps
 /// \param times receives the time of the steps; may be null
-/// \throw Invalid_input if the shape has fewer than two parts or more than 2000, or if more than 50000 pairs of them
-/// touch
+/// \throw Invalid_input if the shape has fewer than 2 or more than 2000 parts, or more than 50000 pairs of them touch
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options = {},
                                         Structure_times* times = nullptr);

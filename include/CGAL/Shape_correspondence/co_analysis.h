@@ -25,8 +25,7 @@ namespace Shape_correspondence {
 struct Co_analysis_options
 {
   Markov_clustering_options clustering; ///< options of the clustering
-  /// Share, in [0, 1], of the third shapes that could confirm a pair of parts below which the pair is an outlier. 0: no
-  /// pair is an outlier.
+  /// Share, in [0, 1], of the third shapes able to confirm a pair of parts below which it is an outlier; 0: none is.
   double least_cycle_support = 0.5;
 };
 
@@ -52,8 +51,7 @@ Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::
                         const Co_analysis_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The maps reduced to pairs of parts in the same cluster, which the whole set confirms: fewer pairs of higher
-/// precision.
+/// The maps reduced to pairs of parts in one cluster, which the whole set confirms: fewer pairs of higher precision.
 std::vector<Shape_pair_map> agreeing_maps(std::vector<Shape_pair_map> maps, const Co_analysis& analysis);
 
 } // namespace Shape_correspondence

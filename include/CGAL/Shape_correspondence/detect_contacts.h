@@ -41,8 +41,7 @@ struct Contact_options
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param parts the abstractions of its parts, for the parameters of contacts
-/// \param frame frame of the shape, in which distances are measured, so that the result does not depend on the shape's
-/// pose
+/// \param frame frame of the shape, in which distances are measured, independently of the shape's pose
 /// \param options the options
 /// \param warnings receives sentences on approximations
 /// \throw Invalid_input if more than 50000 pairs of parts touch
@@ -53,8 +52,7 @@ std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::ve
                                      std::vector<std::string>& warnings);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Finds the contacts of parts without meshes: surfaces are estimated from the abstractions and the volumes of the
-/// parts.
+/// Finds the contacts of parts without meshes, whose surfaces are estimated from their abstractions and volumes.
 std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                      const Contact_options& options, std::vector<std::string>& warnings);
 

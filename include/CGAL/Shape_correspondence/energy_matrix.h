@@ -32,11 +32,10 @@ namespace Shape_correspondence {
 struct Energy_matrix_options
 {
   Search_options search; ///< options of every match
-  /// Energy of a pair of connected parts one of which has no counterpart, not negative; about that of a badly deformed
-  /// pair by default.
+  /// Energy, not negative, of a pair of connected parts one of which is unmatched; by default about a bad
+  /// deformation's.
   double unmatched_energy = 0.5;
-  /// Called after pairs of shapes, from one thread at a time, with the numbers of completed and of all pairs; `false`
-  /// ends the work.
+  /// Called from one thread at a time with the numbers of completed and of all pairs of shapes; `false` ends the work.
   std::function<bool(std::size_t done, std::size_t total)> progress;
 };
 
@@ -50,9 +49,9 @@ struct Rated_map
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// The distance of two shapes: E of Eq. 1 per pair of connected parts of the deformed shape, so that shapes with
-/// different numbers of parts can be compared. A pair that includes an unmatched part counts `unmatched_energy`, unless
-/// the search has charged it, so that a match of few parts does not give a small distance; a part without contacts
-/// counts as a pair.
+/// different numbers of parts can be compared. A pair with an unmatched part counts `unmatched_energy`, unless the
+/// search charged it, so that a match of few parts does not give a small distance; a part without contacts counts as a
+/// pair.
 double distance_energy(const Correspondence& correspondence, double unmatched_energy);
 
 /// \ingroup PkgShapeCorrespondenceSets

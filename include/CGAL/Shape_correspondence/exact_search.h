@@ -25,8 +25,8 @@ namespace Shape_correspondence {
 /// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order minimizes it exactly if
 /// its tables fit into `Exact_options::table_limit`; otherwise message passing (TRW-S; Kolmogorov 2006) redistributes
 /// costs so that mini-buckets (Dechter and Rish 2003) bound it well. Depth-first branch and bound with this bound makes
-/// the result optimal for the energy itself; if it takes long, it restarts with larger tables. Deterministic, unless a
-/// time limit ends it.
+/// the result optimal for the energy itself; if slow, it restarts with larger tables. Deterministic without a time
+/// limit.
 ///
 /// Time: O(number of variables · labels^(w + 1)) for tables of induced width w that fit, exponential in the worst case.
 /// If a limit ends the search, `optimal` is false and `summary.lower_bound` is the proven lower bound.

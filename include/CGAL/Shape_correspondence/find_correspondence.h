@@ -24,8 +24,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// A shape to be matched repeatedly: its alignments, by quarter turns, are computed once. Thread-safe; copies share the
-/// computed data.
+/// A shape to be matched repeatedly: its alignments, by quarter turns, are computed once, also for copies. Thread-safe.
 class Prepared_shape
 {
 public:
@@ -56,8 +55,7 @@ struct Transferred_label
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Finds the correspondences of one source shape with many targets; data that depend on the source alone are computed
-/// once.
+/// Finds correspondences of one source with many targets; data that depend on the source alone are computed once.
 class Correspondence_finder
 {
 public:
@@ -93,9 +91,8 @@ public:
   std::string source_category() const;
 
   /// A lower bound of the `distance_energy()` of the correspondence, without a search: the sum of the least values of
-  /// the terms of one and of two groups or, with `Search_method::PARTS`, where every part may correspond to every
-  /// other, of one and of two parts. 0 if no bound is known. \param unmatched_energy see `distance_energy()` \param
-  /// target the target
+  /// the terms of one and of two groups or, for `Search_method::PARTS`, with all pairs of parts allowed, of one and of
+  /// two parts; 0 if no bound is known. \param unmatched_energy see `distance_energy()`
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:

@@ -30,8 +30,7 @@ struct Markov_clustering_options
       2; ///< exponent for the entries of columns, more than 1; larger values give more and smaller clusters
   double expansion_limit = 1e-4;   ///< threshold below which entries of columns (which sum to 1) are dropped
   std::size_t column_limit = 1000; ///< largest number of entries of a column; the smallest ones are dropped
-  /// Largest number of entries of all columns, 24 bytes each; shared evenly if that is less than `column_limit` per
-  /// column.
+  /// Largest number of all entries, 24 bytes each; shared evenly if that is less than `column_limit` per column.
   std::size_t entry_limit = 30'000'000;
   double tolerance =
       1e-3; ///< largest difference, at convergence, between the largest entry of a column and its sum of squares

@@ -81,8 +81,7 @@ struct Transferred_appearance
 /// \param source_appearance,target_appearance appearance of the models, with decoded textures
 /// \param correspondence correspondence of the graphs
 /// \param options options of the texture
-/// \throw Invalid_input if a model does not have the parts of its graph, the source has no appearance, or an option is
-/// out of its range
+/// \throw Invalid_input if a model lacks parts of its graph, the source has no appearance, or an option is out of range
 Transferred_appearance transfer_appearance(const Structural_graph& source, const Segmented_shape& source_shape,
                                            const Shape_appearance& source_appearance, const Structural_graph& target,
                                            const Segmented_shape& target_shape,
@@ -101,8 +100,7 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
 /// \param target_appearance appearance of the target, with decoded textures
 /// \param correspondence correspondence of the graphs
 /// \param options options of the texture
-/// \throw Invalid_input if a model does not have the parts of its graph, a label has no colour, or an option is out of
-/// its range
+/// \throw Invalid_input if a model lacks parts of its graph, a label has no colour, or an option is out of range
 Transferred_appearance transfer_labels(const Structural_graph& source, const Segmented_shape& source_shape,
                                        const std::vector<int>& labels, const std::vector<Eigen::Vector3d>& colours,
                                        const Structural_graph& target, const Segmented_shape& target_shape,

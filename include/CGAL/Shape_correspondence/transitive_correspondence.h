@@ -28,9 +28,8 @@ namespace Shape_correspondence {
 using Shape_pair = std::pair<std::size_t, std::size_t>;
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// A minimum spanning tree of a set of shapes: n - 1 pairs with the least sum of distances, in the order in which
-/// Prim's algorithm adds them, starting at the first shape (Prim 1957; O(n²) time and O(n) memory, as all pairs are
-/// edges).
+/// A minimum spanning tree of a set of shapes: n - 1 pairs with the least sum of distances, in the order of Prim's
+/// algorithm, starting at the first shape (Prim 1957; O(n²) time and O(n) memory).
 /// \param distances symmetric matrix, see `symmetric_distances()`
 std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::MatrixXd>& distances);
 

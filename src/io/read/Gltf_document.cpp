@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-// tinygltf is not used: it reads wrong types as missing values, truncates large numbers, and reads images beyond the
-// ends of buffers.
+// Instead of tinygltf, which reads wrong types as missing values, truncates large numbers, and overruns image buffers.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {

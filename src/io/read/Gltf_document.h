@@ -42,8 +42,7 @@ struct Needs_import
   std::string what;
 };
 
-/// A glTF document and its buffers. All values are checked before they are used; an error is an `Invalid_input` that
-/// names the file and the place.
+/// A glTF document and its buffers. All values are checked before use; errors (`Invalid_input`) name file and place.
 class Gltf_document
 {
 public:
@@ -76,8 +75,7 @@ public:
   std::optional<Eigen::MatrixXd> attribute(const Json_field& primitive, const std::string& name,
                                            std::initializer_list<const char*> types);
 
-  /// The indices of a primitive; none if they are missing. \throw Needs_import if it is compressed, and there are no
-  /// codecs
+  /// The indices of a primitive; none if missing. \throw Needs_import if it is compressed, and there are no codecs
   std::optional<Eigen::VectorXd> indices(const Json_field& primitive);
 
   /// The bytes of a buffer view, decompressed.
@@ -92,8 +90,7 @@ public:
   /// Counts numbers that are read or generated, and limits them, since a small file may use a mesh many times.
   void count(const Json_field& place, std::uint64_t numbers);
 
-  /// Counts triangles and limits them, since nodes that use the same mesh can make far more triangles than there are
-  /// bytes.
+  /// Counts triangles and limits them, since nodes that share a mesh can make far more of them than there are bytes.
   void count_triangles(std::uint64_t triangles);
 
 private:

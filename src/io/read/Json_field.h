@@ -73,8 +73,7 @@ private:
 /// Parses a JSON document. \throw Invalid_input if it is invalid or nested too deeply; names `file`
 Json_field parse_json(std::string_view text, const std::string& file);
 
-/// Reads a JSON document from a stream. \throw Invalid_input if it is invalid, too long or nested too deeply; names
-/// `file`
+/// Reads a JSON document. \throw Invalid_input if it is invalid, too long or nested too deeply; names `file`
 Json_field read_json(std::istream& in, const std::string& file);
 
 /// Reads a JSON document from a file. \throw Invalid_input if the file cannot be read or is invalid

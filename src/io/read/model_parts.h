@@ -86,8 +86,7 @@ Model_content import_parts(const std::string& file, const Reading_options& optio
 /// \throw Invalid_input
 Face_labels read_face_labels(std::string_view text, const std::string& name, std::size_t number_of_faces);
 
-/// Divides a model into one part for each label of its faces; unchanged if there is only one label, or more labels than
-/// parts are allowed.
+/// Divides a model into one part for each label of its faces, unless there is only one, or more than parts are allowed.
 void divide_by_labels(const Face_labels& labels, Model_content& content);
 
 /// Limit for triangles beyond one for each byte of the files, the maximum for strips. Nodes that use the same mesh take
@@ -123,8 +122,7 @@ struct Named_files
 /// Whether there is a reader for files with this extension.
 bool is_model_file(const std::string& path);
 
-/// Triangulates a polygon, convex or not. \return corner indices, three for each triangle; empty if there are fewer
-/// than 3 corners
+/// Triangulates a polygon, convex or not. \return corner indices, three for each triangle; empty for under 3 corners
 std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon);
 
 /// The indexed mesh of triangles given by their corners: corners at the same position become one vertex, vertices are

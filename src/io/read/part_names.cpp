@@ -9,8 +9,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// Whether a name is a default that programs give to unnamed objects: a number, or one of these words with or without a
-/// number.
+/// Whether a name is a default for unnamed objects: a number, or one of these words with or without a number.
 bool only_counts(const std::string& name)
 {
   std::string word;

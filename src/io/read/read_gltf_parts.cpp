@@ -134,8 +134,7 @@ private:
     place.transform = place_of_texture(transform);
   }
 
-  /// The image of a texture, or else its alternative from an extension, which may be in a format only other readers
-  /// know.
+  /// The image of a texture, or its alternative from an extension, which may have a format only other readers know.
   std::optional<std::size_t> image_of(const Json_field& texture)
   {
     std::optional<std::size_t> image = document_.index_at(texture, "source", "images");

@@ -130,8 +130,7 @@ private:
     if (colour.maxCoeff() > brightest) white_ = 255;
   }
 
-  /// ZBrush writes the colours of vertices, in their order, in comments: hexadecimal mask, red, green and blue for
-  /// each.
+  /// ZBrush writes the colours of vertices in comments: mask, red, green and blue in hexadecimal for each vertex.
   void read_painted_vertices(std::string_view digits)
   {
     constexpr std::size_t digits_of_vertex = 8;
@@ -181,8 +180,7 @@ private:
     sections_.back().polygons.push_back(std::move(polygon));
   }
 
-  /// The index of an element given by its number in a file, which counts backwards from the last one if negative; none
-  /// if there is no such element.
+  /// The index of an element by its number in a file, negative if counted from the last one; none if it does not exist.
   static std::optional<std::size_t> place_of(long long number, std::size_t elements)
   {
     const auto count = static_cast<long long>(elements);
@@ -282,8 +280,7 @@ private:
     return sets;
   }
 
-  /// Drops sections without faces, and lists objects without faces. Groups may be empty, since programs also write `g`
-  /// before vertices.
+  /// Drops sections without faces, and lists objects without faces. Programs write `g` before vertices as well.
   void note_objects_without_faces()
   {
     std::set<std::string> have_faces;

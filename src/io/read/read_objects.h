@@ -22,8 +22,7 @@ constexpr const char* labels_left_out = "The labels of faces beside the model we
 struct Model_objects
 {
   Segmented_shape shape;
-  /// By object and triangle, the index of the material, as in `Part_splitting_options`; empty if no object has several,
-  /// and for a folder.
+  /// By object and triangle, the index of the material (`Part_splitting_options`); empty if no object has several.
   std::vector<std::vector<int>> materials;
   std::vector<std::string> warnings; ///< warnings of the reader
   bool says_up = false;              ///< whether the files give the upright axis, which is then that of the shape

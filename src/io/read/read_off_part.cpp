@@ -75,8 +75,7 @@ private:
     fail("ends before all of its vertices and faces are there: the file is cut off", remedy::save_again);
   }
 
-  /// Reads the keyword, which tells what follows the coordinates. It may be missing, or be followed by the numbers
-  /// without a blank.
+  /// Reads the keyword, which tells what follows the coordinates. It may be missing, or directly followed by numbers.
   void read_keyword()
   {
     std::string_view rest = line_;

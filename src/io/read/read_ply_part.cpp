@@ -17,8 +17,7 @@
 #include <map>
 #include <optional>
 
-// This reader supports all encodings and number types; it is used since CGAL's and assimp's trust the counts in the
-// file.
+// This reader supports all encodings and number types; CGAL's and assimp's trust the counts in the file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -56,8 +55,7 @@ struct Ply_property
 // Uses of properties; 0 to 2 are coordinates
 constexpr int first_channel = 3, first_texture_coordinate = 6, texture_number = 8, part_number = 9;
 
-/// The use of a property of this name: a coordinate, a channel of a colour, a texture coordinate, the index of a
-/// texture, or -1.
+/// The use of a property of this name: coordinate, channel of a colour, texture coordinate, texture index, or -1.
 int use_of(const std::string& name)
 {
   constexpr const char* uses[][4] = {{"x"},
@@ -425,8 +423,8 @@ private:
     faces_.push_back(std::move(vertices));
   }
 
-  /// Adds the triangles of strips: each vertex forms one with the two before it, with alternating orientation, until -1
-  /// ends a strip.
+  /// Adds the triangles of strips, with alternating orientation: each vertex forms one with the two before it; -1 ends
+  /// one.
   void add_strips(const std::vector<double>& vertices)
   {
     constexpr double unsigned_end = std::numeric_limits<std::uint32_t>::max(); // -1 as an unsigned number

@@ -16,8 +16,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Layout of binary files: a header of 80 bytes, a count, and for each triangle a normal, three corners and two more
-// bytes
+// Binary files have a header of 80 bytes, a count, and for each triangle a normal, three corners and two bytes
 constexpr std::size_t header_size = 84, triangle_size = 50, normal_size = 12;
 
 constexpr int most_lines_before = 100; // before the first solid of a text
@@ -31,8 +30,7 @@ bool begins_with_binary(std::string_view text)
          count_in(text) <= (text.size() - header_size) / triangle_size;
 }
 
-/// Whether a file is text. Headers of binary files may start with "solid" as well, but they, or the count, contain
-/// zeros.
+/// Whether a file is text. Binary headers may start with "solid", too, but they, or the count, contain zeros.
 bool is_text(std::string_view text)
 {
   if (text.size() >= header_size && text.size() == header_size + triangle_size * std::size_t(count_in(text)))

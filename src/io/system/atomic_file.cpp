@@ -66,8 +66,7 @@ Temporaries& temporaries()
 class Temporary
 {
 public:
-  /// \param place path that it is next to \param make creates a file or folder; returns `file_exists` if the name is
-  /// taken
+  /// \param place path that it is next to \param make creates a file or folder; `file_exists`: the name is taken
   Temporary(const std::string& path, const fs::path& place, std::error_code (*make)(const fs::path&)) : path_(path)
   {
     std::error_code error;

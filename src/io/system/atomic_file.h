@@ -14,8 +14,7 @@ namespace CGAL::Shape_correspondence::IO {
 /// \throw Invalid_input for a cycle of links; names the path
 std::filesystem::path written_file(const std::string& path);
 
-/// Throws `Invalid_input` if `path` cannot be written; to be called before long work, leaves nothing behind. `-` is
-/// standard output.
+/// Throws `Invalid_input` if `path` is not writable; to be called before long work. `-` is standard output.
 void check_writable(const std::string& path);
 
 /// Calls `write` and puts the output into the file `path` atomically, even if the machine stops: it is written to a
@@ -24,8 +23,7 @@ void check_writable(const std::string& path);
 /// \throw Invalid_input on failure; names the file
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
 
-/// Writes a file of a cache or store atomically; anything in its place other than a file, such as a pipe, is removed
-/// first.
+/// Writes a file of a cache or store atomically, after removing anything in its place that is not a file.
 void write_entry(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 /// Throws `Invalid_input` if the folder `path` cannot be created: if the name is taken, except by an empty folder.

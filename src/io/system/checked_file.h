@@ -14,8 +14,7 @@ std::string digest(const std::string& bytes);
 /// The content of a file; empty if it cannot be read, or is a pipe or a device.
 std::string bytes_of_file(const std::string& path);
 
-/// A *checked file* starts with a line that has a title, for its kind, and a digest of the rest. Several processes may
-/// use one at a time.
+/// A *checked file* starts with a line with a title, for its kind, and a digest. Several processes may use one.
 
 /// Writes a checked file atomically. \throw Invalid_input on failure
 void write_checked_file(const std::string& path, const std::string& title, const std::string& content);

@@ -14,8 +14,7 @@ namespace CGAL::Shape_correspondence::IO {
 /// Throws `Invalid_input` if there is neither a file nor a folder of this name; gives the reason.
 void check_exists(const std::string& path);
 
-/// Opens a file for reading. \throw Invalid_input if it does not exist, is a folder or a pipe, or cannot be opened;
-/// names it
+/// Opens a file for reading. \throw Invalid_input if it is missing, a folder or a pipe, or cannot be opened; names it
 std::ifstream open_input(const std::string& path);
 
 /// Whether a file or folder is hidden or created by the system: `.name`, `__MACOSX`.

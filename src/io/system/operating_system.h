@@ -14,11 +14,9 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-// Functions of the operating system beyond the standard library, implemented in posix.cpp and windows.cpp. Paths are
-// UTF-8.
+// Functions of the operating system beyond the standard library, in posix.cpp and windows.cpp. Paths are UTF-8.
 
-/// Sets up the streams, signals and memory of a program. \return the arguments of `main()` in UTF-8, without the
-/// program's name
+/// Sets up streams, signals and memory. \return the arguments of `main()` in UTF-8, without the program's name
 std::vector<std::string> start_program(int argc, char* argv[]);
 
 /// The file of this program; empty if unknown.

@@ -92,8 +92,7 @@ std::string replace_characters(const std::string& text, const Function& replaced
   return result;
 }
 
-/// Replaces characters that a format cannot represent. \param text in UTF-8 \param is_special decides by code and
-/// position
+/// Encodes characters that a format cannot represent. \param text in UTF-8 \param is_special by code and position
 std::string with_percent_codes(const std::string& text,
                                const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
 {
@@ -102,8 +101,8 @@ std::string with_percent_codes(const std::string& text,
   });
 }
 
-/// A text as one line, with leading and trailing blanks encoded, since readers would drop them. \param is_special tells
-/// further characters to encode
+/// A text as one line. Outer blanks are encoded, since readers drop them. \param is_special further characters to
+/// encode
 std::string one_line(const std::string& text, const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
 {
   return with_percent_codes(text, [&](std::uint32_t code, std::size_t at) {

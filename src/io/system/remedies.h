@@ -10,8 +10,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// Remedies for kinds of faults. Every message about a file says what is wrong and, after a semicolon, one of these,
-/// unless it has its own.
+/// Remedies for kinds of faults. Every message about a file gives the error and, after a semicolon, a remedy.
 namespace remedy {
 
 constexpr const char* correct_text = "correct that place, or save the file again";

@@ -24,8 +24,7 @@ Program_run run_program(const std::string& program, const std::vector<std::strin
                         std::chrono::milliseconds limit);
 
 /// A helper program of the package: the file named by the environment variable `variable`, or else the file of this
-/// name beside the program or library that contains this code, in the package's folder of helper programs, or in the
-/// build folder.
+/// name beside the program or library with this code, in the package's folder of helpers, or in the build folder.
 /// \throw Invalid_input if there is none; the message says what to do
 std::string own_program(const std::string& name, const char* variable);
 

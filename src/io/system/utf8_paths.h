@@ -8,8 +8,7 @@
 
 #ifdef _GLIBCXX_FILESYSTEM_IS_WINDOWS
 // Makes texts UTF-8 paths, as on other systems. On Windows libstdc++ converts paths to UTF-8, but interprets texts in
-// the code page of the C library, which cannot be UTF-8. All sources that convert texts to paths need this; it is in
-// the precompiled header.
+// the code page of the C library, which cannot be UTF-8. All sources that make paths of texts need this.
 template <>
 inline auto std::filesystem::path::_S_convert<char>(const char* begin, const char* end)
 {

@@ -59,8 +59,7 @@ public:
   /// Adds a node with children, translated by `translation`.
   int add_node(const std::string& name, const std::vector<int>& children, const Point& translation);
 
-  /// Animates the morphs of a node's meshes. \param times in seconds \param weights of each morph (row) at each time
-  /// (column)
+  /// Animates the morphs of a node's meshes. \param times in seconds \param weights by morph (row) and time (column)
   void animate_morphs(int node, const std::vector<double>& times, const Eigen::MatrixXf& weights);
 
   /// Shows a node only from `begin` to `end`, in seconds.

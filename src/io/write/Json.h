@@ -14,8 +14,7 @@ namespace CGAL::Shape_correspondence::IO {
 
 /// A JSON value to be written. Objects keep the order in which their keys were added.
 ///
-/// The interface follows `nlohmann::ordered_json`, whose templates make compilation of files that build values two to
-/// three times as slow.
+/// The interface is that of `nlohmann::ordered_json`, whose templates make files compile two to three times as long.
 class Json
 {
 public:
@@ -48,8 +47,8 @@ public:
 
   /// The text on one line. Numbers are the shortest that read as the same double or float.
   std::string line() const;
-  /// Writes an object for people and for line-wise comparison: one line for each key, and one for each element of an
-  /// array of objects.
+  /// Writes an object for people and line-wise comparison: one line for each key and each element of an array of
+  /// objects.
   void write(std::ostream& out) const;
 
 private:

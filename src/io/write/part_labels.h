@@ -8,9 +8,8 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The displayed names of a shape's parts, all different: without a prefix shared by most of them and, for an
-/// exporter's OBJECT_OBJECT_MATERIAL, without the second OBJECT and, if the object has only one material, without
-/// MATERIAL.
+/// The displayed names of parts, all different: without a prefix of most of them and, for an exporter's
+/// OBJECT_OBJECT_MATERIAL, without the second OBJECT and, if an object has only one material, without MATERIAL.
 std::vector<std::string> part_labels(const std::vector<std::string>& names);
 
 /// A list of labels in which three or more with consecutive numbers are replaced by a range: "seat, leg_1–4".

@@ -33,8 +33,7 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius);
 /// The surface of a grid of points, stored row by row.
 Drawn_mesh patch(const Points& grid, int rows, int cols);
 
-/// The shape with fewer triangles: edges are collapsed as in Lindstrom and Turk 1998, and every part keeps its share of
-/// the triangles.
+/// The shape with fewer triangles: edges are collapsed (Lindstrom and Turk 1998), in equal shares of all parts.
 /// \param most_triangles approximate number of remaining triangles; every part keeps enough to show its shape
 Segmented_shape simplified_shape(const Segmented_shape& shape, std::size_t most_triangles);
 

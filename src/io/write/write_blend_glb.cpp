@@ -130,8 +130,7 @@ double diagonal(const Segmented_shape& shape)
   return points.cols() == 0 ? 0 : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// Adds a surface for a time in which its appearance does not change. \param points its points \param targets their
-/// morph targets
+/// Adds a surface for a time of constant appearance. \param points its points \param targets their morph targets
 int add_surface(Glb_file& glb, const Eigen::Matrix3d& turn, const Blend_surface& surface,
                 std::vector<Blend_painter::Painted_mesh> painted, const Points& points,
                 const std::vector<Points>& targets = {})

@@ -25,8 +25,8 @@ namespace IO {
 struct Reading_options
 {
   /// Files that a model names (buffers, materials, textures, meshes of parts) may be anywhere. By default they must be
-  /// in the model's folder or below it, so that an untrusted model cannot read other files. They must be regular files
-  /// in any case.
+  /// in the model's folder or below it, so that an untrusted model cannot read others. They must always be regular
+  /// files.
   bool allow_outside_files = false;
   /// A file with a label for each face of an OBJ, OFF, PLY or STL model; the labels become the parts: one line or word
   /// for each face, or for each label a line with its name, followed by lines with the numbers of its faces, from 1 on.
@@ -38,8 +38,7 @@ struct Reading_options
 /// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D; every node that owns triangles
 /// is a part; or URDF, of which every link with visuals is a part) or a folder of part meshes (every model file in it,
 /// or in its sub-folder `parts`, is a part, named after the file; sorted by name). Vertices at the same place are
-/// merged, polygons triangulated; faces of fewer than three corners, and parts of a file that have no area, are left
-/// out.
+/// merged, polygons triangulated; faces of fewer than three corners, and parts of a file without area, are left out.
 ///
 /// In OBJ every `o` or `g` statement with faces is a part, in STL every solid. A repeated OBJ group that uses vertices
 /// of the earlier one continues it; groups of an `o` that share vertices are one part, unless the file would then have

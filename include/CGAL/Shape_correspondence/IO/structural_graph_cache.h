@@ -24,8 +24,7 @@ namespace IO {
 /// \ingroup PkgShapeCorrespondenceIO
 /// Identifies the result of `build_structural_graph()` for a shape: a hash (SHA-1) of all names, coordinates and
 /// triangles (bitwise), of all options that the graph depends on except the time limit, and of the version of the
-/// algorithms. Of the abstractor, only the type is hashed: use one folder for each state of a stateful abstractor.
-/// Linear time.
+/// algorithms. Only the type of the abstractor is hashed: use one folder for each state of a stateful one. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
 /// \ingroup PkgShapeCorrespondenceIO

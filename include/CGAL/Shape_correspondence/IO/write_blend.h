@@ -25,8 +25,8 @@ namespace IO {
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as binary PLY: one mesh, with the number of the part as the property `part` of every face; comments
-/// list the names of the parts.
+/// Writes a shape as binary PLY: one mesh, with the part index as property `part` of every face; comments list the
+/// names of parts.
 void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceIO
