@@ -141,7 +141,6 @@ public:
 
   int degree(int v) const { return degrees_[at(v)]; }
 
-  /// The mesh without the removed elements.
   Part_mesh mesh() const
   {
     std::vector<int> index(points_.size(), none);

@@ -62,7 +62,6 @@ void check_abstraction(const std::string& name, const Part_abstraction& abstract
   }
 }
 
-/// Finds the abstraction of a part whose mesh is in canonical form.
 Part_abstraction abstract_mesh(const Shape_part& part, const Abstraction_options& options)
 {
   Stop_watch watch;

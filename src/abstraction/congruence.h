@@ -184,7 +184,6 @@ struct Congruence
   Motion motion;
 };
 
-/// Lexicographic order of meshes in canonical form.
 inline bool canonical_less(const Part_mesh& a, const Part_mesh& b)
 {
   const auto points = [](const Part_mesh& m) {

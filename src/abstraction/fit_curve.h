@@ -179,7 +179,6 @@ inline double turning(const Curve& curve)
   return result;
 }
 
-/// The curve of a path, resampled and smoothed.
 inline Curve smoothed(const Curve& raw, int samples)
 {
   const int rounds = 3;

@@ -15,7 +15,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// One halfedge of each border.
 inline std::vector<Halfedge_mesh::Halfedge_index> borders_of(const Halfedge_mesh& mesh)
 {
   std::vector<bool> is_known(mesh.num_halfedges());

@@ -11,7 +11,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The kind of a part according to its meso-skeleton.
 enum class Meso_kind { CURVE, SHEET, BLOB };
 
 /// Measures of a meso-skeleton after most of the part's volume is gone.

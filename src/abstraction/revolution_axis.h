@@ -16,7 +16,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The axis of a body of revolution.
 struct Revolution_axis
 {
   Point centre;

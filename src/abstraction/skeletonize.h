@@ -34,7 +34,6 @@ public:
   Stepwise_flow(const Stepwise_flow&) = delete;
   Stepwise_flow& operator=(const Stepwise_flow&) = delete;
 
-  /// Sets the weights of the following steps.
   void set_weights(const Flow_weights& weights);
   /// Runs until the enclosed volume is below a fraction of the original one, or the mesh no longer changes.
   /// \throw Flow_failure

@@ -22,7 +22,6 @@ struct Spatial_graph
   std::vector<std::pair<int, int>> edges;
 };
 
-/// The vertices and edges of a closed mesh.
 Spatial_graph edge_graph(const Part_mesh& closed);
 
 /// Adjacency, distances and paths of a graph whose edges can be removed.

@@ -13,7 +13,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A line in space.
 struct Line
 {
   Point centre;
@@ -26,7 +25,6 @@ struct Line
   }
 };
 
-/// The least-squares line of points.
 inline Line principal_line(const Points& points)
 {
   const Point centre = points.rowwise().mean();

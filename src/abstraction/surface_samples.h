@@ -30,7 +30,6 @@ inline double surface_area(const Part_mesh& mesh)
   return areas.empty() ? 0. : areas.back();
 }
 
-/// \pre the mesh is closed
 inline double enclosed_volume(const Part_mesh& mesh)
 {
   double result = 0;

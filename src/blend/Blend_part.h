@@ -31,15 +31,14 @@ struct Blend_part
   std::shared_ptr<const Part_morph> morph;    ///< defined for matched parts
   Part_mesh mesh;                             ///< defined for unmatched parts, which shrink or grow
   std::vector<contacts::Triangle_tree> trees; ///< by surface, at the surface's end of the blend
-  std::vector<Rest_surface> rests;            ///< by surface
-  double size = 0;                            ///< the greater of the diagonals of the surfaces' bounding boxes
+  std::vector<Rest_surface> rests;
+  double size = 0; ///< the greater of the diagonals of the surfaces' bounding boxes
 
   bool is_matched() const { return bool(morph); }
   /// The end that has the part. \pre the part is unmatched
   int end() const { return task.type == Blend_task_type::SHRINK ? 0 : 1; }
   /// Index of the part at an end. \pre the end has the part
   std::size_t given(int at_end) const { return at_end == 0 ? task.source : task.target; }
-  /// Whether an end has the part.
   bool is_at(int at_end) const { return given(at_end) != Blend_task::no_part; }
 
   const Eigen::Matrix3Xi& triangles(int surface) const { return morph ? morph->triangles(surface) : mesh.triangles; }

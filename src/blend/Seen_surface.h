@@ -37,7 +37,6 @@ struct Seen_surface
 /// The share of the area of `a` that is inside `b`, estimated by samples.
 double share_inside(const Seen_surface& a, const Seen_surface& b);
 
-/// The number of surfaces that stand on the ground.
 double number_of_supports(const std::vector<Seen_surface>& surfaces);
 
 } // namespace CGAL::Shape_correspondence::internal

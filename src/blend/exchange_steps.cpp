@@ -113,7 +113,6 @@ private:
   using Parts = boost::dynamic_bitset<>; ///< a set of parts
 
   bool is_matched(std::size_t part) const { return blend_.parts[part].is_matched(); }
-  /// The end of an unmatched part.
   std::size_t end(std::size_t part) const { return std::size_t(blend_.parts[part].end()); }
   /// The size of a part: its diagonal, since a thin part is as visible as a solid one.
   double size(std::size_t part) const { return blend_.parts[part].size; }
@@ -189,7 +188,6 @@ private:
           groups_.unite(a.part, b.part);
   }
 
-  /// The cells of every part.
   std::vector<std::vector<Cell>> cells() const
   {
     constexpr double least_side = 0.06, most_cells = 64; // over the height; number of cells along an axis

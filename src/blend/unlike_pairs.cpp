@@ -53,7 +53,6 @@ double shared_place(const Blend_stage& stage, std::size_t source, std::size_t ta
   return a.intersects(b) ? a.intersection(b).volume() / std::min(a.volume(), b.volume()) : 0;
 }
 
-/// Adds pairs of leftover parts in the same place.
 void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs& paired)
 {
   constexpr double same_place = 0.4; // least shared place of a pair

@@ -52,7 +52,6 @@ private:
   std::size_t least_, most_;
 };
 
-/// An entry in the list of commands.
 struct Command_entry
 {
   std::string name, summary; ///< one line

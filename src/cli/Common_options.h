@@ -46,7 +46,6 @@ struct Common_options
   int threads = 0; ///< 0: as many as the machine has
   std::int64_t seed = 0;
 
-  /// The options for one of several inputs.
   Common_options of_input(std::size_t index) const;
   /// The options for reading model files, including the labels of faces that define parts.
   IO::Reading_options reading_options() const;
@@ -69,8 +68,6 @@ std::vector<std::string> words_of(const std::string& list);
 constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
 constexpr const char* abstraction_option = "abstraction";
-
-// Functions that add options to the table of a command
 
 /// The options of all commands.
 void add_common_options(Option_table& table, Common_options& options);

@@ -33,7 +33,6 @@ struct Match_options
   std::vector<std::string> pinned, forbidden; ///< A=B
 };
 
-/// Adds the options of the search to the table of a command.
 void add_match_options(Option_table& table, Match_options& match);
 
 /// The search options, without those set by `choose_parts()`. \throw Usage_error

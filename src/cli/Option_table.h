@@ -147,7 +147,6 @@ public:
   /// Refuses options without effect in a mode. \param why names the mode \throw Usage_error
   void refuse_other_modes(const std::string& mode, const std::string& why) const;
 
-  /// Whether `--help` or `--help-all` is given.
   bool help_is_given() const;
   /// The help text. \param all whether to include rare options
   std::string help(bool all) const;

@@ -12,7 +12,6 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// A command on two shapes and their correspondence.
 class Pair_command : public Command
 {
 protected:

@@ -18,7 +18,6 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// The output options of `blend`.
 struct Blend_output
 {
   std::string path;

@@ -17,7 +17,6 @@ namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
-/// A schedule's name on the command line.
 std::string schedule_word(const std::string& name)
 {
   std::string result;

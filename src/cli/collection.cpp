@@ -214,7 +214,7 @@ private:
   Match_options match_;
   Collection_options options_;
   Energy_matrix_options matching_;
-  std::vector<std::string> paths_;    // of the shapes
+  std::vector<std::string> paths_;
   std::vector<std::string> left_out_; // entries of the folder that are not shapes
 };
 

@@ -73,7 +73,6 @@ private:
   std::vector<Structural_graph> graphs_; // empty if they are in a folder
 };
 
-/// The options specific to `collection`.
 struct Collection_options
 {
   std::string npy, csv, store, nearest, labels_from, labels_to; ///< empty: none
@@ -140,7 +139,6 @@ private:
   std::vector<std::string> names_; // of rows, by shape
 };
 
-/// A shape's distances from the others.
 struct Shape_distances
 {
   double mean = 0;

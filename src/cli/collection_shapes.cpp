@@ -69,7 +69,6 @@ bool is_shape_folder(const fs::path& folder)
   return !models.empty() && !are_shapes(models);
 }
 
-/// The result of loading one input.
 struct Loaded_input
 {
   Collection_shape shape;

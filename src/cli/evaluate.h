@@ -19,7 +19,6 @@ struct Named_result
   IO::Named_correspondence correspondence;
 };
 
-/// Reads the results in files and folders. \throw Invalid_input
 std::vector<Named_result> read_results(const std::vector<std::string>& inputs);
 
 /// Reads the labels of all shapes in files and folders. \throw Invalid_input

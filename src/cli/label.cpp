@@ -65,7 +65,6 @@ IO::Json parts_json(const std::vector<std::string>& parts, const std::vector<Tra
   return result;
 }
 
-/// The content of `labels.json`.
 IO::Json labels_json(const std::vector<std::string>& parts, const std::string& category,
                      const std::vector<Transferred_label>& labels)
 {

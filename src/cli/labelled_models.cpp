@@ -26,7 +26,6 @@ namespace {
 // Number of examples needed for a new category: fewer lower the mean F1 of matches (manual, "Accuracy").
 constexpr std::size_t least_examples = 3;
 
-/// The folder of the part meshes.
 std::string parts_of(const IO::Labelled_shape& shape)
 {
   return (fs::path(shape.file).parent_path() / "parts").string();

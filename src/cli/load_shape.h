@@ -124,7 +124,6 @@ void complete_surfaces(Loaded_shape& shape);
 /// \throw Invalid_input if the file has changed
 void read_appearance(Loaded_shape& shape);
 
-/// The warnings about a shape's appearance.
 std::vector<std::string> warnings_of_appearance(const Loaded_shape& shape);
 
 /// Adds the warnings about a shape's appearance to the notes of a table, or prints them if there is no table.
@@ -135,7 +134,6 @@ std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_want
 
 std::vector<std::string> part_names(const Structural_graph& graph);
 
-/// Whether a path is that of a structural graph file.
 bool is_graph_file(const std::string& path);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -52,7 +52,6 @@ using Lines = std::vector<std::string>;
 constexpr std::size_t narrowest_names = 16; // width of a column of part names, in characters
 constexpr std::size_t folded_lines = 4;     // lines of a cell if parts are not listed in full
 
-/// The displayed names of a shape's parts.
 Lines labels_of(const Structural_graph& graph)
 {
   return IO::part_labels(mapped(part_names(graph), [](const std::string& name) { return IO::quote_terminal(name); }));

@@ -31,7 +31,6 @@ public:
       work(i);
   }
 
-  /// The texts of all processes.
   virtual std::vector<std::string> gathered(const std::string& text) { return {text}; }
   /// The numbers passed by the first process.
   virtual std::vector<std::size_t> from_first(std::vector<std::size_t> numbers) { return numbers; }

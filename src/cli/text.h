@@ -27,10 +27,8 @@ void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool 
 /// A number with four significant digits.
 std::string short_number(double number);
 
-/// A number with `count` decimals.
 std::string decimals(double number, int count = 3);
 
-/// A share in whole percent.
 std::string percentage(double share);
 
 /// The result of a member or a function for each element.

@@ -20,7 +20,6 @@ namespace CGAL::Shape_correspondence {
 
 namespace {
 
-// A counterpart of a part.
 struct Counterpart
 {
   std::uint32_t shape, part; // index of the part in the set

@@ -32,7 +32,6 @@ void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_o
         throw Invalid_input("markov_clustering: a weight is negative or not finite; give finite ones of at least 0");
 }
 
-// The nonzero entries of a column, by row.
 using Column = std::vector<std::pair<Eigen::Index, double>>;
 
 double sum_of(const Column& column)

@@ -52,7 +52,6 @@ struct Fitted_piece
   std::size_t source_lanes, lanes; // indices of `Fitted_pieces::source_samples()` and `Fitted_pieces::samples()`
 };
 
-// A range of indices of fitted pieces.
 using Fitted_range = boost::iterator_range<const std::uint32_t*>;
 
 // All distinct pairs of pieces that the labels of groups deform into each other, ordered by source part.

@@ -78,7 +78,6 @@ public:
   /// The terms of E of a partial assignment, given the energies of all contacts: 0 where a group is unmatched.
   Energy_terms terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const;
 
-  /// The source groups of the two parts of a contact.
   std::array<std::size_t, 2> groups_of_contact(std::size_t contact) const
   {
     const auto& parts = source_->contacts[contact].parts;

@@ -24,7 +24,6 @@ struct Rod_deleter
 
 } // namespace internal
 
-/// E_d and E_c of one pair of connected parts.
 struct Rod_energy
 {
   double distortion = 0;
@@ -48,7 +47,6 @@ public:
   /// The rods between samples repeated `first_repeats` and `second_repeats` times: a curve that becomes a sheet is
   /// repeated e times. \pre each part has at most `samples_per_side`² samples
   Structural_rods(const Points& first, const Points& second, int first_repeats = 1, int second_repeats = 1);
-  /// The rods between n and m samples.
   Structural_rods(const internal::Sample_lanes& first, int n, const internal::Sample_lanes& second, int m);
 
   std::size_t bytes() const { return rods_.get_deleter().blocks * sizeof(internal::Rod_block); }

@@ -24,7 +24,6 @@ Points deform_to_fit(const Sampled_part& source, const Sampled_part& target,
 /// is a sheet, a curve counts as a sheet of e equal columns: [i] is its sample [i] / e. Refers to a static table.
 const std::vector<int>& match_extremities(const Sampled_part& source, const Sampled_part& target);
 
-/// The samples of the target in the given order.
 Points ordered_samples(const Sampled_part& target, const std::vector<int>& order);
 
 /// Every sample repeated `repeats` times in a row, as for a curve that counts as a sheet of equal columns.

@@ -95,7 +95,6 @@ bool may_match(const Part_group& source, const Part_group& target);
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group, const internal::Match_constraints& constraints = {});
 
-/// Whether all pairs of a label are allowed.
 bool is_allowed(const Group_label& label, const internal::Match_constraints& constraints);
 
 /// The label of a group of pinned parts. \pre the group is one of `internal::pinned_sets()`

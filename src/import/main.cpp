@@ -204,7 +204,7 @@ private:
   Model_content content_;
   std::vector<int> channels_; ///< of texture coordinates, by material
   std::vector<Tree_node> tree_;
-  std::vector<int> node_of_part_;   ///< by part
+  std::vector<int> node_of_part_;
   std::vector<std::string> meshes_; ///< names of the parts' meshes
 };
 

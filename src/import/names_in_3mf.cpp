@@ -53,7 +53,6 @@ std::string model_of_package(const std::string& file)
   return result;
 }
 
-/// Adds the name of the object that starts with this tag.
 void add_name(const std::string& tag, std::map<std::string, std::string>& names)
 {
   std::istringstream element(tag + "/>");

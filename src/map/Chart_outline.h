@@ -33,11 +33,10 @@ private:
   struct Section
   {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    Eigen::Matrix<double, angles, 1> radii = Eigen::Matrix<double, angles, 1>::Ones(); ///< by angle
+    Eigen::Matrix<double, angles, 1> radii = Eigen::Matrix<double, angles, 1>::Ones();
   };
 
   static Section section_around(const std::vector<Eigen::Vector2d>& points);
-  /// The section at the station of a point.
   Section section(const Point& k) const;
   static double radius(const Section& section, const Eigen::Vector2d& direction);
   int first() const { return is_sheet_ ? 0 : 1; } ///< first of the two coordinates of the outline's plane

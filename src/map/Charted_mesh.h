@@ -45,14 +45,12 @@ struct Mesh_place
   }
 };
 
-/// The point of a mesh nearest to a point.
 Mesh_place nearest_place(const contacts::Triangle_tree& tree, const Point& p);
 
 /// Finds locations on a mesh for points of another mesh given in the same chart coordinates.
 class Place_finder
 {
 public:
-  /// \param normals normals of the vertices
   Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& triangles, const Points& normals);
 
   /// The nearest location; on a thin part the nearest one on the same side, by normals.

@@ -31,11 +31,9 @@ public:
 
   bool is_sheet() const { return is_sheet_; }
 
-  /// The point at coordinates `k`.
   Point operator()(const Point& k) const { return locate(k).first; }
   /// Unit vectors of the coordinate directions at `k`, as columns.
   Eigen::Matrix3d frame(const Point& k) const { return locate(k).second; }
-  /// The coordinates of a point.
   Point coordinates(const Point& p) const;
 
   /// The overall directions (a rotation), and the half extents along them.

@@ -41,7 +41,6 @@ enum class Pair_kind {
 /// The rotations of the cube to itself, the identity first.
 std::vector<Eigen::Matrix3d> cube_rotations();
 
-/// The charts of the pieces of a pair.
 std::array<Part_chart, 2> piece_charts(const Piece_pair& pair, const Charted_shape& source,
                                        const Charted_shape& target);
 

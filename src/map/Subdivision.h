@@ -34,7 +34,6 @@ public:
 
   void move(int i, const Point& to) { points_[std::size_t(i)] = to; }
 
-  /// \return the index of the point
   int add_point(const Point& p)
   {
     points_.push_back(p);
@@ -43,7 +42,6 @@ public:
 
   void add_triangle(const std::array<int, 3>& corners) { triangles_.push_back(corners); }
 
-  /// Removes the triangles whose corners satisfy `test`.
   template <typename Test>
   void remove_triangles_if(const Test& test)
   {

@@ -19,7 +19,6 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Fills a section by a constrained Delaunay triangulation.
 class Section_filler
 {
 public:

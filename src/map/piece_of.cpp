@@ -228,7 +228,7 @@ private:
 
   const Part_chart& chart_;
   Subdivision mesh_;
-  std::vector<Point> coordinates_; ///< by point
+  std::vector<Point> coordinates_;
 };
 
 } // namespace

@@ -58,7 +58,7 @@ private:
   std::mutex features_mutex_;
   std::array<std::shared_ptr<const internal::Shape_features>, internal::Turned_shapes::turns> features_;
   std::mutex roles_mutex_;
-  std::map<std::shared_ptr<const Role_model>, internal::Turned_roles> roles_; // by model
+  std::map<std::shared_ptr<const Role_model>, internal::Turned_roles> roles_;
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -86,8 +86,6 @@ private:
   using Shared_shape = Matching_problem::Shared_shape;
   using Alignments = Prepared_shape::Alignments;
 
-  // Shared by all methods
-
   bool has_no_pairs(const Prepared_shape& target) const
   {
     return number_of_parts_ == 0 || structure(target.graph()).parts.empty();
@@ -104,8 +102,6 @@ private:
   Deadline deadline() const { return Deadline(options_.time_limit > 0 ? options_.time_limit : Deadline::never); }
   // \param end `search_was_cancelled` or `time_is_over`
   static void mark_ended(const std::string& end, std::size_t done, std::size_t runs, Correspondence& correspondence);
-
-  // By parts
 
   Part_match_result matched_parts(const Prepared_shape& target, const Deadline& limit) const;
   // The alignments to try, the likeliest first. \param category set to the category of both shapes, if roles tell one
@@ -137,8 +133,6 @@ private:
   // \pre the target is not turned
   Correspondence rated_backwards(Part_match_result found, const Deadline& limit) const;
   bool takes_shapes_as_they_are() const;
-
-  // By least energy
 
   std::vector<Correspondence> least_energy(const Prepared_shape& target) const;
   Search_runs runs(const Prepared_shape& target, const Search_options& options, const Deadline& deadline) const;

@@ -135,7 +135,6 @@ public:
   }
   double sum(std::size_t part, std::size_t other) const { return sums_(Eigen::Index(part), Eigen::Index(other)); }
   double mean(std::size_t part, std::size_t other) const { return sum(part, other) / double(count(part)); }
-  // Number of points of a part.
   Eigen::Index count(std::size_t part) const { return from_.surfaces[part].rows(); }
 
   void set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared);

@@ -39,7 +39,6 @@ struct Search_run
 // The options for an exact search that ends at the deadline. \pre the deadline is not over
 Exact_options until(const Deadline& deadline, Exact_options options);
 
-// The distinct target parts of a label, ascending.
 std::vector<std::size_t> image_parts(const Group_label& label);
 
 // Lists the parts without a pair.

@@ -46,7 +46,6 @@ struct Block
   std::vector<std::size_t> source, target;
 };
 
-// The blocks formed by confident pairs and panels.
 std::vector<Block> blocks_of(const Match_matrix& confident, const Shape_features& source, const Shape_features& target)
 {
   const std::size_t n = source.size(), all = n + target.size();

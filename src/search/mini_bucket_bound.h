@@ -73,7 +73,6 @@ private:
   bool exact_ = true;
 };
 
-// The values of the tables.
 class Mini_bucket_bound
 {
 public:
@@ -94,7 +93,6 @@ public:
     }
   }
 
-  // Lower bound on the sum of all tables over all assignments.
   double bound() const { return bound_; }
 
   // For every label of v, given labels of the earlier variables: `costs` receives `cost` plus the tables that become

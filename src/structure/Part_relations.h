@@ -263,7 +263,7 @@ private:
   }
 
   std::vector<Part_signature> parts_;
-  std::vector<Eigen::AlignedBox3d> boxes_; ///< bounding boxes of the parts
+  std::vector<Eigen::AlignedBox3d> boxes_;
   const Shape_frame& frame_;
   double tolerance_;
   double noise_;

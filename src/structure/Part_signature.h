@@ -20,7 +20,7 @@ namespace symmetry {
 constexpr int sheet_samples = 16; ///< along each side of a sheet
 constexpr int curve_samples = 64;
 /// Limits for congruent parts.
-constexpr double area_ratio = 1.35;    ///< ratio of areas
+constexpr double area_ratio = 1.35;
 constexpr double volume_ratio = 1.5;   ///< ratio of volumes, which are uncertain for open meshes
 constexpr double largest_factor = 2.5; ///< largest deviation, over the allowed mean deviation
 

@@ -103,7 +103,6 @@ public:
     return samples;
   }
 
-  /// The bounding box of the marked triangles.
   Box box_of_marked(const std::vector<char>& marked) const
   {
     Box result;

@@ -26,7 +26,6 @@ inline Axis_box joined(const Axis_box& a, const Axis_box& b) { return {a.low.min
 
 inline bool is_less(double a, double b) { return quantized(a) < quantized(b); }
 
-// By part, the parts that it touches.
 inline std::vector<std::vector<std::size_t>> touching_parts(const Aligned_shape& shape)
 {
   std::vector<std::vector<std::size_t>> result(shape.parts.size());

@@ -15,17 +15,17 @@ namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 /// Limits for copies, which are stricter than for congruent parts.
-constexpr double copy_tolerance = 0.4;    ///< mean deviation, over the tolerance
-constexpr double copy_maximum = 1.75;     ///< largest deviation, over the allowed mean deviation
-constexpr double copy_area_ratio = 1.25;  ///< ratio of areas
+constexpr double copy_tolerance = 0.4; ///< mean deviation, over the tolerance
+constexpr double copy_maximum = 1.75;  ///< largest deviation, over the allowed mean deviation
+constexpr double copy_area_ratio = 1.25;
 constexpr double copy_width_ratio = 1.27; ///< ratio of widths, in any direction
 constexpr double copy_most_widths = 1.14; ///< ratio of widths in nine directions of ten, since noise is uneven
 
 /// Kinds of symmetry, in the order of preference among candidates with equally many members.
 enum class Preference {
-  STAR,              ///< a ring whose members start at the axis
-  FOUR_MIRRORED,     ///< two orthogonal mirror planes
-  RING,              ///< any other ring
+  STAR,          ///< a ring whose members start at the axis
+  FOUR_MIRRORED, ///< two orthogonal mirror planes
+  RING,
   ROW,               ///< three or more parts along a vector
   MIRRORED_IN_SHAPE, ///< a pair mirrored in a mirror plane of the shape
   TURNED,            ///< a pair related by half a turn about an axis in a mirror plane of the shape

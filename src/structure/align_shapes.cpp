@@ -64,7 +64,6 @@ std::size_t nearest_sample(const Points& samples, const Point& p)
   return std::size_t(nearest);
 }
 
-// Builds the graph of the groups and of the contacts between them.
 void build_graph(const std::vector<Part_group>& groups, Aligned_shape& shape)
 {
   shape.graph = Aligned_shape::Graph();

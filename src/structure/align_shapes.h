@@ -48,7 +48,6 @@ struct Aligned_shape
   const Part_group& group(std::size_t vertex) const { return graph[vertex]; }
 };
 
-/// The groups of a shape, in their order.
 inline auto groups(const Aligned_shape& shape)
 {
   return boost::make_iterator_range(vertices(shape.graph)) |

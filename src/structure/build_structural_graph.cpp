@@ -73,7 +73,6 @@ void check_groups(const std::vector<Part_group>& groups, std::size_t parts)
     }
 }
 
-/// Warns of parts that are abstracted by their bounding box.
 void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
 {
   for (const Part_abstraction& part : parts) {

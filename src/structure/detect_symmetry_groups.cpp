@@ -144,7 +144,6 @@ Symmetry to_world(Symmetry symmetry, const Shape_frame& frame)
   return symmetry;
 }
 
-/// The volume of the convex hull of the union of several parts.
 double hull_volume_of_union(const std::vector<Part_abstraction>& parts, const std::vector<std::size_t>& members)
 {
   if (members.size() == 1 && parts[members[0]].hull_volume > 0) return parts[members[0]].hull_volume;

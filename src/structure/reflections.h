@@ -121,7 +121,6 @@ inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::siz
   result.push_back(pair);
 }
 
-/// Adds a pair related by a translation.
 inline void add_translated_pair(const Part_relations& parts, std::size_t i, std::size_t j,
                                 std::vector<Symmetry_candidate>& result)
 {

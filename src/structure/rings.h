@@ -57,7 +57,6 @@ inline bool is_evenly_turned(const std::vector<Ring_place>& ring)
   return true;
 }
 
-/// Whether a part reaches inwards to the axis.
 inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
 {
   double inner = std::numeric_limits<double>::infinity(), outer = 0;
@@ -144,7 +143,6 @@ inline Spread spread(const Part_relations& parts, const std::vector<std::size_t>
   return {axes.col(0), axes.col(2)};
 }
 
-/// Splits a set at the widest gap between its centres along a direction.
 inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations& parts, std::vector<std::size_t> set,
                                                             const Point& direction)
 {
@@ -176,7 +174,6 @@ inline void add_rings_among(const Part_relations& parts, const std::vector<std::
     add_rings_among(parts, half, splits - 1, result);
 }
 
-/// Adds complete rings of three parts or more.
 inline void add_rings(const Part_relations& parts, const std::vector<std::size_t>& free,
                       std::vector<Symmetry_candidate>& result)
 {

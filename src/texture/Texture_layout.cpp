@@ -28,7 +28,6 @@ struct Chart
   Eigen::Vector2d extent;
 };
 
-/// Cuts a part into charts.
 class Chart_maker
 {
 public:

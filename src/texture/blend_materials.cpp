@@ -18,7 +18,6 @@ namespace {
 
 constexpr int fade_steps = 5; // number of intermediate colours in an animation
 
-/// Draws a blend with the materials of the shapes.
 class Material_painter : public Blend_painter
 {
 public:

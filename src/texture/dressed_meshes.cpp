@@ -35,7 +35,6 @@ Shape_appearance drawn_appearance(const Segmented_shape* model, const Shape_appe
   return result;
 }
 
-/// Values of corners as the columns of a matrix.
 template <typename Vector>
 auto columns(const std::vector<Vector>& values)
 {

@@ -31,7 +31,6 @@ struct Image_budget
 /// Decodes a PNG or JPEG of at most 8192 pixels in each direction. \throw Invalid_input; the message ends a sentence
 Image decoded_image(const std::string& bytes, Image_budget& budget);
 
-/// The image encoded as PNG.
 std::string png_of(const Image& image);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -65,7 +65,6 @@ bool read_statement(std::string_view keyword, std::string_view line, Library_mat
   return true;
 }
 
-/// The materials of a library, by name.
 std::map<std::string, Library_material> read_library(std::string_view text, std::size_t& damaged_statements)
 {
   std::map<std::string, Library_material> result;

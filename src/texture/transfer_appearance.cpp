@@ -30,7 +30,6 @@ void check_option(const std::string& name, int value, int least, int most)
                         std::to_string(most));
 }
 
-/// The areas of the parts, over the area of the shape.
 std::vector<Steps> sizes_of_parts(const Segmented_shape& shape)
 {
   std::vector<double> areas;
@@ -167,7 +166,6 @@ private:
   Transferred_appearance result_;
 };
 
-/// The label that most of a triangle is mapped to.
 int label_of_triangle(const Point_map& map, const std::vector<int>& labels, std::size_t part, Eigen::Index triangle)
 {
   std::map<int, int> votes;

@@ -3,7 +3,6 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checks of blends that several tests share.
 #ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 #define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 
@@ -40,7 +39,6 @@ inline bool is_closed(const Part_mesh& mesh)
   return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
-/// \param scale scale of the surfaces
 inline std::vector<Triangle_tree> trees_of(const Segmented_shape& shape, double scale = 1)
 {
   std::vector<Triangle_tree> result;

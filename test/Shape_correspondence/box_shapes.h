@@ -124,7 +124,6 @@ struct Motion
   }
 };
 
-/// The shape moved, with its parts permuted.
 inline Segmented_shape moved(const Segmented_shape& shape, const Motion& motion, const std::vector<std::size_t>& order)
 {
   Segmented_shape result(shape.name());

@@ -90,7 +90,6 @@ inline Furniture chair(double thickness, double seat)
                     {"back", ""}});
 }
 
-// A shelf: two sides with boards between them.
 inline Furniture shelf(double thickness, int boards)
 {
   std::vector<Part_abstraction> parts{box("left", {1 - thickness, 0, -0.5}, {1, 4, 0.5}),

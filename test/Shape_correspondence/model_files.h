@@ -35,7 +35,6 @@ public:
 
   std::string path(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Writes a file and returns its path.
   std::string write(const std::string& name, const std::string& text) const
   {
     fs::create_directories((path_ / name).parent_path());
@@ -94,7 +93,6 @@ inline std::string obj_box(const std::string& statement, int index, double x, do
   return statement + "\n" + box_vertices(x, y, z, dx, dy, dz, "v ") + box_faces(8 * index + 1, "f ");
 }
 
-/// A table with four legs as one OBJ file.
 inline std::string obj_table(const std::string& keyword = "o ")
 {
   return obj_box(keyword + "top", 0, -0.5, 0.7, -0.5, 1, 0.05, 1) +

@@ -33,7 +33,6 @@ inline Part_mesh box(const Point& low, const Point& high)
   return result;
 }
 
-/// A double pyramid over a regular polygon.
 inline Part_mesh bipyramid(int sides)
 {
   Part_mesh result;

@@ -39,7 +39,6 @@ inline Run run(const std::string& arguments)
   return {WEXITSTATUS(status), model_files::text_of(folder.path("out")), model_files::text_of(folder.path("error"))};
 }
 
-/// Writes a graph into the folder. \return the path of the file
 inline std::string graph_file(const model_files::Temporary_folder& folder, const std::string& name,
                               const CGAL::Shape_correspondence::Structural_graph& graph)
 {

@@ -22,7 +22,6 @@ Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& tar
 
 constexpr Part_cost_weights no_weights{0, 0, 0, 0, 0, 0};
 
-// Index in the aligned shape of a part of the graph.
 Eigen::Index aligned(const Aligned_shape& shape, std::size_t part)
 {
   for (std::size_t i = 0; i < shape.original.size(); ++i)

@@ -115,7 +115,6 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
 
 namespace {
 
-/// Random examples of three classes.
 std::vector<Role_example> random_examples(std::size_t count)
 {
   std::mt19937 random(7);

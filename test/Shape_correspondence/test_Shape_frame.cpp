@@ -12,7 +12,6 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-/// Adds a grid of points on the faces of a box.
 void add_box(std::vector<Point>& points, const Point& low, const Point& high, int n = 10)
 {
   for (int axis = 0; axis < 3; ++axis) {

@@ -26,7 +26,6 @@ using namespace box_models;
 
 namespace {
 
-/// Several boxes as one mesh.
 Part_mesh bars(const std::vector<Named_box>& boxes)
 {
   Part_mesh result;
@@ -41,7 +40,6 @@ Part_mesh bars(const std::vector<Named_box>& boxes)
   return result;
 }
 
-/// A copy of a model with another mesh for one part.
 Box_model with_mesh(const Box_model& model, const std::string& name, const Part_mesh& mesh)
 {
   Segmented_shape shape(model.shape.name());

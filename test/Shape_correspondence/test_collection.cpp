@@ -53,7 +53,6 @@ Structural_graph named(Structural_graph graph, const std::string& name)
   return graph;
 }
 
-/// Chairs and tables, some turned and scaled.
 std::vector<Structural_graph> shapes()
 {
   std::vector<Structural_graph> result{hand_made::chair(),      hand_made::slatted_chair(),
@@ -64,7 +63,6 @@ std::vector<Structural_graph> shapes()
   return result;
 }
 
-/// A folder of graph files.
 std::string shape_folder(const Temporary_folder& folder)
 {
   std::size_t i = 0;

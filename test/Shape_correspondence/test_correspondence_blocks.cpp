@@ -39,7 +39,6 @@ std::vector<Sides> sides(const std::vector<Correspondence_block>& blocks)
   return result;
 }
 
-/// Adds the pairs of all parts in `source` with all in `target`.
 void add_all(const Parts& source, const Parts& target, double confidence, std::vector<Part_correspondence>& pairs)
 {
   for (std::size_t s : source)

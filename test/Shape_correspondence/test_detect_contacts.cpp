@@ -57,7 +57,6 @@ const std::set<Names> CHAIR_PAIRS = {{"seat", "front_leg_l"},
                                      {"seat", "slat_3"},
                                      {"seat", "slat_4"}};
 
-/// Two boxes of side 1 with a gap between them.
 Segmented_shape two_boxes(double gap)
 {
   Segmented_shape shape("boxes");

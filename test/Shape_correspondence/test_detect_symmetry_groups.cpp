@@ -163,7 +163,6 @@ void check_same(const Named_groups& found, const Named_groups& expected, double 
 
 bool is_square(const std::string& model) { return model == "stool" || model == "table_pedestal"; }
 
-/// The groups after a motion of the shape.
 Named_groups moved_groups(Named_groups groups, const Motion& motion)
 {
   for (auto& [names, group] : groups) {

@@ -65,7 +65,6 @@ struct Labelled_chairs
     return run("evaluate " + inputs + " --ground-truth " + quoted(folder.path("truth")) + " " + options);
   }
 
-  /// The error for a result or labels with this text.
   std::string refused_result(const std::string& text) const
   {
     const std::string file = folder.write("bad.json", text);

@@ -46,7 +46,6 @@ std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, c
 
 const Named_box board = {"board", {0, 0.6, 0}, {1.2, 0.08, 0.8}};
 
-/// A board on two walls with a box on it.
 std::vector<Named_box> on_walls()
 {
   return {board,

@@ -28,7 +28,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Names of parts, with their numbers of triangles.
 std::map<std::string, Eigen::Index> parts(const Segmented_shape& shape)
 {
   std::map<std::string, Eigen::Index> result;

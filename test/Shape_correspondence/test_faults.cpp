@@ -24,7 +24,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// The only file in a folder.
 std::string file_in(const std::string& folder)
 {
   REQUIRE(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 1);
@@ -183,7 +182,6 @@ int run_failing(int call, const std::string& arguments, const std::string& error
   return WEXITSTATUS(status);
 }
 
-/// The names and contents of a folder's files.
 std::map<std::string, std::string> contents(const std::string& folder)
 {
   std::map<std::string, std::string> result;
@@ -352,7 +350,6 @@ TEST_CASE("A damaged graph or row of a store is made again, with a warning")
 
 namespace {
 
-/// A folder of six different models.
 std::string write_tables(const Temporary_folder& folder)
 {
   for (int i = 0; i < 6; ++i) {

@@ -93,7 +93,6 @@ std::map<std::string, std::vector<std::string>> package_includes()
   return result;
 }
 
-/// The room of a file; empty if it has none.
 std::string room_of(const std::string& file, const Floor_plan& plan)
 {
   if (file.compare(0, public_prefix.size(), public_prefix) != 0) return file.substr(0, file.rfind('/'));

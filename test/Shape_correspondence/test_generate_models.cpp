@@ -56,7 +56,6 @@ bool is_closed(const Mesh& mesh)
   return true;
 }
 
-/// The volume of each connected component.
 std::vector<double> component_volumes(const Mesh& mesh)
 {
   CGAL::Shape_correspondence::internal::Disjoint_sets sets(mesh.points.size());
@@ -91,7 +90,6 @@ bool self_intersects(const Mesh& mesh)
 /// Mirrored copies are exact; others differ by the rounding of both copies.
 constexpr double copy_tolerance = 1.25 * gen::grid_step;
 
-/// Tolerance of near copies, over their diagonal.
 constexpr double near_copy_tolerance = 0.01;
 
 /// Distance below which parts are in contact, over the shape's diagonal.

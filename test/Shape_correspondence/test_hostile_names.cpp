@@ -160,7 +160,6 @@ bool has_control(const std::string& text)
   return std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < ' ' && c != '\n') || c == 0x7F; });
 }
 
-/// Decodes %XX.
 std::string decoded(const std::string& text)
 {
   std::string result;

@@ -24,14 +24,12 @@ namespace {
 
 const std::string program = quoted(SHAPE_CORRESPONDENCE_PROGRAM);
 
-/// Runs lines in a shell. \return its status
 int shell(const std::string& lines)
 {
   const int status = std::system(("(" + lines + ") >/dev/null 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// The only file in a folder with this extension.
 std::string file_in(const std::string& folder, const std::string& extension)
 {
   for (const auto& entry : fs::directory_iterator(folder))

@@ -79,7 +79,6 @@ std::string box_text(const Point& low, const Point& high, int first)
   return text.str();
 }
 
-/// A table of a top and four legs.
 std::string table_text()
 {
   std::string text = "o top\n" + box_text({-1, 0.9, -1}, {1, 1, 1}, 1);

@@ -257,7 +257,7 @@ TEST_CASE("The method follows from the options, where it is not named")
   CHECK(method("--solutions 2") == "exact");
   CHECK(method("--allow-unmatched") == "exact");
   CHECK(method("--search-time-limit 10") == "exact");
-  CHECK(method("--time-limit 10") == "parts"); // limit for the abstraction of a part
+  CHECK(method("--time-limit 10") == "parts");
 }
 
 TEST_CASE("Pinned pairs are in the result and forbidden ones are not, with and without roles")

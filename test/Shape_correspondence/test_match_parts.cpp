@@ -21,7 +21,6 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// The matching, by index in the structural graphs.
 Part_matching matching(const Structural_graph& a, const Structural_graph& b, const Part_matching_options& options = {})
 {
   const Aligned_shape source = align_shape(a), target = align_shape(b);
@@ -54,7 +53,6 @@ Pairs identity(std::size_t parts)
   return result;
 }
 
-// The graph with its parts in reversed order.
 Structural_graph reversed(const Structural_graph& graph)
 {
   Shape_structure shape = structure(graph);

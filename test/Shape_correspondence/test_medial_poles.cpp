@@ -9,7 +9,6 @@ using namespace part_meshes;
 
 namespace {
 
-/// A torus, oriented outwards.
 Part_mesh ring()
 {
   Part_mesh result = torus(1, 0.3);

@@ -20,7 +20,6 @@ using namespace CGAL::Shape_correspondence::internal;
 
 namespace {
 
-/// Numbers of all magnitudes, from random bits.
 template <typename Number, typename Bits>
 std::vector<Number> any_numbers()
 {

@@ -16,7 +16,6 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-// Indices in the structural graph.
 Indices original(const Aligned_shape& shape, const Indices& parts)
 {
   Indices result;

@@ -60,7 +60,6 @@ std::string obj_table_of_materials()
   return result;
 }
 
-/// The model rotated to z up.
 std::string with_z_up(const std::string& obj)
 {
   std::string result;

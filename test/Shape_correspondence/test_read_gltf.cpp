@@ -96,7 +96,6 @@ const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 template <typename Number>
 const std::vector<Number> triangles = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
-/// One node with a tetrahedron.
 Model tetrahedron()
 {
   Model model;

@@ -38,7 +38,6 @@ std::string robot(const std::string& elements)
 
 const std::string box = "<box size=\"2 4 6\"/>";
 
-/// The least and the greatest coordinates of a part.
 std::pair<Point, Point> extent(const Segmented_shape& shape, std::size_t part)
 {
   const Points& points = shape.parts().at(part).mesh.points;
@@ -107,7 +106,6 @@ TEST_CASE("Visuals of a link are one part, of meshes that many links may use, wi
   REQUIRE(materials[0] >= 0);
   CHECK(looks.materials[std::size_t(materials[0])].colour.isApprox(Eigen::Vector4d(1, 0, 0, 1)));
   CHECK(materials[12] == -1);
-  // A folder with one robot description is read as that robot
   CHECK(IO::read_segmented_shape(folder.path("")).parts().size() == 2);
   // Files in folders above are read only if allowed
   std::string packaged = text;

@@ -32,7 +32,6 @@ std::vector<Validation_shape> validation_shapes(const std::deque<Furniture>& sha
   return result;
 }
 
-// All pairs of shapes of one category among the first `count`.
 std::vector<Shape_pair> pairs_of_category(const std::deque<Furniture>& shapes, std::size_t count)
 {
   std::vector<Shape_pair> result;

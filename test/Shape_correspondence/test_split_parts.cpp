@@ -44,7 +44,6 @@ Part_mesh sheet(const Point& middle, double width, double height)
   return mesh;
 }
 
-/// Four separate legs of a table.
 std::vector<Part_mesh> legs()
 {
   std::vector<Part_mesh> result;

@@ -69,7 +69,6 @@ void check_same(const Segmented_shape& a, const Segmented_shape& b)
   }
 }
 
-// A box of size 1 by 2 by 3
 const std::string off_numbers = box_vertices(0, 0, 0, 1, 2, 3, "") + box_faces(0, "4 ");
 const std::string off_box = "OFF\n8 6 0\n" + off_numbers;
 const std::string ply_box = "ply\nformat ascii 1.0\ncomment by hand\nobj_info none\nelement vertex 8\n"

@@ -395,7 +395,6 @@ TEST_CASE("The program says what is missing for a transfer")
 
 namespace {
 
-// The JSON document in a GLB.
 nlohmann::json document_of(const std::string& glb)
 {
   std::size_t size = 0;

@@ -21,7 +21,6 @@ using nlohmann::json;
 
 namespace {
 
-/// The JSON of the GLB in a page.
 json glb_json(const std::string& page)
 {
   const std::string glb = from_base64(document_of(page, "collection.glb"));
@@ -115,7 +114,7 @@ TEST_CASE("Of very many shapes the page shows some from every branch of the tree
   const Structural_graph chair = hand_made::chair();
   const std::size_t n = 2 * IO::largest_pictured + 5, half = n / 2;
   IO::Collection collection;
-  collection.energy = [&](std::size_t i, std::size_t j) { // two distant chains
+  collection.energy = [&](std::size_t i, std::size_t j) {
     return std::abs(double(i) - double(j)) / double(n) + ((i < half) != (j < half) ? 10 : 0);
   };
   for (std::size_t i = 0; i < n; ++i) {

@@ -20,7 +20,6 @@ namespace {
 /// To be increased with every change that alters the graph of a shape for the same options.
 constexpr int algorithms_version = 14;
 
-/// Appends the bytes of a number, a text or a matrix.
 template <typename Value>
 void append(const Value& value, std::string& bytes)
 {

@@ -14,7 +14,6 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A mesh decoded by Draco.
 struct Draco_mesh
 {
   std::vector<std::size_t> corners;          ///< vertex indices, three for each triangle

@@ -43,7 +43,6 @@ std::string mark_of_parts(const Point& up);
 /// The upright direction in such a comment; none for other comments.
 std::optional<Point> up_in_mark(std::string_view comment);
 
-/// The content of a model file.
 struct Model_content
 {
   std::vector<Model_part> parts;

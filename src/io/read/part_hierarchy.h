@@ -9,7 +9,6 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A part and the files of its meshes.
 struct Part_files
 {
   std::string name;

@@ -7,7 +7,6 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A node in the tree of a model file.
 struct Tree_node
 {
   int parent; ///< -1: none

@@ -380,9 +380,9 @@ private:
   std::vector<Eigen::Vector2f> coordinates_;
   std::vector<std::string> materials_, libraries_; ///< names
   std::map<std::string, int> material_numbers_;
-  int material_ = -1;                      ///< of the following faces
-  std::vector<std::string> without_faces_; ///< names of objects
-  std::optional<Point> up_;                ///< given in files that this program wrote
+  int material_ = -1; ///< of the following faces
+  std::vector<std::string> without_faces_;
+  std::optional<Point> up_; ///< given in files that this program wrote
 };
 
 } // namespace

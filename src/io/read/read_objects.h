@@ -18,7 +18,6 @@ namespace CGAL::Shape_correspondence::IO {
 /// Start of the warning that a list of labels beside a model cannot be used.
 constexpr const char* labels_left_out = "The labels of faces beside the model were left out: ";
 
-/// The objects of a model as in its files.
 struct Model_objects
 {
   Segmented_shape shape;

@@ -224,7 +224,6 @@ std::vector<fs::path> model_files(const fs::path& folder, bool is_of_robots = fa
   return files;
 }
 
-/// Joins objects to one part.
 Model_part joined(const std::string& name, const std::vector<Model_part>& objects)
 {
   Model_part part{name, {}};
@@ -256,7 +255,6 @@ std::string folder_name(const fs::path& folder)
   return utf8_text(path.filename().string());
 }
 
-/// The folder with the part meshes.
 fs::path folder_of_parts(const fs::path& path) { return fs::is_directory(path / "parts") ? path / "parts" : path; }
 
 /// The parts named by a folder's hierarchy, or one part for each file in it; for a file, the file alone.

@@ -184,7 +184,7 @@ private:
 
   std::string_view rest_;
   const std::string& file_;
-  std::vector<std::string> headers_; ///< of binary files, by part
+  std::vector<std::string> headers_;
   std::size_t lines_left_out_ = 0;
   Model_content result_;
 };

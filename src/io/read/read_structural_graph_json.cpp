@@ -61,7 +61,6 @@ Sheet read_sheet(const Json_field& part)
   return sheet;
 }
 
-/// Reads one of several words.
 template <typename Value>
 Value read_word(const Json_field& field, Words<Value> words)
 {

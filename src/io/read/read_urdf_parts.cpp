@@ -398,8 +398,8 @@ private:
   std::map<std::string, const Element*> links_;
   std::map<std::string, Joint> joints_; ///< by child link
   std::map<std::string, int> materials_;
-  std::map<std::string, std::vector<Model_part>> meshes_; ///< by path
-  std::map<std::string, Transform> places_;               ///< poses of links
+  std::map<std::string, std::vector<Model_part>> meshes_;
+  std::map<std::string, Transform> places_;
 };
 
 } // namespace

@@ -39,7 +39,6 @@ inline std::string_view next_word(std::string_view& text)
   return word;
 }
 
-/// The word in lower case.
 inline std::string lower(std::string_view word)
 {
   std::string result(word);

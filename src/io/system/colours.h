@@ -21,7 +21,6 @@ std::vector<Colour> distinct_colours(std::size_t n);
 inline Colour linear_colour(const Colour& srgb) { return srgb.unaryExpr(&internal::linear_of_srgb); }
 inline Colour srgb_colour(const Colour& linear) { return linear.unaryExpr(&internal::srgb_of_linear); }
 
-/// The colour of unmatched parts.
 inline Colour grey() { return Colour(0.45, 0.45, 0.45); }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -19,13 +19,11 @@ std::string utf8_text(const std::string& bytes);
 std::string quote_obj(const std::string& name);
 std::string quote_ply(const std::string& name);
 
-/// Decodes %XX in a text.
 std::string percent_decoded(const std::string& text);
 
 /// A file name valid on all systems: characters forbidden on any of them become _, and the length is limited.
 std::string file_name(const std::string& name);
 
-/// A name as a quoted string in the language of Graphviz.
 std::string quote_dot(const std::string& name);
 
 /// A name in GraphML: control characters, which XML cannot represent, become %XX. Boost's writer escapes markup.

@@ -59,7 +59,6 @@ Eigen::Matrix3Xi grid_triangles(int rows, int cols, bool ring_rows, bool ring_co
   return triangles;
 }
 
-/// A polyline without repeated points.
 Points without_repetitions(const Points& polyline)
 {
   Points result(3, polyline.cols());
@@ -88,7 +87,6 @@ Drawn_mesh sphere(const Point& centre, double radius)
   return mesh;
 }
 
-/// Appends the points, normals and triangles of a mesh.
 void append(const Drawn_mesh& more, Drawn_mesh& all)
 {
   const Eigen::Index points = all.points.cols();
@@ -105,7 +103,7 @@ void append(const Drawn_mesh& more, Drawn_mesh& all)
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   const Points normals = face_normals(points, triangles);
-  std::vector<std::vector<int>> faces(points.cols()), copies(points.cols()); // by point
+  std::vector<std::vector<int>> faces(points.cols()), copies(points.cols());
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     for (int k = 0; k < 3; ++k)
       faces[triangles(k, t)].push_back(static_cast<int>(t));

@@ -17,7 +17,6 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// Names of layers.
 constexpr const char *surface_layer = "surfaces", *abstraction_layer = "curves and sheets", *contact_layer = "contacts",
                      *material_layer = "materials";
 
@@ -39,7 +38,6 @@ Segmented_shape simplified_shape(const Segmented_shape& shape, std::size_t most_
 
 std::size_t number_of_triangles(const Segmented_shape& shape);
 
-/// A shape in the frame in which it is drawn.
 class Drawn_shape
 {
 public:
@@ -61,7 +59,6 @@ public:
   Drawn_mesh abstraction(std::size_t part) const;
   /// The abstraction with few triangles and flat shading.
   Drawn_mesh coarse_abstraction(std::size_t part) const;
-  /// The surface, or the abstraction if there is none.
   Drawn_mesh best_mesh(std::size_t part) const { return model_ ? surface(part) : abstraction(part); }
   /// A line for each contact, from the middle of one part's curve or sheet via the contact to that of the other.
   Drawn_mesh contacts() const;
@@ -122,11 +119,9 @@ public:
   virtual std::vector<Painted_mesh> surface(std::size_t surface, double t) = 0;
 };
 
-/// Writes the entire blend as an animation.
 void write_blend_animation(std::ostream& out, const Shape_blend& blend, int frames, Glb_file& glb,
                            Blend_painter& painter);
 
-/// Writes the shape at time `t`.
 void write_blend_frame(std::ostream& out, const Shape_blend& blend, double t, Glb_file& glb, Blend_painter& painter);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -12,7 +12,6 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A part in a PLY file.
 struct Ply_part
 {
   std::string name;

@@ -75,7 +75,6 @@ Eigen::Matrix3d turn_of(const Shape_blend& blend)
   return internal::least_rotation(blend(0).up(), Point::UnitY()).toRotationMatrix();
 }
 
-/// Adds the shape at an end.
 int add_end(Glb_file& glb, const Shape_blend& blend, std::size_t side, Blend_painter& painter)
 {
   const Segmented_shape shape = blend(double(side));

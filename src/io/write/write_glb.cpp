@@ -48,7 +48,6 @@ std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& ri
   return {Point(-half_gap - left.upper().x(), 0, 0), Point(half_gap - right.lower().x(), 0, 0)};
 }
 
-/// Adds a node for all contacts.
 int add_contacts(Glb_file& glb, const Drawn_shape& shape)
 {
   const int black = glb.add_material("contacts", Colour(0.02, 0.02, 0.02));
