@@ -236,8 +236,8 @@ inline Eigen::MatrixXd bending_form(int rows, int cols)
 inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, const Eigen::MatrixXd& values)
 {
   const double smoothness = 0.05; // weight of the bending energy relative to the points
-  const double ridge =
-      1e-9; // weight of the value 0, for control points that neither the points nor the bending energy determine
+  // Weight of the value 0, for control points that neither the points nor the bending energy determine
+  const double ridge = 1e-9;
   const Eigen::Index n = grid.points.cols();
   Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, values.rows());

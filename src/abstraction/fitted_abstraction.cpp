@@ -45,8 +45,8 @@ Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, 
   const double least_blade_width = 0.075; // width of a blade, over its length
   const double blade_thickness = 0.253;   // largest thickness over the width; a blade is 7.8 times as wide as thick
   const double least_thickness = 0.3;     // thickness of a block, over its length
-  const double least_height = 0.32,
-               plate_height = 0.45; // height of a block's bounding box, over its length and over its width
+  // Least heights of a block's bounding box, over its length and over its width
+  const double least_height = 0.32, plate_height = 0.45;
   const Eigen::Vector3d& extents = layout.extents;
   if (extents[1] <= least_width * extents[0]) {
     const bool is_blade = extents[1] > least_blade_width * extents[0] && thickness < blade_thickness * extents[1];
@@ -155,8 +155,8 @@ class Fitter : public Solid_abstractor
       }
     }
     const Fitted_curve fitted = contracted_curve(solid, axis.points);
-    const bool is_net =
-        fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most; // the skeleton of a ring has no other branches
+    // The skeleton of a ring has no other branches
+    const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most;
     if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
       use_sheet(sheet(), Method::MEDIAL_AXIS); // includes propellers and pedals

@@ -137,9 +137,8 @@ private:
 bool is_clearly_long(const Extrusion& e)
 {
   const double strip_width = 0.08; // largest length over the height, for any thickness
-  const double rod_width = 0.17,
-               rod_thickness =
-                   0.199; // largest length over the height; least width over the length: many boards have 0.2
+  // Largest length of a rod, over the height, and least width, over the length: many boards have 0.2
+  const double rod_width = 0.17, rod_thickness = 0.199;
   return e.length() < strip_width * e.height() ||
          (e.length() < rod_width * e.height() && e.width() > rod_thickness * e.length());
 }

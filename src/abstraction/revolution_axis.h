@@ -61,8 +61,8 @@ inline std::vector<Point> axis_candidates(const Points& centred)
 /// square one does not. \param surface evenly spread points \param spacing their distance
 inline std::optional<Revolution_axis> revolution_axis(const Points& surface, double spacing)
 {
-  const double tolerance =
-      0.16; // largest distance by which rotation moves points off the surface, over the largest radius
+  // Largest distance by which rotation moves points off the surface, over the largest radius
+  const double tolerance = 0.16;
   const double clearly = 0.02; // least difference of that by which a later axis is better
   const double gap = 0.6;      // distance between two samplings of the same surface, over their spacing
   const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};

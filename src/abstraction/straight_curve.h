@@ -38,8 +38,8 @@ struct Rod_sections
 {
   Points centres = Points::Zero(3, sections_of_a_rod);
   Eigen::ArrayXd radii = Eigen::ArrayXd::Zero(sections_of_a_rod); ///< mean distances of the surface from the axis
-  Eigen::ArrayXd spreads =
-      Eigen::ArrayXd::Zero(sections_of_a_rod); ///< root mean square distances of the axis from the sections' centres
+  /// Root mean square distances of the axis from the sections' centres.
+  Eigen::ArrayXd spreads = Eigen::ArrayXd::Zero(sections_of_a_rod);
   Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(sections_of_a_rod);
 };
 

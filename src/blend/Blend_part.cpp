@@ -29,8 +29,8 @@ bool is_torn(const Part_morph& morph)
   bool are_closed = true;
   for (int surface : {0, 1}) {
     const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
-    const Points points =
-        morph.points(surface, Part_morph::change); // at the change the surface differs most from its rest shape
+    // At the change the surface differs most from its rest shape
+    const Points points = morph.points(surface, Part_morph::change);
     if (rest.torn_area(points) > most_torn * rest.area(points)) return true;
     are_closed = are_closed && rest.is_closed();
   }

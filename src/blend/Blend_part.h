@@ -23,8 +23,8 @@ struct Blend_stage;
 /// each other; an unmatched part has one. Ends are numbered 0 (the source) and 1 (the target).
 struct Blend_part
 {
-  static constexpr double on_ground =
-      0.02; ///< height up to which a part counts as standing on the ground, over the height of the shape
+  /// Height up to which a part counts as standing on the ground, over the height of the shape.
+  static constexpr double on_ground = 0.02;
 
   std::string name;
   Blend_task task;

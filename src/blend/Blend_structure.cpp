@@ -39,16 +39,16 @@ std::vector<Point> roots_of(const std::vector<Blend_part>& parts, const std::vec
   for (const Touch& touch : touches)
     if (!parts[touch[0]].is_matched() && !parts[touch[1]].is_matched()) sets.unite(touch[0], touch[1]);
   std::vector<contacts::Box> boxes(parts.size()); // bounding boxes of the sets
-  Eigen::Matrix4Xd places =
-      Eigen::Matrix4Xd::Zero(4, parts.size()); // by set, homogeneous sum of the places where matched parts touch it
+  // By set, homogeneous sum of the places where matched parts touch it
+  Eigen::Matrix4Xd places = Eigen::Matrix4Xd::Zero(4, parts.size());
   for (std::size_t part = 0; part < parts.size(); ++part)
     boxes[sets[part]].extend(parts[part].trees[0].box());
   for (const Touch& touch : touches)
     for (std::size_t i : {0u, 1u}) {
       const Blend_part &part = parts[touch[i]], &holder = parts[touch[1 - i]];
       if (part.is_matched() || !holder.is_matched()) continue;
-      const contacts::Box touched = part.trees[0].box().intersection(
-          holder.end_tree(part.end()).box()); // the overlap of the boxes, or the gap between them
+      // The overlap of the boxes, or the gap between them
+      const contacts::Box touched = part.trees[0].box().intersection(holder.end_tree(part.end()).box());
       places.col(Eigen::Index(sets[touch[i]])) += touched.center().homogeneous();
     }
   std::vector<Point> result;

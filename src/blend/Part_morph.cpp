@@ -136,8 +136,8 @@ Points Part_morph::points(int surface, double t) const
 
 void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto)
 {
-  constexpr std::array<double, 3> lengths = {0.6, 0.3,
-                                             0.15}; // in chart coordinates: large-scale motion first, then details
+  // In chart coordinates: large-scale motion first, then details
+  constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15};
   const Points &places = onto.coordinates[1], given = coordinates[when];
   const Place_finder finder(places, onto.triangles, onto.normals);
   const auto place = [&](Eigen::Index i) { return finder(coordinates[when].col(i), normals.col(i)); };

@@ -98,8 +98,8 @@ Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& 
                        int end)
     : end_(end), box_(stage.boxes[std::size_t(end)]), cells_(lattice_cells(box_))
 {
-  constexpr double on_ground = 0.02,
-                   elsewhere = 0.3; // smoothing over the height: the ground is held firmly, the rest softly
+  // Smoothing over the height: the ground is held firmly, the rest softly
+  constexpr double on_ground = 0.02, elsewhere = 0.3;
   add_box(stage.boxes, 2, Point::Constant(elsewhere)); // includes the centre of the ground
   for (Control& control : controls_)
     if (control.at.y() <= box_.min().y()) control.smoothing[1] = on_ground;
@@ -150,8 +150,8 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
 /// Adds points of matched parts and, so that the warp between symmetric shapes is symmetric, their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  constexpr Eigen::Index all = 400, least = 16, most = 48,
-                         too_many = 1000; // numbers of points: their limits bound the time for hundreds of parts
+  // Numbers of points: their limits bound the time for hundreds of parts
+  constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000;
   const auto end = std::size_t(end_);
   const Eigen::Index matched =
       std::max<Eigen::Index>(1, std::count_if(parts.begin(), parts.end(), std::mem_fn(&Blend_part::is_matched)));

@@ -206,8 +206,8 @@ private:
         if (is_matched(a) || is_matched(b) || end(a) == end(b)) continue;
         const double shared =
             std::max({shared_cells(cells[a], cells[b]), hidden(seen_[a], seen_[b]), hidden(seen_[b], seen_[a])});
-        if (shared > 0)
-          rivals_.push_back({a, b, shared * std::min(size(a), size(b))}); // parts of the source have lower indices
+        // Parts of the source have lower indices
+        if (shared > 0) rivals_.push_back({a, b, shared * std::min(size(a), size(b))});
       }
   }
 
@@ -373,8 +373,8 @@ private:
     for (std::size_t from : {0u, 1u})                // starts from the old and from the new shape
       for (std::size_t i = 1; i < starts; ++i) {
         if (!progress(double(from * starts + i) / double(2 * starts))) return result;
-        const std::size_t moved =
-            std::clamp(i * count / starts, std::size_t(1), count - 1); // number of groups moved, from the ground up
+        // Number of groups moved, from the ground up
+        const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1);
         Parts is_there = from == 0 ? old_ : new_;
         for (std::size_t k = 0; k < moved; ++k)
           is_there ^= exchanged_[k];

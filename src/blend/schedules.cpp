@@ -63,8 +63,8 @@ bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_t
 
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options)
 {
-  constexpr double most_apart = 0.05,
-                   most_missing = 0.6; // limits beyond which a mixed shape is worse than exchanging all at once
+  // Limits beyond which a mixed shape is worse than exchanging all at once
+  constexpr double most_apart = 0.05, most_missing = 0.6;
   bool goes_on = true;
   const auto go_on = [&](double done) { return goes_on = goes_on && (!options.progress || options.progress(done)); };
   const std::vector<Exchange_step> steps = exchange_steps(blend, [&](double done) { return go_on(done / 2); });

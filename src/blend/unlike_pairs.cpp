@@ -57,8 +57,8 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
 {
   constexpr double same_place = 0.4; // least shared place of a pair
   constexpr double nearly = 0.8;     // share of that from which another pair is a rival
-  std::vector<char> is_source(stage.meshes[0].size(), 0),
-      is_target(stage.meshes[1].size(), 0); // whether a part is in any pair
+  // Whether a part is in any pair
+  std::vector<char> is_source(stage.meshes[0].size(), 0), is_target(stage.meshes[1].size(), 0);
   for (const Part_pairs* pairs : std::array<const Part_pairs*, 2>{&paired, &unlike.all})
     for (const auto& [s, t] : *pairs)
       is_source[s] = is_target[t] = 1;
@@ -66,8 +66,8 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
   for (std::size_t s = 0; s < is_source.size(); ++s)
     for (std::size_t t = 0; t < is_target.size(); ++t)
       if (!is_source[s] && !is_target[t]) leftover.emplace_back(s, t);
-  Eigen::MatrixXd alike =
-      Eigen::MatrixXd::Zero(is_source.size(), is_target.size()); // shared place of each similar pair
+  // Shared place of each similar pair
+  Eigen::MatrixXd alike = Eigen::MatrixXd::Zero(is_source.size(), is_target.size());
   for (const auto& [s, t] : leftover) {
     const double shared = shared_place(stage, s, t);
     if (shared <= same_place || unlike.torn.count({s, t}) > 0) continue;
@@ -79,8 +79,8 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
     const auto rivals = [&](const Eigen::VectorXd& all) {
       return (all.unaryExpr(&quantized).array() >= least).count();
     };
-    if (rivals(alike.row(s)) + rivals(alike.col(t)) == 2)
-      paired.emplace_back(s, t); // the only rival in its row and in its column is the pair itself
+    // The only rival in its row and in its column is the pair itself
+    if (rivals(alike.row(s)) + rivals(alike.col(t)) == 2) paired.emplace_back(s, t);
   }
   std::sort(paired.begin(), paired.end());
 }
@@ -89,8 +89,8 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
 
 Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole)
 {
-  constexpr double thin =
-      0.05; // over the height; added to extents, since ratios of the thickness of thin parts are hardly visible
+  // Length over the height of the shape, added to extents: ratios of the thickness of thin parts are hardly visible
+  constexpr double thin = 0.05;
   const Points a = samples(charts[0]), b = samples(charts[1]);
   const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
   const auto& [whole, other_whole] = stage.boxes;

@@ -238,8 +238,8 @@ void find_up_by_roles(const std::string& path, const Common_options& options, Re
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   std::vector<Loaded_shape> shapes(paths.size());
-  const bool are_graphs =
-      std::all_of(paths.begin(), paths.end(), is_graph_file); // reading them takes less time than starting threads
+  // Reading them takes less time than starting threads
+  const bool are_graphs = std::all_of(paths.begin(), paths.end(), is_graph_file);
   internal::for_each_index(paths.size(), !are_graphs,
                            [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });
   check_part_kinds(options, shapes);

@@ -58,8 +58,8 @@ namespace {
 // The distinct unordered pairs of a list.
 std::vector<Both_orders> both_orders(const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
 {
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t>
-      open; // index in `result` of pairs whose reversed pair has not been seen
+  // Index in `result` of pairs whose reversed pair has not been seen
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> open;
   std::vector<Both_orders> result;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];

@@ -106,8 +106,8 @@ private:
   std::vector<std::size_t> fitted_begin_; // by part
   std::vector<Sample_lanes> source_lanes_, lanes_;
   std::vector<Points> points_; // by index of `lanes_`
-  std::map<std::pair<std::size_t, int>, std::size_t>
-      source_lanes_of_; // index of `source_lanes_` by source piece and repeats
+  // Index of `source_lanes_` by source piece and repeats
+  std::map<std::pair<std::size_t, int>, std::size_t> source_lanes_of_;
   // Index of `lanes_` by target piece and order of `match_extremities()`
   std::map<std::pair<std::size_t, const std::vector<int>*>, std::size_t> lanes_of_;
   std::vector<std::size_t> label_begin_; // by part, an index of `image_begin_`

@@ -87,8 +87,8 @@ private:
   Points displacement_;                     // by part
   std::vector<char> placed_;                // whether a group is placed
   std::vector<std::size_t> order_;          // the unmatched groups connected to a matched one, breadth-first
-  std::vector<const double*>
-      followed_; // pointers to displacements, by group in `order_` and contact of its representative
+  // Pointers to displacements, by group in `order_` and contact of its representative
+  std::vector<const double*> followed_;
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -61,8 +61,8 @@ private:
   const Eigen::Matrix3Xi& triangles_;
   const Points& normals_;
   contacts::Triangle_tree all_;
-  std::array<std::optional<contacts::Triangle_tree>, 6>
-      facing_; ///< trees of the triangles that face each of the six directions
+  /// Trees of the triangles that face each of the six directions.
+  std::array<std::optional<contacts::Triangle_tree>, 6> facing_;
   std::array<std::vector<Eigen::Index>, 6> numbers_;
 };
 

@@ -102,8 +102,8 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
     map.source = side(from, pair.source, pair.source_piece);
     map.target = side(to, pair.target, pair.target_piece);
     Eigen::Matrix3d turn = pair.turn;
-    if (pair_kind(pair, from, to) ==
-        Pair_kind::BOXES) // maps a closed curve along the longer direction of a sheet, from its start
+    // Maps a closed curve along the longer direction of a sheet, from its start
+    if (pair_kind(pair, from, to) == Pair_kind::BOXES)
       turn = to.charts[pair.target].lengthwise_turn() * from.charts[pair.source].lengthwise_turn().transpose();
     map.turn = turn.topLeftCorner<2, 2>();
     map.closed = s.is_closed_curve() && t.is_closed_curve();

@@ -25,8 +25,8 @@ struct Piece_pair
 {
   std::size_t source = 0, target = 0;
   Chart_box source_piece = whole_chart(), target_piece = whole_chart(); ///< in the chart coordinates of the parts
-  Eigen::Matrix3d turn =
-      Eigen::Matrix3d::Identity(); ///< from coordinates of the source's piece to those of the target's
+  /// From coordinates of the source's piece to those of the target's.
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 };
 
 inline bool is_whole(const Piece_pair& pair) { return is_whole(pair.source_piece) && is_whole(pair.target_piece); }

@@ -128,8 +128,8 @@ private:
   Triangulation triangulation_;
   std::vector<Handle> handles_;                                      ///< by vertex of the section
   std::map<Section_side, Triangulation::Constraint_id> constraints_; ///< by representative vertices
-  std::map<Section_side, int>
-      runs_; ///< by directed edge, the number of sides along it minus that of sides in the opposite direction
+  /// By directed edge, the number of sides along it minus that of sides in the opposite direction.
+  std::map<Section_side, int> runs_;
 };
 
 } // namespace

@@ -50,8 +50,8 @@ Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source, const Charted_shape& target)
 {
   constexpr double as_near = 0.02; // in units of the bounding box; tolerance for parts about as near as the nearest one
-  constexpr double tie =
-      1e-3; // weight of distances between the shapes, so that ties are not settled by the order of parts
+  // Weight of distances between the shapes, so that ties are not settled by the order of parts
+  constexpr double tie = 1e-3;
   const Points from = places(source, sets.source), to = places(target, sets.target);
   Eigen::MatrixXd cost(from.cols(), to.cols());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)

@@ -17,8 +17,8 @@ namespace CGAL::Shape_correspondence {
 namespace {
 
 constexpr double other_role_weight = .5; // weight of a pair whose parts have different roles
-constexpr double weak_bridge =
-    .5; // mean weight of the pairs between two sets, over that inside them, below which they stay apart
+// Mean weight of the pairs between two sets, over that inside them, below which they stay apart
+constexpr double weak_bridge = .5;
 
 /// Parts of both shapes; indices of target parts follow those of the source.
 struct Part_set

@@ -61,8 +61,8 @@ void check(const Search_options& options)
     throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
   if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
     throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");
-  if (options.roles && !options.category.empty())
-    options.roles->roles(options.category); // throws if the category does not exist
+  // Throws if the category does not exist
+  if (options.roles && !options.category.empty()) options.roles->roles(options.category);
   if (!(options.time_limit >= 0))
     throw Invalid_input("find_correspondence: the time limit must be a number of seconds, or 0 for none");
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");

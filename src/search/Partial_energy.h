@@ -63,8 +63,8 @@ private:
   const Deformable_shape& shape_;
   Structure_preservation preserve_structure_;
   std::vector<std::vector<std::size_t>> contacts_of_; // by group
-  std::vector<std::vector<Point>>
-      contact_movement_; // displacement of the contact point of a matched part, by side and label
+  // Displacement of the contact point of a matched part, by side and label
+  std::vector<std::vector<Point>> contact_movement_;
   std::vector<std::deque<Piece_rods>> piece_rods_; // by contact
 
   Assignment parent_;

@@ -25,8 +25,8 @@ namespace {
 // Difference of energies below which they count as equal; the solution found first stays.
 constexpr double energy_tolerance = 1e-9;
 
-constexpr std::size_t patience =
-    1u << 16; // number of nodes without a proof after which the tables of the bound are enlarged
+// Number of nodes without a proof after which the tables of the bound are enlarged
+constexpr std::size_t patience = 1u << 16;
 constexpr std::size_t table_growth = 16;         // factor by which the tables are enlarged
 constexpr std::size_t largest_tables = 1u << 20; // largest number of entries of a table
 

@@ -23,8 +23,8 @@ using namespace internal::contacts;
 
 namespace {
 
-constexpr double slack =
-    1 + 1e-9; ///< factor of the tolerance, so that a gap of exactly the tolerance is a contact in every pose
+/// Factor of the tolerance, so that a gap of exactly the tolerance is a contact in every pose.
+constexpr double slack = 1 + 1e-9;
 constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
 constexpr double region_gap = 1.0 / 6;  ///< samples of either surface for finding the regions of a contact
 constexpr int region_samples = 64;      ///< samples of a curve, or along each side of a sheet

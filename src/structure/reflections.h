@@ -8,10 +8,10 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double least_oblique_sine =
-    0.2; ///< least sine of the angles between a turned pair's difference and the mirror plane and its normal
-constexpr double plane_share =
-    0.1; ///< distance of a pair's centre from a mirror plane, over the distance of the two parts along its normal
+/// Least sine of the angles between a turned pair's difference and the mirror plane and its normal.
+constexpr double least_oblique_sine = 0.2;
+/// Distance of a pair's centre from a mirror plane, over the distance of the two parts along its normal.
+constexpr double plane_share = 0.1;
 
 inline Symmetry mirror(const Point& point, const Point& normal)
 {

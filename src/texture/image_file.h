@@ -20,9 +20,8 @@ bool is_png(std::string_view bytes);
 struct Image_budget
 {
   std::size_t pixels = std::size_t(1) << 26; ///< number of pixels, of four bytes each
-  std::size_t scanned =
-      std::size_t(1)
-      << 30; ///< number of pixels times the number of scans of a progressive JPEG, each of which takes time
+  /// Number of pixels times the number of scans of a progressive JPEG, each of which takes time.
+  std::size_t scanned = std::size_t(1) << 30;
 
   /// Subtracts an image. \throw Invalid_input if it is too large; the message ends a sentence
   void take(std::size_t width, std::size_t height, std::size_t scans);

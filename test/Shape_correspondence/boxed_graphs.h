@@ -31,7 +31,7 @@ inline Correspondence pairing(std::vector<Part_correspondence> pairs)
   return result;
 }
 
-/// Every part corresponds to itself.
+/// The identity correspondence.
 inline Correspondence identity(const Segmented_shape& shape)
 {
   Correspondence result;

@@ -201,8 +201,8 @@ TEST_CASE("Structure preservation: an orbit of two mirror planes is mirrored in 
 {
   const Aligned_shape whole = align_shape(table());
   std::vector<char> is_kept(whole.parts.size(), 1);
-  const int missing =
-      GENERATE(0, 1, 2, 3); // the leg removed together with leg 4; 0: none. The remaining two must move as before
+  // The leg removed together with leg 4; 0: none. The remaining two must move as before
+  const int missing = GENERATE(0, 1, 2, 3);
   if (missing > 0) is_kept[index_of(whole, std::size_t(missing))] = is_kept[index_of(whole, 4)] = 0;
   const Aligned_shape shape = restricted(whole, is_kept);
   // The top of the table grows by 0.2 on each side and by 0.3 at the front and back

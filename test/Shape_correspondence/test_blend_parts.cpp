@@ -133,8 +133,8 @@ TEST_CASE("A piece where a part has nothing is a speck of it")
 
 TEST_CASE("The widest gap that it takes to join surfaces is the longest of the shortest connections")
 {
-  std::vector<Surface_tree>
-      surfaces; // surfaces in rows; gaps in a row are wider than those between rows, except the last one
+  // Surfaces in rows; gaps in a row are wider than those between rows, except the last one
+  std::vector<Surface_tree> surfaces;
   for (int row = 0; row < 4; ++row)
     for (int i = 0; i < 3; ++i) {
       const Part_mesh box = box_shapes::box({1.12 * i, 1.1 * row + 0.01 * row * row, 0}, {1, 1, 1});

@@ -228,8 +228,8 @@ TEST_CASE("The generator carries each member into the next")
     const Part_group& group = group_with(parts, groups, name);
     const Symmetry& s = group.symmetry;
     for (std::size_t k = 0; k + 1 < group.parts.size(); ++k) {
-      if (s.type == Symmetry_type::REFLECTION && k % 2 == 1)
-        continue; // of four members, only the pairs mirrored in this plane
+      // The plane of a group of four mirrors its first member into the second, its third into the fourth
+      if (s.type == Symmetry_type::REFLECTION && k % 2 == 1) continue;
       const Point from = shape.parts()[group.parts[k]].mesh.points.rowwise().mean();
       const Point to = shape.parts()[group.parts[k + 1]].mesh.points.rowwise().mean();
       Point image = from + s.direction;

@@ -91,8 +91,8 @@ TEST_CASE("Another alignment than the given one must be clearly better")
   const Structural_graph leaning = stool(0.02, 1);
   Search_options all;
   all.alignments = 0;
-  CHECK(find_correspondence(stool(-0.02, 0), leaning, all).target_quarter_turns ==
-        0); // an alignment by two quarter turns is only slightly better
+  // An alignment by two quarter turns is only slightly better
+  CHECK(find_correspondence(stool(-0.02, 0), leaning, all).target_quarter_turns == 0);
   CHECK(find_correspondence(stool(-0.9, 0), stool(0.9, 1), all).target_quarter_turns == 2);
 }
 

@@ -149,7 +149,7 @@ TEST_CASE("--paper builds graphs by the flow, unless told otherwise, and tells o
     return double(result["seconds"]["abstraction"]);
   };
   CHECK(seconds("") == 0);
-  CHECK(seconds(" --paper") > 0); // parts have other contacts
+  CHECK(seconds(" --paper") > 0); // the paper's contacts differ, so that the cached graph is not used
   CHECK(seconds(" --paper") == 0);
   const auto warnings = [&](const std::string& graph, const std::string& options) {
     return json::parse(run("match " + graph + " " + graph + options + " --json -").out)["warnings"].size();

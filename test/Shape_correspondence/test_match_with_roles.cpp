@@ -262,8 +262,8 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
   const Role_model model = train_role_model(twice);
   const Furniture usual = chair(0.17, 1.9),
                   odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
-  CHECK(part_roles(usual.graph, model).category ==
-        "chair"); // the first of two equally near categories: the trees agree on its roles
+  // The first of two equally near categories: the trees agree on its roles
+  CHECK(part_roles(usual.graph, model).category == "chair");
   CHECK(part_roles(odd.graph, model).category.empty()); // it is equally far from chairs and from seats
   Search_options options;
   options.roles = std::make_shared<const Role_model>(model);

@@ -155,8 +155,8 @@ TEST_CASE("A chain is made of like closed curves that touch one after the other"
     shape.parts.push_back(hand_made::ring("ring", {0, 1 + .18 * k, 0}, {0, .1, 0}, across));
   }
   shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5})); // of another size
-  shape.parts.push_back(
-      hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55})); // of similar size, around the rim
+  // Of similar size, around the rim
+  shape.parts.push_back(hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55}));
   shape.parts.push_back(hand_made::curve("rod", {0, 0, 0}, {0, .9, 0}));
   for (std::size_t k = 0; k + 1 < 4; ++k)
     shape.contacts.push_back(hand_made::contact(shape, k, k + 1, {0, 1.09 + .18 * double(k), 0}));

@@ -468,8 +468,8 @@ TEST_CASE("Parts that are only numbered have the name of the node above that say
                     {0});
   };
   CHECK(named("Object_4", "arm", "node_3") == Names{"leg.001_3", "arm", "rail", "rail#2"});
-  CHECK(named("mesh17", "Object_5", "12") ==
-        Names{"leg.001_3", "wedge", "rail", "rail#2"}); // the node `chair` contains all parts
+  // The node `chair` contains all parts
+  CHECK(named("mesh17", "Object_5", "12") == Names{"leg.001_3", "wedge", "rail", "rail#2"});
   CHECK(named("Cube.001", "Object5b", "seat") == Names{"Cube.001", "Object5b", "seat", "rail"});
 }
 

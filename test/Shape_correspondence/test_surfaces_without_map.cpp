@@ -157,8 +157,8 @@ TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and
     ways(0, i) = strip(0, i) < -step / 2 ? -1 : strip(0, i) > step / 2 ? 1 : 0;
   const Points joined = internal::Surface_smoother(strip, triangles)(ways, length);
   for (Eigen::Index i = 0; i < strip.cols(); ++i) {
-    const double x = strip(0, i),
-                 due = std::copysign(1 - std::exp(-std::abs(x) / length), x); // solution of w - l² w'' = given
+    // Solution of w - l² w'' = given
+    const double x = strip(0, i), due = std::copysign(1 - std::exp(-std::abs(x) / length), x);
     if (std::abs(x) < 2) CHECK(joined(0, i) == Approx(due).margin(0.02));
   }
   for (Eigen::Index i = 0; i < strip.cols() / 2; ++i)

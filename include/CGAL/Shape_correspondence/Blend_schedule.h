@@ -57,8 +57,8 @@ struct Blend_task
 struct Blend_quality
 {
   double support = 0; ///< share of the interpolated number of parts on the ground that is missing
-  double apart =
-      0; ///< width of the widest gap that exceeds those at the ends, minus these, over the height; 0 if less than .005
+  /// Width of the widest gap that exceeds those at the ends, minus these, over the height; 0 if less than .005.
+  double apart = 0;
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

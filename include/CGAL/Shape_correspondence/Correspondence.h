@@ -75,8 +75,8 @@ struct Correspondence
   double energy = 0;
   Energy_terms terms;                                ///< the terms of the energy
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
-  bool complete =
-      false; ///< whether every group of the deformed shape is assigned, or left unmatched where that is allowed
+  /// Whether every group of the deformed shape is assigned, or left unmatched where that is allowed.
+  bool complete = false;
   bool optimal = false; ///< whether the energy is proven minimal over all labels, for this direction and alignment
   int target_quarter_turns = 0; ///< quarter turns of the target about the up axis that align it with the source
   Search_summary search;        ///< effort of the search, and its lower bound

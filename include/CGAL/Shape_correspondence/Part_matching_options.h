@@ -62,7 +62,7 @@ struct Part_matching_options : Role_options
   double confident_excess = 0.5;
   /// Share of the top view that a seat or table top covers at least, and its largest thickness over its shorter side.
   double main_surface = 0.3;
-  /// Length: largest thickness and distance of parts that lie in one side of the shape.
+  /// Length: largest thickness of a board that belongs to a side of the shape, and its largest distance from that side.
   double side_depth = 0.1;
   /// Length: width from which on a part on the ground is a wall rather than a leg.
   double wall_width = 0.7;

@@ -50,8 +50,8 @@ struct Search_options
   Beam_options beam;         ///< options of `Search_method::BEAM`
   Exact_options exact;       ///< options of `Search_method::EXACT`
   Matching_options matching; ///< options of the deformation energy
-  bool both_directions =
-      true; ///< whether to deform either shape, and keep the lower energy per pair of connected parts
+  /// Whether to deform either shape, and keep the lower energy per pair of connected parts.
+  bool both_directions = true;
   /// Whether to compare directions by energy, as in the paper, instead of energy per pair of connected parts.
   bool direction_by_energy = false;
   /// Coarse correspondence: number of largest parts to match, in whole groups as far as they fit; 0: all parts.
@@ -74,8 +74,8 @@ struct Search_options
   /// multiple of 90° if the roles of its parts clearly show another front.
   bool front_is_sure = false;
   int solutions = 1; ///< largest number of results of `Correspondence_finder::ranked()`, at least 1
-  bool min_marginals =
-      false; ///< whether to compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`
+  /// Whether to compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`.
+  bool min_marginals = false;
   /// Time limit of a match, in seconds; 0: none, so that results do not depend on speed. When it is reached, the best
   /// result so far is returned with a warning, and `Correspondence::complete` and `optimal` are false. If there is none
   /// yet, parts are matched by their costs as with `Search_method::PARTS`, which tries at least one alignment.

@@ -26,14 +26,14 @@ namespace Shape_correspondence {
 /// Options of `markov_clustering()`.
 struct Markov_clustering_options
 {
-  double inflation =
-      2; ///< exponent for the entries of columns, more than 1; larger values give more and smaller clusters
+  /// Exponent for the entries of columns, more than 1; larger values give more and smaller clusters.
+  double inflation = 2;
   double expansion_limit = 1e-4;   ///< threshold below which entries of columns (which sum to 1) are dropped
   std::size_t column_limit = 1000; ///< largest number of entries of a column; the smallest ones are dropped
   /// Largest number of all entries, 24 bytes each; shared evenly if that is less than `column_limit` per column.
   std::size_t entry_limit = 30'000'000;
-  double tolerance =
-      1e-3; ///< largest difference, at convergence, between the largest entry of a column and its sum of squares
+  /// Largest difference, at convergence, between the largest entry of a column and its sum of squares.
+  double tolerance = 1e-3;
   int maximum_iterations = 200; ///< limit for the iterations of squaring and inflating
 };
 

@@ -74,8 +74,8 @@ struct Part_split
   std::vector<std::string> patched_objects = {}; ///< objects whose pieces are patches between creases
   bool by_materials = false;                     ///< whether pieces also end at changes of the material
   std::size_t pieces_left_out = 0;               ///< number of pieces without area
-  std::size_t pieces_kept_whole =
-      0; ///< number of closed pieces that were not divided into segments, since they have no interior
+  /// Number of closed pieces that were not divided into segments, since they have no interior.
+  std::size_t pieces_kept_whole = 0;
 
   /// Whether the parts differ from the objects.
   bool changes_objects() const;

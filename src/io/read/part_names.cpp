@@ -34,8 +34,8 @@ void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<in
     ++parts_in[std::size_t(node)];
   for (std::size_t i = tree.size(); i-- > 0;)
     if (tree[i].parent >= 0) parts_in[std::size_t(tree[i].parent)] += parts_in[i];
-  std::vector<int> telling(
-      tree.size()); // the nearest node, from the node itself upwards, with a name that is no default
+  // The nearest node, from the node itself upwards, with a name that is no default
+  std::vector<int> telling(tree.size());
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const int parent = tree[i].parent;
     telling[i] = !only_counts(tree[i].name) ? int(i) : parent < 0 ? -1 : telling[std::size_t(parent)];

@@ -302,8 +302,8 @@ private:
 
   void add_primitive(const Json_field& primitive, const Transform& to_world, Model_part& part)
   {
-    constexpr std::uint64_t numbers_of_primitive = 100,
-                            numbers_of_corner = 3; // a primitive takes as much time as 100 numbers
+    // A primitive takes as much time as 100 numbers
+    constexpr std::uint64_t numbers_of_primitive = 100, numbers_of_corner = 3;
     document_.count(primitive, numbers_of_primitive);
     const std::optional<Eigen::MatrixXd> positions = document_.attribute(primitive, "POSITION", {"VEC3"});
     if (!positions) return;

@@ -378,8 +378,8 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up, s
 
 std::optional<std::string> digest_of_folder(const std::string& path)
 {
-  if (!fs::is_directory(path) || robot_in(path) || hierarchy_in(path))
-    return std::nullopt; // those with a hierarchy name their meshes
+  // Files of robots and hierarchies name the meshes of their folders
+  if (!fs::is_directory(path) || robot_in(path) || hierarchy_in(path)) return std::nullopt;
   std::string all = digest(folder_name(path));
   for (const fs::path& file : model_files(folder_of_parts(path))) {
     if (!text_reader_of(lower_extension(file.string()))) return std::nullopt; // a glTF file names its buffers

@@ -201,8 +201,8 @@ private:
     std::string_view rest = text;
     bool are_numbers = true;
     for (double& number : result)
-      are_numbers =
-          are_numbers && parse(next_word(rest), number) && std::abs(number) <= largest_value; // NaN fails as well
+      // NaN fails as well
+      are_numbers = are_numbers && parse(next_word(rest), number) && std::abs(number) <= largest_value;
     if (!are_numbers || !trimmed(rest).empty())
       fail_at(link, "has a <" + kind + "> with " + name + "=" + cited(text) + ", which is not " + wanted +
                         " of at most 1e9; correct it or, if this is a xacro file, run the program xacro first");

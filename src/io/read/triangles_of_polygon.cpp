@@ -140,8 +140,8 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
     if (!is_fan)
       result = internal::library_call(
           "polygon", [&] { return triangles_in_plane(polygon, normal); }, none);
-    if (result.empty())
-      add_halves(0, polygon.size() - 1, result); // self-intersecting polygons get an arbitrary triangulation
+    // Self-intersecting polygons get an arbitrary triangulation
+    if (result.empty()) add_halves(0, polygon.size() - 1, result);
     return result;
   }
   while (!is_fan && rest.size() > 3) {

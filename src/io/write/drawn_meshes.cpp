@@ -143,8 +143,8 @@ Drawn_mesh open_tube(const Points& polyline, bool closed, double radius, int sid
     const int after = closed ? (i + 1) % n : std::min(i + 1, n - 1);
     const Point along = unit(centres.col(after) - centres.col(before));
     const Point projected = across - across.dot(along) * along;
-    across =
-        projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal(); // carried along the curve to avoid twist
+    // Carried along the curve to avoid twist
+    across = projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal();
     for (int k = 0; k < sides; ++k) {
       const double angle = two_pi * k / sides;
       const Point normal = std::cos(angle) * across + std::sin(angle) * along.cross(across);
