@@ -28,7 +28,7 @@ TEST_CASE("Eq. 2 by hand: the cosine of the angle by which a rod turns")
   CHECK(rod_rotation({2, 0, 0}, {0, 0, 0}) == 0);
 }
 
-TEST_CASE("Eq. 3 by hand: of the mean squared cosine of the rods")
+TEST_CASE("Eq. 3 by hand: from the mean squared cosine of the rods")
 {
   CHECK(distortion_energy(1) == 0);
   CHECK(distortion_energy(1 + 1e-7) == 0); // rounding in single precision

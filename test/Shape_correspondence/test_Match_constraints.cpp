@@ -88,7 +88,7 @@ TEST_CASE("A part that is pinned to several corresponds to all of them, whicheve
   }
 }
 
-TEST_CASE("A pin may cross what parts are for: what is left is matched without them")
+TEST_CASE("Pins may join parts of different function; the remaining parts correspond among themselves")
 {
   for (Search_method method : methods) {
     Search_options options = by(method);
@@ -119,7 +119,7 @@ TEST_CASE("A forbidden pair does not correspond, by every method, and the next b
   }
 }
 
-TEST_CASE("A search that constraints leave nothing to choose says so; parts may stay unmatched instead")
+TEST_CASE("If constraints exclude all assignments, a search throws, unless parts may stay unmatched")
 {
   Search_options options = by(Search_method::EXACT);
   options.both_directions = false;
@@ -136,7 +136,7 @@ TEST_CASE("A search that constraints leave nothing to choose says so; parts may 
   CHECK(find_correspondence(chair(), chair(), options).unmatched_source == std::vector<std::size_t>{back});
 }
 
-TEST_CASE("Constraints that cannot be kept are errors")
+TEST_CASE("Constraints that cannot be satisfied are errors")
 {
   const auto matched_with = [](std::vector<Part_pair> pinned, std::vector<Part_pair> forbidden, int maximum_parts = 0) {
     Search_options options;
@@ -154,7 +154,7 @@ TEST_CASE("Constraints that cannot be kept are errors")
   CHECK_NOTHROW(matched_with({}, {{2, 4}}, 1));
 }
 
-TEST_CASE("Constraints read from the other shape give the inverse match")
+TEST_CASE("Constraints with the shapes swapped give the inverse match")
 {
   Search_options options;
   options.matching.pinned = {{2, 5}};

@@ -13,7 +13,7 @@
 
 using CGAL::Shape_correspondence::internal::Once;
 
-TEST_CASE("Work is done once, and is done when any of the threads goes on")
+TEST_CASE("Work is done once, and finished before any of the threads continues")
 {
   constexpr int rounds = 200, number_of_threads = 4;
   for (int round = 0; round < rounds; ++round) {
@@ -39,7 +39,7 @@ TEST_CASE("Work is done once, and is done when any of the threads goes on")
   }
 }
 
-TEST_CASE("Work that failed is done by the next one who asks")
+TEST_CASE("Work that failed is repeated by the next thread that asks for it")
 {
   Once once;
   int times = 0;

@@ -38,7 +38,7 @@ TEST_CASE("Maps compose by the parts in between, each pair once, by its most pro
   CHECK(result.pairs[2].confidence == .75);
 }
 
-TEST_CASE("The identity changes no map, and nothing comes of nothing")
+TEST_CASE("Composing with the identity changes no map; empty maps give empty maps")
 {
   const Part_map map{{{0, 2, .1}, {1, 0, .2}}};
   CHECK(composed(identity_part_map(2), map) == map);

@@ -205,7 +205,7 @@ TEST_CASE("The best cut of a tree is worked out by hand")
   CHECK(best_cut(nodes, {-3, -3, -3, -3, -5, -5, -20}) == Cut{4, 5}); // the least negative value
 }
 
-TEST_CASE("Boosted trees learn what no single feature tells, and are read as they were written")
+TEST_CASE("Boosted trees learn combinations of features, and read back as they were written")
 {
   std::mt19937_64 random(3);
   Byte_rows rows(400, 3);

@@ -147,7 +147,7 @@ bool is_read(const std::string& text, int trees, int roles, Role_forest& forest)
 
 } // namespace
 
-TEST_CASE("A forest that was read votes as the one that was grown, whoever asks first")
+TEST_CASE("A forest that was read has the same votes as the trained one, whichever thread asks first")
 {
   constexpr int trees = 9, roles = 3;
   const Role_forest grown(random_examples(60), trees, 5);
@@ -171,7 +171,7 @@ TEST_CASE("A forest that was read votes as the one that was grown, whoever asks 
   CHECK(bytes_of(unasked) == bytes_of(grown));
 }
 
-TEST_CASE("What is no forest is refused when it is read, before anybody asks for votes")
+TEST_CASE("Invalid forests are refused when they are read, not only when they vote")
 {
   constexpr int trees = 9, roles = 3;
   const std::string whole = bytes_of(Role_forest(random_examples(60), trees, 5));
@@ -191,7 +191,7 @@ TEST_CASE("What is no forest is refused when it is read, before anybody asks for
   }
 }
 
-TEST_CASE("A forest of many roles, whose last ones take two bytes, is read as it was written")
+TEST_CASE("A forest with so many roles that they take two bytes reads back as it was written")
 {
   constexpr int trees = 5;
   for (int most : {3, 255 - ROLE_FEATURE_COUNT, 256 - ROLE_FEATURE_COUNT, 255}) {
@@ -211,7 +211,7 @@ TEST_CASE("A forest of many roles, whose last ones take two bytes, is read as it
   }
 }
 
-TEST_CASE("A model that is extended knows what all shapes teach together")
+TEST_CASE("A model that is extended equals one that is trained with all shapes at once")
 {
   const std::vector<Labelled_graph> all = labelled(examples());
   std::vector<Labelled_graph> chairs, shelves, first_half, second_half;
@@ -259,7 +259,7 @@ TEST_CASE("The fewer shapes are labelled, the less their labels count")
         usual_pair_weights(2));
 }
 
-TEST_CASE("What cannot be learned from")
+TEST_CASE("Examples that cannot be learned from are refused")
 {
   std::vector<Labelled_graph> shapes = labelled(examples());
   shapes[0].labels.pop_back();

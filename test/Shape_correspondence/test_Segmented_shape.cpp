@@ -75,7 +75,7 @@ TEST_CASE("Parts are kept in their order")
   CHECK(shape.parts()[1].mesh.points == one_triangle().points);
 }
 
-TEST_CASE("What cannot be used is refused by name")
+TEST_CASE("Meshes that cannot be used are refused with the name of the part")
 {
   CHECK(message_of("leg", one_triangle()) == "");
   Part_mesh mesh = one_triangle();

@@ -91,7 +91,7 @@ TEST_CASE("Materials and texture coordinates of OBJ belong to the triangles that
   CHECK(model.shape.parts()[1].mesh.triangles.cols() == 3);
 }
 
-TEST_CASE("The geometry is the same whether looks are read or not")
+TEST_CASE("The geometry is the same whether the appearance is read or not")
 {
   const Temporary_folder folder;
   const std::string path = folder.write("model.obj", two_parts);
@@ -106,7 +106,7 @@ TEST_CASE("The geometry is the same whether looks are read or not")
   }
 }
 
-TEST_CASE("Damaged libraries and textures are told and left out")
+TEST_CASE("Damaged material libraries and textures are left out with warnings")
 {
   const Temporary_folder folder;
   folder.write("some.mtl",
@@ -147,7 +147,7 @@ TEST_CASE("Every truncation of an image is an error or an image, and none ends t
   CHECK_THROWS_AS(IO::decoded_image("\xff\xd8\xff\xe0 no jpeg", budget), Invalid_input);
 }
 
-TEST_CASE("Images of a model may take so many pixels and scans in all, the rest is left out and told")
+TEST_CASE("Images beyond the limits on a model's pixels and scans are left out with warnings")
 {
   IO::Image_budget budget;
   budget.take(8192, 4096, 1);

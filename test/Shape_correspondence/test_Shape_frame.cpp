@@ -85,7 +85,7 @@ TEST_CASE("A table has two mirror planes")
   CHECK(frame.axes.isApprox(Eigen::Matrix3d::Identity(), 1e-6));
 }
 
-TEST_CASE("What has no mirror plane has a frame")
+TEST_CASE("A shape without mirror plane has a frame")
 {
   std::vector<Point> points;
   add_box(points, {0, 0, 0}, {3, 1, 1});

@@ -55,7 +55,7 @@ TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
   CHECK(moved(9).connectedness == 1);
 }
 
-TEST_CASE("Touching samples: a rod of length zero is not broken")
+TEST_CASE("Touching samples: a rod of length zero has no connection to break")
 {
   const Points a = points({{0, 0, 0}, {1, 1, 1}}), b = points({{0, 0, 0}, {0.1, 0.7, 0.3}});
   const Structural_rods rods(a, b);
@@ -124,7 +124,7 @@ float plain_squared_cosines(const internal::Rod_block* before, const internal::S
 
 } // namespace
 
-TEST_CASE("The machine's vector instructions compare rods with the bits of plain numbers")
+TEST_CASE("Vector instructions compare rods with the same bits as scalar arithmetic")
 {
   using namespace internal;
   std::srand(3);
@@ -209,7 +209,7 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
     }
 }
 
-TEST_CASE("The directions of rods are those of plain numbers")
+TEST_CASE("Vector instructions give the directions of scalar arithmetic")
 {
   std::srand(17);
   for (const int n : {6, 36})

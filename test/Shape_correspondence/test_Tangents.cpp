@@ -42,7 +42,7 @@ double check_bounds(const internal::Tangent_bound& tangent, bool exact, std::siz
 
 } // namespace
 
-TEST_CASE("Bounds by tangents: nowhere above the energy, on it where they touch; exact unless buckets are split")
+TEST_CASE("Bounds by tangents: never above the energy, equal to it where they touch; exact unless buckets are split")
 {
   std::mt19937 random(11);
   for (const std::size_t table_limit : {27, 9}) {

@@ -105,7 +105,7 @@ TEST_CASE("Limits lead to the bounding box, and the report says so")
   CHECK(abstract_part({"leg", leg}, options).report.method == Method::PRISM); // a prism, which needs no flow
 }
 
-TEST_CASE("Long steps look at the clock again and again, and stop when the time is up")
+TEST_CASE("Long steps check the time limit repeatedly, and stop when it is reached")
 {
   const Part_mesh solid = internal::remeshed(leg, 0.05, internal::Deadline(1e9));
   SECTION("a wrap")
@@ -338,7 +338,7 @@ TEST_CASE("Kinds can be forced, of all parts and of single ones")
   }
 }
 
-TEST_CASE("A copy of a part that got its bounding box says so")
+TEST_CASE("A copy of a part that was replaced by its bounding box is reported, too")
 {
   Segmented_shape shape;
   shape.add_part("leg", leg);

@@ -85,7 +85,7 @@ TEST_CASE("A ring becomes a closed curve")
   CHECK(points.row(1).cwiseAbs().maxCoeff() < 0.01);
 }
 
-TEST_CASE("A ball is called a blob")
+TEST_CASE("The report calls a ball a blob")
 {
   const Part_mesh ball = torus_like(24, 24, [](double u, double v) {
     return Point(std::cos(u) * (1 + 1e-6 - std::cos(v)) / 2, std::sin(v) / 2 + v / 6.3,
@@ -203,7 +203,7 @@ TEST_CASE("A carcass of thin walls that is flat as a whole is a sheet")
   CHECK((part.control_points().row(2).array() - 0.25).abs().maxCoeff() < 0.01);
 }
 
-TEST_CASE("Arms that spread make no blade")
+TEST_CASE("A part of spread arms is no blade")
 {
   const Part_mesh cross =
       joined(joined(box({-0.03, 0, -0.03}, {0.03, 1, 0.03}), box({-0.35, 0, -0.03}, {0.35, 0.03, 0.03})),
@@ -265,7 +265,7 @@ TEST_CASE("A tyre that is open inside is a ring, also with spokes")
   CHECK((part.control_points().colwise().norm().array() - 1).abs().maxCoeff() < 0.08);
 }
 
-TEST_CASE("A block gets the axis along which it is least like along the others")
+TEST_CASE("The axis of a block is the one along which it differs most from the other two")
 {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, Point::UnitY()).toRotationMatrix();
   const auto direction_of = [&](const Point& extents) {

@@ -87,7 +87,7 @@ TEST_CASE("Alignments: nearest to the given orientation first")
   CHECK(alignment_turns(turned_by(0), turned_by(180)).front() == 2);
 }
 
-TEST_CASE("What is left of a group has a solidity of its own, and alone no symmetry")
+TEST_CASE("The remaining members of a group have their own solidity; a single one has no symmetry")
 {
   const Aligned_shape table = align_shape(hand_made::table());
   const auto rest_without = [&](const std::vector<std::size_t>& legs, std::size_t leg) {

@@ -283,7 +283,7 @@ TEST_CASE("What touches a part follows it where it touches it")
   CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
-TEST_CASE("Contacts of a group left unmatched cost what that costs, and no more")
+TEST_CASE("Contacts of a group left unmatched cost the charge for that, and no more")
 {
   // A right angle with all three corners in contact; in the target, the right corner is half as far, and the upper one
   // is off by an angle of cosine 0.8. That costs 0.2, and 0.01 for the rod between them; leaving the upper one

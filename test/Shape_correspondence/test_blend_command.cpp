@@ -56,7 +56,7 @@ std::string obj_chair(double width, double leg, double back, const std::string& 
 
 } // namespace
 
-TEST_CASE("A vertex so far away that parts are points for rounding makes a blend of finite points")
+TEST_CASE("With a vertex so far away that rounding shrinks parts to points, blends have finite coordinates")
 {
   const Temporary_folder folder;
   const std::string chair = folder.write("chair.obj", obj_chair(1.2, 0.45, 0.91, "1.2"));

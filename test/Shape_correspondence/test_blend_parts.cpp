@@ -119,7 +119,7 @@ TEST_CASE("Pieces of a bent part are within it")
   }
 }
 
-TEST_CASE("A piece where a part has nothing is a speck of it")
+TEST_CASE("The piece of a part in a box that contains none of it is closed and tiny")
 {
   const Part_mesh part = ring(0.2);
   const internal::Part_chart chart = internal::Part_chart::box(part.points, Eigen::Matrix3d::Identity());
@@ -131,7 +131,7 @@ TEST_CASE("A piece where a part has nothing is a speck of it")
   CHECK(std::abs(piece.points.row(2).maxCoeff()) < 0.2 + 1e-6);
 }
 
-TEST_CASE("The widest gap that it takes to join surfaces is the longest of the shortest connections")
+TEST_CASE("The widest gap between surfaces is the longest edge of their minimum spanning tree")
 {
   // Surfaces in rows; gaps in a row are wider than those between rows, except the last one
   std::vector<Surface_tree> surfaces;
@@ -146,7 +146,7 @@ TEST_CASE("The widest gap that it takes to join surfaces is the longest of the s
   CHECK(internal::widest_gap({&surfaces[0]}) == 0);
 }
 
-TEST_CASE("Distances are those of the closest points but for a tenth of what they are over what is enough")
+TEST_CASE("Distances exceed the least one by at most a ninth of its excess over the sufficient distance")
 {
   // Oblique sheets, whose bounding boxes are poor bounds
   const auto sheet = [](double height) {

@@ -74,7 +74,7 @@ TEST_CASE("Options and numbers of frames that make no sense are refused")
   }
 }
 
-TEST_CASE("What does not stand, and what has come off, are measured")
+TEST_CASE("Missing support and gaps between parts are measured")
 {
   const Box_model model = model_of(stand());
   const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{model.graph, model.shape, 0},
@@ -111,7 +111,7 @@ TEST_CASE("Parts turn by the least rotation between their boxes")
   }
 }
 
-TEST_CASE("What is inside a box without a lid is inside, what is above it is not")
+TEST_CASE("A part inside an open box is hidden, a part above it is not")
 {
   const Part_mesh box = box_shapes::box({0, 0.5, 0}, {1, 1, 1});
   Part_mesh crate = {box.points, {}};
@@ -136,7 +136,7 @@ TEST_CASE("What is inside a box without a lid is inside, what is above it is not
   CHECK(share(1.2) == 0);
 }
 
-TEST_CASE("Size goes over by equal factors in equal times; either shape may be given the other's size")
+TEST_CASE("The size changes by equal factors in equal times; either shape may be given the other's size")
 {
   constexpr double scale = 27;
   const Box_model source = model_of(stand()), target = model_of(stand(), scale);
@@ -173,8 +173,7 @@ TEST_CASE("Size goes over by equal factors in equal times; either shape may be g
     }
 }
 
-TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike in place and size, become each other "
-          "all the same")
+TEST_CASE("Pairs of low confidence do not morph; similar parts in one place are exchanged for each other")
 {
   const Box_model model = model_of(stand());
   Correspondence correspondence = same_parts(3);
@@ -201,7 +200,7 @@ TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike i
   CHECK(morphs(0.5) == 3);
 }
 
-TEST_CASE("All motions are even, by any schedule")
+TEST_CASE("All motions have a constant speed, by any schedule")
 {
   std::vector<Named_box> wide = stand();
   wide[2].size.x() = 2;

@@ -92,7 +92,7 @@ TEST_CASE("Contacts are kept where sets of parts come apart and are moved togeth
     CHECK(blend.gap(t) < wider);
 }
 
-TEST_CASE("What is its own mirror image stays that where it is moved to what it has come apart from")
+TEST_CASE("A part that is its own mirror image stays so where it is moved back to the part that it has left")
 {
   const Model &chair = model("chair_four_legged"), &stool = model("stool");
   Correspondence few;
@@ -104,7 +104,7 @@ TEST_CASE("What is its own mirror image stays that where it is moved to what it 
     CHECK(blend.asymmetry(t) < 0.002);
 }
 
-TEST_CASE("Shapes between two models are closed, hang together, are symmetric and stand; the ends are the models")
+TEST_CASE("Shapes between two models are closed, connected, symmetric and supported; the ends are the models")
 {
   const std::vector<std::pair<std::string, std::string>> pairs = {{"chair_four_legged", "chair_slatted"},
                                                                   {"chair_spindle", "stool"}};
@@ -133,7 +133,7 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
   }
 }
 
-TEST_CASE("Parts give way to what lies across: they are not cut up, and keep what they touch")
+TEST_CASE("Parts make way for a part across: they are not cut into pieces, and keep their contacts")
 {
   for (const auto& [source, target] :
        {std::pair("chair_four_legged", "chair_slatted"), std::pair("chair_spindle", "chair_swivel")}) {
@@ -152,7 +152,7 @@ TEST_CASE("Parts give way to what lies across: they are not cut up, and keep wha
   }
 }
 
-TEST_CASE("What one part becomes, its mirror image becomes the mirror image of")
+TEST_CASE("Mirror images become mirror images of one another")
 {
   const Model& chair = model("chair_four_legged");
   const std::size_t leg = part_named(chair, "front_left_leg"), image = part_named(chair, "front_right_leg");
@@ -166,7 +166,7 @@ TEST_CASE("What one part becomes, its mirror image becomes the mirror image of")
   CHECK(Measured_blend(chair, chair, one_leg).asymmetry(0.5) <= wider);
 }
 
-TEST_CASE("A part that is in the air between the ends is apart")
+TEST_CASE("A part that touches nothing between the ends is rated as apart")
 {
   // A peg on one side moves from the upper plate to the lower one: it lies flat on plates at the ends only
   const auto stand = [](double height_of_peg) {

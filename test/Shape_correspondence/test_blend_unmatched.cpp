@@ -77,7 +77,7 @@ constexpr double touching = 0.02; // over the height
 
 } // namespace
 
-TEST_CASE("A chain of parts goes at one time, and holds together until then")
+TEST_CASE("A chain of parts vanishes at one time, and stays connected until then")
 {
   Segmented_shape joined("joined"), apart("apart");
   joined.add_part("foot", box({0, 0.1, 0}, {1, 0.2, 1}));
@@ -107,7 +107,7 @@ TEST_CASE("A chain of parts goes at one time, and holds together until then")
   }
 }
 
-TEST_CASE("Unmatched parts that touch each other hold together")
+TEST_CASE("Unmatched parts that touch each other stay connected")
 {
   Segmented_shape plain("plain"), with_bar("with bar");
   for (Segmented_shape* shape : {&plain, &with_bar}) {
@@ -129,7 +129,7 @@ TEST_CASE("Unmatched parts that touch each other hold together")
   CHECK(seen > 2);
 }
 
-TEST_CASE("An unmatched part goes with the place that it touches")
+TEST_CASE("An unmatched part moves with the place that it touches")
 {
   const auto stand = [](double beam) {
     Segmented_shape result("stand");
@@ -184,7 +184,7 @@ TEST_CASE("Unmatched parts shrink to where they are held")
   }
 }
 
-TEST_CASE("Legs hang on a seat that is far higher than where they come from")
+TEST_CASE("Legs stay attached to a seat that becomes far higher")
 {
   Segmented_shape high("high"), low("low");
   high.add_part("seat", box({0, 0.65, 0}, {0.9, 0.1, 0.9}));
@@ -211,7 +211,7 @@ TEST_CASE("Legs hang on a seat that is far higher than where they come from")
   CHECK(seen > 2);
 }
 
-TEST_CASE("What takes up one place, or is needed to stand, changes at one time")
+TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
 {
   Segmented_shape legged("legged"), pedestal("pedestal");
   for (Segmented_shape* shape : {&legged, &pedestal})
@@ -258,7 +258,7 @@ TEST_CASE("While all is exchanged, the shape is as high as before and after")
     CHECK(height_error(blend, t) < 1e-6);
 }
 
-TEST_CASE("What comes by itself does so at one time after exchanges, what goes by itself before them")
+TEST_CASE("Parts that replace none appear together after the exchanges; parts not replaced vanish together before them")
 {
   Segmented_shape plain("plain"), with_knobs("with knobs");
   for (Segmented_shape* shape : {&plain, &with_knobs}) {

@@ -72,7 +72,7 @@ const Blend_task& task_of(const Shape_blend& blend, std::size_t source)
 
 } // namespace
 
-TEST_CASE("Unmatched parts go with the whole where all of it changes alike")
+TEST_CASE("Unmatched parts follow the whole shape where all of it changes alike")
 {
   // Everything widens by a half, including the vase and its distance from the middle
   std::vector<Named_box> narrow = stand(), wide = stand();
@@ -97,7 +97,7 @@ TEST_CASE("Unmatched parts go with the whole where all of it changes alike")
   }
 }
 
-TEST_CASE("A part that would be torn goes to the box of its counterpart, which takes its place")
+TEST_CASE("A part that would be torn moves to the box of its counterpart, which replaces it")
 {
   std::vector<Named_box> wide = stand();
   for (Named_box& box : wide)
@@ -181,7 +181,7 @@ TEST_CASE("Flat shapes, whose controls are in a plane, have warps, too")
   }
 }
 
-TEST_CASE("What is left over becomes what is in its place, but not one of several that are as much in it")
+TEST_CASE("An unmatched part is exchanged for the part in its place, unless two share that place equally")
 {
   const auto with_blocks = [](const std::vector<Named_box>& blocks) {
     std::vector<Named_box> boxes = stand();
@@ -196,7 +196,7 @@ TEST_CASE("What is left over becomes what is in its place, but not one of severa
   CHECK(task_of(blend_of(block, two, same_parts(3)), 3).type == Blend_task_type::SHRINK);
 }
 
-TEST_CASE("Blends of models hang together, and main parts become their counterparts")
+TEST_CASE("Blends of models stay connected, and main parts become their counterparts")
 {
   struct Expected
   {

@@ -299,7 +299,7 @@ TEST_CASE("A flat face with a hole keeps it in its canonical surface")
     CHECK(are_equal(canonical_surface(change(frame, random), tolerance), expected));
 }
 
-TEST_CASE("What has no surface that can be divided anew keeps its triangles")
+TEST_CASE("A part whose surface cannot be retriangulated keeps its triangles")
 {
   // Three triangles at one edge, a duplicate triangle, one folded back, one without area
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {2, 0, 0}};

@@ -51,7 +51,7 @@ TEST_CASE("Two shapes have no third one that could confirm anything")
   CHECK(part_matrix({1, 1}, {{0, 1, certain({{0, 0}})}}, 1).rejected == 0);
 }
 
-TEST_CASE("The largest cluster is the first label; what is like nothing has none")
+TEST_CASE("The largest cluster is the first label; parts similar to no others have none")
 {
   // Part 1 of shape 0 and both parts of shape 1 correspond; part 0 of shape 0 has no counterpart
   const Co_analysis result = co_analysis({2, 3, 1}, {{0, 1, certain({{1, 0}, {1, 1}})}, {1, 2, certain({{2, 0}})}});
@@ -95,7 +95,7 @@ TEST_CASE("Pairs that agree with the whole set: of one cluster, and none of part
   CHECK(agreeing[2].map.pairs.empty());
 }
 
-TEST_CASE("Maps of what is not there are refused")
+TEST_CASE("Maps of shapes that do not exist are refused")
 {
   CHECK_THROWS_AS(co_analysis({1, 1}, {{0, 2, certain({{0, 0}})}}), Invalid_input);
   CHECK_THROWS_AS(co_analysis({1, 1}, {{0, 1, certain({{0, 1}})}}), Invalid_input);

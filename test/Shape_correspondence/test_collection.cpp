@@ -215,7 +215,7 @@ TEST_CASE("The same bytes with any number of processes")
                         .c_str()) != 0); // refused, since each process would do all the work
 }
 
-TEST_CASE("A team of which a process is killed has kept its work, and ends it when it is run again")
+TEST_CASE("If one of several processes is killed, its work is kept, and completed by the next run")
 {
   const Temporary_folder folder;
   const std::string output = folder.path("c.json"), in = quoted(shape_folder(folder)) + " --search exact --threads 1";
@@ -237,7 +237,7 @@ TEST_CASE("A team of which a process is killed has kept its work, and ends it wh
 }
 #endif
 
-TEST_CASE("Killed at any moment, a run goes on where it was")
+TEST_CASE("A run that was killed at any moment continues where it stopped")
 {
   const Temporary_folder folder;
   const std::string in = shape_folder(folder), store = folder.path("store");
@@ -322,7 +322,7 @@ TEST_CASE("The nearest shapes are of the query's category where roles know it")
   CHECK(by_category["nearest"][0]["category"] == "chair");
 }
 
-TEST_CASE("Usage and inputs that make no sense")
+TEST_CASE("Wrong usage and invalid inputs are refused")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));

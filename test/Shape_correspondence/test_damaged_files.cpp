@@ -115,7 +115,7 @@ TEST_CASE("Counts beyond the size of the file are refused before anything is mad
              Contains("more than the file holds"));
 }
 
-TEST_CASE("What the reader of a type refuses is not given to another one")
+TEST_CASE("A file that the reader of its type refuses is not passed to another reader")
 {
   const Temporary_folder folder;
   // A complete STL model, which assimp reads under any name
@@ -163,7 +163,7 @@ TEST_CASE("Pipes and devices are refused before anything waits for them")
   alarm(0);
 }
 
-TEST_CASE("Names that lead nowhere are refused, and the message says why")
+TEST_CASE("Paths without a file are refused, and the message says why")
 {
   const Temporary_folder folder;
   fs::create_symlink("loop.obj", folder.path("loop.obj"));
@@ -209,7 +209,7 @@ TEST_CASE("Whole numbers beyond their range, and a million parts, are refused")
   CHECK_THAT(read_complaint(folder.write("a.obj", objects)), Contains("100000 parts"));
 }
 
-TEST_CASE("A grid of more points than an int can count, most of which are not there, is refused")
+TEST_CASE("A grid of more points than an int can count is refused, also if most of them are missing")
 {
   constexpr std::size_t cols = 65536, rows_added = 65534; // together with the table's two, 2^32 points
   std::ostringstream good;
@@ -279,7 +279,7 @@ TEST_CASE("Of the files that a model names only those of its folder are read, un
   CHECK(read_complaint(gltf("own.bin")).empty());
 }
 
-TEST_CASE("Counts that a file claims take no memory before the file has shown what it counts")
+TEST_CASE("Counts that a file states take no memory before the counted data is read")
 {
   const Temporary_folder folder;
   const std::string header =

@@ -261,7 +261,7 @@ TEST_CASE("Order, volume and hull of groups")
   CHECK(groups[1].parts.size() == 4);
 }
 
-TEST_CASE("Parts that differ are not gathered")
+TEST_CASE("Parts that differ are in no group")
 {
   const Segmented_shape original = table();
   Segmented_shape shape("table with one thick leg");

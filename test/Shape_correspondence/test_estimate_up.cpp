@@ -72,7 +72,7 @@ TEST_CASE("The guess of the upright axis says how sure it is, and what is known 
   CHECK(estimate_up(moved(chair, 2), 1e30).up == Point::UnitY());
 }
 
-TEST_CASE("Of two shapes of one kind the one tells of the other")
+TEST_CASE("The upright axis of one shape helps to estimate that of another of its kind")
 {
   // A plate may be a table top or a board on the wall
   Segmented_shape flat, high;

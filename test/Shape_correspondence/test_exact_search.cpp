@@ -124,7 +124,7 @@ TEST_CASE("Min-marginals: the least energy without the label, by brute force")
   }
 }
 
-TEST_CASE("What a change of one label makes the energy rise by is the difference of the energies")
+TEST_CASE("The cost of changing one label is the difference of the energies")
 {
   std::mt19937 random(6);
   for (int i = 0; i < 50; ++i) {
@@ -219,7 +219,7 @@ TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
   CHECK(!exact_search(random_tables(random, 30, 8, 8), few).optimal);
 }
 
-TEST_CASE("A search that takes long goes on with larger tables, until it is proven")
+TEST_CASE("A long search continues with larger tables, until its result is proven")
 {
   // Tables of three variables do not fit at first; without them, millions of nodes would give no proof
   std::mt19937 random(10);

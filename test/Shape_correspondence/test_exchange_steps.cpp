@@ -62,7 +62,7 @@ std::vector<Named_box> on_column()
 
 } // namespace
 
-TEST_CASE("What is below a part that stays and what is on it are exchanged in two steps, each at one time")
+TEST_CASE("Parts below and parts above a part that stays are exchanged in two steps, each at one time")
 {
   auto found = steps(on_walls(), on_column(), same_parts(1));
   CHECK(found.at("board~board") == Exchange_step::NONE);
@@ -95,7 +95,7 @@ TEST_CASE("What is exchanged has two times, or one if that is asked for")
   CHECK(ends("") == two);
 }
 
-TEST_CASE("The search for steps and the rating tell how much is done, and end when they are asked to")
+TEST_CASE("The search for steps and the rating report progress, and end when cancelled")
 {
   std::vector<double> told;
   Blend_options options;
@@ -130,7 +130,7 @@ TEST_CASE("There are no two steps if most of what is to stand would be missing b
   CHECK(blend.schedules()[1].quality.support > 0.6);
 }
 
-TEST_CASE("What would come off what held it is exchanged with that")
+TEST_CASE("A part that would lose its support is exchanged together with it")
 {
   // A bar on two rods that become one: if the rods changed first, one end of the bar would have no support.
   const Named_box base = {"base", {0, 0.05, 0}, {1.4, 0.1, 0.6}}, wall = {"wall", {0.6, 0.5, 0}, {0.1, 0.8, 0.5}};
@@ -169,7 +169,7 @@ TEST_CASE("Large parts on a small one are not left hanging in the air")
   CHECK(found.at("~sign") == found.at("~pin"));
 }
 
-TEST_CASE("Old and new parts are in one place at no time, though they hold on to different parts")
+TEST_CASE("Old and new parts are never in one place at once, though different parts support them")
 {
   std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {1.2, 0.2, 0.8}},
                                  {"back", {-0.55, 0.5, 0}, {0.1, 0.6, 0.8}},
@@ -182,7 +182,7 @@ TEST_CASE("Old and new parts are in one place at no time, though they hold on to
   CHECK(found.at("lamp~") == found.at("~vase"));
 }
 
-TEST_CASE("What would be hidden inside a new part is not kept beside it")
+TEST_CASE("A part that would be hidden inside a new one is not kept")
 {
   // The old bar passes through the new block, but fills few of the cells of its faces.
   std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {2, 0.2, 0.8}},
@@ -196,7 +196,7 @@ TEST_CASE("What would be hidden inside a new part is not kept beside it")
   CHECK(found.at("bar~") == found.at("~block"));
 }
 
-TEST_CASE("What both shapes fill is not left empty between the steps")
+TEST_CASE("Space that both shapes fill is not empty between the steps")
 {
   // An old bar ends where a new one begins, and a third of each is in the same place; either has its counterpart
   // elsewhere. If the old bar, whose group is lower, changed first, there would be a hole between them.
@@ -211,7 +211,7 @@ TEST_CASE("What both shapes fill is not left empty between the steps")
   CHECK(found.at("~right bar") == Exchange_step::FIRST);
 }
 
-TEST_CASE("What holds on to the place where something else did takes its place")
+TEST_CASE("A part supported at the same place as an earlier one replaces it")
 {
   const std::vector<Named_box> pot = {{"pot", {0, 0.2, 0}, {0.6, 0.4, 0.6}},
                                       {"post", {0, 0.6, -0.25}, {0.1, 0.4, 0.1}}};
@@ -223,7 +223,7 @@ TEST_CASE("What holds on to the place where something else did takes its place")
   CHECK(found.at("cactus~") == found.at("~leaf"));
 }
 
-TEST_CASE("What takes no other part's place comes and goes by itself")
+TEST_CASE("A part that replaces no other appears and vanishes by itself")
 {
   std::vector<Named_box> with_knob = on_walls();
   with_knob.push_back({"knob", {0.62, 0.6, 0}, {0.04, 0.05, 0.05}});
@@ -231,7 +231,7 @@ TEST_CASE("What takes no other part's place comes and goes by itself")
   CHECK(found.at("~knob") == Exchange_step::NONE);
 }
 
-TEST_CASE("An old part whose mirror image stays goes before what is new comes")
+TEST_CASE("An old part whose mirror image stays vanishes before new parts appear")
 {
   std::vector<Named_box> boxes = {{"base", {0, 0.5, 0}, {1, 1, 0.8}}, {"left knob", {-0.55, 0.5, 0}, {0.1, 0.1, 0.1}}};
   Box_model target = upright(boxes);

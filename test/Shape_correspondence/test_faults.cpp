@@ -122,7 +122,7 @@ TEST_CASE("A file that memory does not suffice for is named")
 }
 #endif
 
-TEST_CASE("Closed standard streams are no reason to print into the files that are opened")
+TEST_CASE("With closed standard streams nothing is printed into the files that are opened")
 {
   const Temporary_folder folder;
   const std::string graph = folder.write("g.json", graph_text(hand_made::chair(), "a")), output = folder.path("o.json");
@@ -468,7 +468,7 @@ TEST_CASE("Graphs of a cache that are damaged, but not in their digests, are mad
   check_damaged_entry(file_in(folder.path("cache")), command);
 }
 
-TEST_CASE("So are those of the store of a collection, and those with a digest that does not fit")
+TEST_CASE("Damaged graphs of a collection's store, and those with a wrong digest, are made again")
 {
   const Temporary_folder folder;
   folder.write("shapes/a.obj", obj_table());
@@ -489,7 +489,7 @@ TEST_CASE("So are those of the store of a collection, and those with a digest th
   }
 }
 
-TEST_CASE("A writer that is killed leaves what was there before, and the next one is not in its way")
+TEST_CASE("A writer that is killed leaves the previous file, and does not hinder the next writer")
 {
   const Temporary_folder folder;
   const std::string file = folder.write("r.json", "old"), frames = folder.path("fr");

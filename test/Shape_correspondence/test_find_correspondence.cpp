@@ -104,7 +104,7 @@ TEST_CASE("A curve that is cut corresponds by its segments, in either direction"
   }
 }
 
-TEST_CASE("The parts of the energy add up")
+TEST_CASE("The terms of the energy add up")
 {
   Search_options options = least_energy();
   options.both_directions = false;
@@ -394,7 +394,7 @@ TEST_CASE("A finder gives what the function gives")
   }
 }
 
-TEST_CASE("What keeps a graph by reference takes no graph that is about to end")
+TEST_CASE("Classes that keep a graph by reference take no temporary graph")
 {
   STATIC_REQUIRE(std::is_constructible_v<Prepared_shape, const Structural_graph&>);
   STATIC_REQUIRE(std::is_constructible_v<Correspondence_finder, const Structural_graph&>);
@@ -427,7 +427,7 @@ TEST_CASE("A cancelled search says so")
   }
 }
 
-TEST_CASE("A term that is switched off has no say")
+TEST_CASE("A term that is switched off has no effect")
 {
   Search_options options = least_energy();
   options.matching.weights.connectedness = options.matching.weights.split = 0;

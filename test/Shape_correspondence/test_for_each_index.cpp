@@ -48,7 +48,7 @@ std::vector<std::size_t> calls_of_nested_loops(std::string& failure)
 
 } // namespace
 
-TEST_CASE("A call that throws leaves the loops in other calls whole, and the first failure is thrown")
+TEST_CASE("A call that throws does not interrupt loops in other calls, and the first exception is rethrown")
 {
   for (int threads : {1, 2, 8}) {
     const std::shared_ptr<void> limit = limit_threads(threads);

@@ -175,7 +175,7 @@ std::string decoded(const std::string& text)
 
 } // namespace
 
-TEST_CASE("There are fifty, and as UTF-8 they still differ")
+TEST_CASE("There are fifty hostile names, which differ as UTF-8, too")
 {
   const Names names = in_utf8(hostile_names());
   CHECK(names.size() == 50);

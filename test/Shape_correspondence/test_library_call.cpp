@@ -100,7 +100,7 @@ TEST_CASE("A box with corners on its edges, whose polygons give flat triangles, 
     CHECK_THAT(outcome(command, {box}), Contains("only one part"));
 }
 
-TEST_CASE("Where CGAL fails, a fallback tells of itself")
+TEST_CASE("Where CGAL fails, the fallback is reported")
 {
   const Temporary_folder folder;
   const std::string table = folder.write("table.obj", table_text());

@@ -154,7 +154,7 @@ TEST_CASE("A part on the ground beside the legs leaves them one to one")
     CHECK(std::count_if(found.begin(), found.end(), [&](const auto& pair) { return pair.first == leg; }) == 1);
 }
 
-TEST_CASE("What has a chain hangs; rings of chains correspond to such rings or to nothing")
+TEST_CASE("A shape with a chain hangs; rings of chains correspond to such rings or to nothing")
 {
   const auto lantern = [](std::size_t links, double link) {
     Shape_structure shape;
@@ -196,7 +196,7 @@ TEST_CASE("What has a chain hangs; rings of chains correspond to such rings or t
   CHECK(matching(hanging, lantern(2, .1)).upside_down); // two rings are not a chain
 }
 
-TEST_CASE("Source and target have the same standing, to the bit")
+TEST_CASE("Results are symmetric in source and target, to the bit")
 {
   const Part_matching there = matching(hand_made::chair(), hand_made::slatted_chair());
   const Part_matching back = matching(hand_made::slatted_chair(), hand_made::chair());

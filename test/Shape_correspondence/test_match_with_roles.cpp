@@ -310,7 +310,7 @@ TEST_CASE("A prepared shape is matched with two models by several threads at onc
   }
 }
 
-TEST_CASE("What geometry alone matches is as sure as such pairs of the nearest category are right")
+TEST_CASE("Pairs matched by geometry alone have the confidence of such pairs in the nearest category")
 {
   Role_model_data data = Role_model_access::data(train_role_model(labelled(examples())));
   const std::size_t shelf = data.index("shelf");

@@ -39,7 +39,7 @@ std::vector<std::vector<double>> sorted(const Points& points)
 
 } // namespace
 
-TEST_CASE("Step by step, the flow leaves the skeleton that CGAL's leaves in one go")
+TEST_CASE("The flow step by step gives the skeleton of CGAL's contraction at once")
 {
   const internal::Deadline deadline(1e9);
   const Part_mesh solid = internal::remeshed(torus(1, 0.2), 0.1, deadline);

@@ -15,7 +15,7 @@
 
 using namespace CGAL::Shape_correspondence;
 
-TEST_CASE("The machine's vector instructions find the nearest points of a loop to the bit")
+TEST_CASE("Vector instructions find the nearest points of a plain loop, to the bit")
 {
   std::srand(7);
   for (const int n : {1, 6, 37})

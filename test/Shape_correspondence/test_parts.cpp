@@ -112,7 +112,7 @@ std::vector<std::string> part_names(const json& graph)
 
 } // namespace
 
-TEST_CASE("Objects of loose pieces are split, and what to type if they are not to be is said")
+TEST_CASE("Objects of loose pieces are split, and the output says how to prevent that")
 {
   const Temporary_folder folder;
   const std::string model = quoted(folder.write("table.obj", obj_table_of_materials()));

@@ -144,7 +144,7 @@ TEST_CASE("A glTF whose buffer is not there: the message names it")
   CHECK_THAT(result.error, Contains("missing.bin', which it names, is not there"));
 }
 
-TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
+TEST_CASE("Wrong usage ends with status 2 and a reference to the help")
 {
   const Temporary_folder folder;
   const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
@@ -214,7 +214,7 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
   }
 }
 
-TEST_CASE("Numbers beyond all sense and empty words are refused, and the message says why")
+TEST_CASE("Numbers out of range and empty words are refused, and the message says why")
 {
   const Temporary_folder folder;
   const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair())), two = a + " " + a + " ",
@@ -370,7 +370,7 @@ TEST_CASE("The table of match: sets of parts, their operation and confidence, on
   CHECK_THAT(run("match " + airplanes + cache + " --search exact").out, Contains("proven minimal for this direction"));
 }
 
-TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing left behind")
+TEST_CASE("Inputs that cannot be used end with status 1, a message and no files")
 {
   const Temporary_folder folder;
   const std::string box = obj_box("o leg", 0, 0, 0, 0, 1, 1, 1);

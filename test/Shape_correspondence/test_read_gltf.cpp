@@ -252,7 +252,7 @@ TEST_CASE("Positions of glTF may be quantized, strided and sparse")
   }
 }
 
-TEST_CASE("Materials of glTF have their colours, textures and how they go on")
+TEST_CASE("Materials of glTF have their colours, textures and wrap modes")
 {
   Model model = tetrahedron();
   const std::string png = "\x89PNG\r\n\x1A\n";
@@ -297,7 +297,7 @@ TEST_CASE("Materials of glTF have their colours, textures and how they go on")
   CHECK(part.colours == std::vector<Eigen::Vector3f>(12, Eigen::Vector3f(1, 0, 0)));
 }
 
-TEST_CASE("What is wrong in a glTF document is refused by its place")
+TEST_CASE("Errors in a glTF document are reported with their place")
 {
   CHECK(refused(tetrahedron().glb()).empty());
   CHECK_THAT(refused_with("/asset/version", "3.0"), Contains("version '3.0'"));
@@ -348,7 +348,7 @@ TEST_CASE("What is wrong in a glTF document is refused by its place")
   CHECK_THAT(complaint([&] { infinite.read(); }), Contains("'seat'") && Contains("finite"));
 }
 
-TEST_CASE("Instances of a mesh are parts, by whichever of their places, turns and sizes a file gives")
+TEST_CASE("Instances of a mesh are parts, whichever of translations, rotations and scales a file gives")
 {
   Model model = tetrahedron();
   const float half = float(std::sqrt(0.5));
@@ -577,7 +577,7 @@ TEST_CASE("Buffer views that meshoptimizer compressed are read")
 }
 #endif
 
-TEST_CASE("Nodes in a circle are refused, also where no scene leads to them")
+TEST_CASE("Cycles of nodes are refused, also where no scene leads to them")
 {
   Model model = tetrahedron();
   model.document["nodes"].push_back({{"mesh", 0}, {"children", {2}}});
@@ -589,7 +589,7 @@ TEST_CASE("Nodes in a circle are refused, also where no scene leads to them")
   CHECK_THAT(refused(model.glb()), Contains("nodes[1] is in the tree"));
 }
 
-TEST_CASE("What a glTF file claims or lists beyond what is in it takes no memory")
+TEST_CASE("Counts and lists of a glTF file beyond its data take no memory")
 {
   Model model = tetrahedron();
   const int indices = model.view(std::vector<std::uint16_t>{1}), values = model.view(std::vector<float>{1, 0, 0});

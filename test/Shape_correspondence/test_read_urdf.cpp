@@ -124,7 +124,7 @@ TEST_CASE("Visuals of a link are one part, of meshes that many links may use, wi
   CHECK(IO::read_segmented_shape(below, Point::UnitY(), nullptr, anywhere).parts().size() == 2);
 }
 
-TEST_CASE("What is wrong in a URDF file is refused by its link, and what to do is said")
+TEST_CASE("Errors in a URDF file are reported with their link and a remedy")
 {
   CHECK_THAT(refused(""), Contains("no link") && Contains("add <visual>"));
   CHECK_THAT(refused(link_of("a", box) + link_of("a", box)), Contains("link 'a' is there twice"));

@@ -119,7 +119,7 @@ TEST_CASE("A disc becomes its middle layer")
   CHECK(points.colwise().norm().maxCoeff() == Approx(1).epsilon(0.01));
 }
 
-TEST_CASE("What is neither clearly long nor clearly flat is left to the medial axis")
+TEST_CASE("Prisms neither clearly long nor clearly flat are left to the medial axis")
 {
   CHECK_FALSE(recognized(box({-1, -1, -1}, {1, 1, 1}), 8));
   CHECK_FALSE(recognized(box({-1, -3, -1}, {1, 3, 1}), 24));

@@ -105,7 +105,7 @@ TEST_CASE("Shapes that are turned by any angle are matched as those that face th
   CHECK(known > 0);
 }
 
-TEST_CASE("What was left out of the training is not known")
+TEST_CASE("Shapes left out of the training are unknown to the model")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Shape_pair> pairs{{0, 2}, {1, 3}};
@@ -167,7 +167,7 @@ TEST_CASE("Intervals come from drawing shapes")
   CHECK(mean_estimates({three[0]}).mean.recall.low == 1);
 }
 
-TEST_CASE("Weights of the terms are those that the examples are likeliest with")
+TEST_CASE("Weights of the terms have the greatest likelihood of the examples")
 {
   // Right in 3 of 4 pairs with the term, in 1 of 4 without: logits log 3 and -log 3, so the weight is 2 log 3
   Judged_terms example;
@@ -192,7 +192,7 @@ TEST_CASE("Weights of the terms are those that the examples are likeliest with")
   CHECK((fitted_weights<PAIR_TERM_COUNT>({}, expected, Pair_weights::Ones()) - expected).norm() < pair_weight_unit);
 }
 
-TEST_CASE("Confidences are fitted to how often pairs of a probability are right")
+TEST_CASE("Confidences are fitted to the share of correct pairs at each probability")
 {
   // Of pairs with probability .9, three quarters are right; with .5, a quarter
   Judged_confidences judged;

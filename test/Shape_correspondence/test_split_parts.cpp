@@ -194,7 +194,7 @@ TEST_CASE("Screws join what they touch, all of them alike")
   CHECK(parts_of_wood(0.03) == expected); // one of four copies touches nothing
 }
 
-TEST_CASE("What few of several copies would do, none does")
+TEST_CASE("If only a few of several copies could join other pieces, none does")
 {
   // Of four drawers, only one is so near a board that it could be its lining
   std::vector<Part_mesh> pieces{box({0, 0.5, 0}, {0.02, 1, 1})};
@@ -319,7 +319,7 @@ TEST_CASE("Tubes that stand on one another are no patches")
   CHECK(split.shape.parts().size() == 3);
 }
 
-TEST_CASE("What the frame of a model holds are parts, such as drawers")
+TEST_CASE("Pieces that the frame of a model holds, such as drawers, are parts")
 {
   const auto parts = [](double size) { // size of the cabinet, over that of the model
     const Part_mesh drawers = joined({box({0, 0.3, 0}, {0.8, 0.3, 0.8}), box({0, -0.3, 0}, {0.8, 0.3, 0.8})});
@@ -408,7 +408,7 @@ TEST_CASE("Names of parts do not meet those of objects")
   CHECK(found.back() == "wood#2");
 }
 
-TEST_CASE("Parts as a person wants them")
+TEST_CASE("Parts follow an edited list of pieces")
 {
   const Segmented_shape table = table_of_materials();
   std::map<std::string, std::string> parts{

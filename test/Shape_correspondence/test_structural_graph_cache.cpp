@@ -129,7 +129,7 @@ TEST_CASE("A cache returns what was saved, and nothing else")
   }
 }
 
-TEST_CASE("What depends on the machine's speed is not saved")
+TEST_CASE("Results that depend on the machine's speed are not saved")
 {
   const Temporary_folder folder;
   const IO::Structural_graph_cache cache(folder.path("cache"));

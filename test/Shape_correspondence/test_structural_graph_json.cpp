@@ -153,7 +153,7 @@ TEST_CASE("The keys are those of the format")
   CHECK(contact["parameters"] == json::parse("[[1.0, 1.0], [1.0]]"));
 }
 
-TEST_CASE("How parts were abstracted is called what it is, and older names are understood")
+TEST_CASE("The method of abstraction is written by its name, and older names are read, too")
 {
   using Method = Abstraction_report::Method;
   const std::pair<const char*, Method> names[] = {{"skeleton", Method::SKELETON},
@@ -183,7 +183,7 @@ TEST_CASE("How parts were abstracted is called what it is, and older names are u
              Contains("parts[0].abstraction.method") && Contains("medial_axis"));
 }
 
-TEST_CASE("What is missing is detected, what is unknown passed over")
+TEST_CASE("Missing entries are detected from the surfaces, unknown ones ignored")
 {
   json document = json::parse(written(hand_made::chair()));
   for (const char* key : {"groups", "contacts", "frame", "up", "warnings"})
@@ -199,7 +199,7 @@ TEST_CASE("What is missing is detected, what is unknown passed over")
   CHECK(is_valid_structural_graph(graph));
 }
 
-TEST_CASE("Parts that the groups leave out are groups of their own")
+TEST_CASE("Parts in no group of the file become groups of their own")
 {
   json document = json::parse(written(hand_made::chair()));
   document["groups"].erase(0);

@@ -136,7 +136,7 @@ TEST_CASE("Coordinates relative to outlines: a round one and one with corners ar
   CHECK((flat.absolute(flat.relative(Point(0.3, 0.2, 0.1))) - Point(0.3, 0.2, 0.1)).norm() < 1e-12);
 }
 
-TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and components do not see each other")
+TEST_CASE("Displacements are smoothed over a length: a step becomes two exponentials; components are independent")
 {
   constexpr int cells = 200;
   constexpr double step = 0.05, length = 0.5; // a strip from -5 to 5, of triangles that share no points
@@ -168,7 +168,7 @@ TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and
   CHECK(apart(0, 0) == Approx(-1).margin(1e-3));
 }
 
-TEST_CASE("A sheet with both sides in one place is not closed")
+TEST_CASE("A sheet whose two sides coincide is not closed")
 {
   Part_mesh sheet = part_meshes::without_triangles(ball, 1);
   const Eigen::Index half = sheet.triangles.cols();
@@ -204,7 +204,7 @@ TEST_CASE("A cube becomes a ball: the surface that takes over lies on the other 
   }
 }
 
-TEST_CASE("A closed surface may differ more from its counterpart than one with rims, which would be seen to gape")
+TEST_CASE("A closed surface may differ more from its counterpart than one with borders, where gaps would be visible")
 {
   const auto stand_with = [](const Part_mesh& top) {
     Segmented_shape shape("stand");

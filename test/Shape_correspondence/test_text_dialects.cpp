@@ -391,7 +391,7 @@ TEST_CASE("STL: words in capitals, on one line, several solids, and files one af
   check(binary_solid("zeros", 0) + std::string(37, '\0'), {"m"});
 }
 
-TEST_CASE("STL: what is left out of a file, or is not as its header says, is told")
+TEST_CASE("STL: parts of a file that are left out, or differ from its header, are reported")
 {
   const Temporary_folder folder;
   const auto warning = [&](const std::string& text) {

@@ -99,7 +99,7 @@ TEST_CASE("Beam search completes its best solution fast when the time is over")
   }
 }
 
-TEST_CASE("The tables of a search look at the clock")
+TEST_CASE("The tables of a search check the time limit")
 {
   using Shape = Deformable_shape;
   const auto chair = std::make_shared<const Shape>(align_shape(hand_made::slatted_chair()));
@@ -116,7 +116,7 @@ TEST_CASE("The tables of a search look at the clock")
   CHECK_THROWS_AS(tangents.touch({1}, bound), internal::Out_of_time);
 }
 
-TEST_CASE("Distances of surfaces look at the clock; without time for them boxes are compared")
+TEST_CASE("Distances of surfaces check the time limit; when it is reached, boxes are compared")
 {
   const Aligned_shape chair = align_shape(hand_made::slatted_chair());
   const Part_matching_options options;

@@ -100,7 +100,7 @@ double greatest_difference(const Shape_appearance& a, const Shape_appearance& b,
 
 } // namespace
 
-TEST_CASE("A shape that is mapped to itself keeps its looks, in new texture coordinates")
+TEST_CASE("A shape that is mapped to itself keeps its appearance, in new texture coordinates")
 {
   const Segmented_shape shape = chair();
   const Structural_graph graph = graph_of(shape);
@@ -115,7 +115,7 @@ TEST_CASE("A shape that is mapped to itself keeps its looks, in new texture coor
   CHECK(greatest_difference(looks, result.appearance, shape) < 0.03); // tolerance of pixels and bytes
 }
 
-TEST_CASE("Looks do not depend on where the target stands and how large it is")
+TEST_CASE("The appearance does not depend on the position and size of the target")
 {
   const Segmented_shape shape = chair();
   const Shape_appearance looks = rainbow(shape);
@@ -129,7 +129,7 @@ TEST_CASE("Looks do not depend on where the target stands and how large it is")
   CHECK(greatest_difference(looks, result.appearance, shape) < 0.03);
 }
 
-TEST_CASE("New texture coordinates are inside, apart, and of one scale")
+TEST_CASE("New texture coordinates are inside the image, do not overlap, and have one scale")
 {
   for (const gen::Model& model : gen::models()) {
     const gen::Assembly assembly = model.make();
@@ -176,7 +176,7 @@ TEST_CASE("New texture coordinates are inside, apart, and of one scale")
 }
 
 TEST_CASE(
-    "A panel that three laths merge into is not in bands: it has the looks of the largest, and what touches it, too")
+    "A panel that three laths merge into has the appearance of the largest, not bands, and so do parts that touch it")
 {
   Segmented_shape source("laths");
   const double widths[] = {0.3, 0.5, 0.2};
@@ -196,7 +196,7 @@ TEST_CASE(
   CHECK(greatest_difference(painted(target, {{0, 1, 0}, {0, 1, 0}}), result.appearance, target) < 0.02);
 }
 
-TEST_CASE("Of parts that merge and are about as large the highest one has the looks, if it has any")
+TEST_CASE("Of merged parts of about equal size the highest one gives the appearance, if it has any")
 {
   Segmented_shape source("seat");
   source.add_part("board", box({0, 0.05, 0}, {1.25, 0.1, 0.6}));
@@ -215,7 +215,7 @@ TEST_CASE("Of parts that merge and are about as large the highest one has the lo
   CHECK(first_source() == 0);
 }
 
-TEST_CASE("A part without counterpart looks like what it touches if it is of the same material, also by way of another")
+TEST_CASE("A part without counterpart looks like the part of its material that it touches, also by way of others")
 {
   Segmented_shape target("tower"); // a plate, a block on it, a knob on that, and a handle of another material
   target.add_part("plate", box({0, 0.05, 0}, {1.2, 0.1, 0.6}));
@@ -262,7 +262,7 @@ TEST_CASE("Labels of faces have straight borders, and parts without counterpart 
                   Invalid_input);
 }
 
-TEST_CASE("A part without counterpart keeps its own looks, and one to many goes to all of them")
+TEST_CASE("A part without counterpart keeps its own appearance; of one to many all get that of the one")
 {
   const Segmented_shape source = plate(), target = laths(4);
   const Transferred_appearance result = transfer_appearance(
@@ -307,7 +307,7 @@ TEST_CASE("Texture coordinates of the target are used only if no triangles overl
   CHECK_FALSE(transferred(good).has_given_coordinates);
 }
 
-TEST_CASE("A source without looks, and options out of their ranges, are refused")
+TEST_CASE("A source without appearance, and options out of their ranges, are refused")
 {
   const Segmented_shape shape = laths();
   const Structural_graph graph = graph_of(shape);
@@ -419,7 +419,7 @@ std::map<std::string, std::set<double>> reds_in_between(const nlohmann::json& do
 
 } // namespace
 
-TEST_CASE("In a blend a colour goes over into the other, and a texture stays on its surface")
+TEST_CASE("In a blend colours are interpolated, and a texture stays on its surface")
 {
   const Segmented_shape shape = table();
   const Structural_graph graph = graph_of(shape);

@@ -109,7 +109,7 @@ TEST_CASE("The page shows surfaces where there are models, of few triangles each
   CHECK(triangles[1] > 0);
 }
 
-TEST_CASE("Of very many shapes the page shows some from every branch of the tree, and says so")
+TEST_CASE("Of very many shapes the page shows some of every branch of the tree, and says so")
 {
   const Structural_graph chair = hand_made::chair();
   const std::size_t n = 2 * IO::largest_pictured + 5, half = n / 2;

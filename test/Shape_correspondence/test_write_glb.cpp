@@ -154,7 +154,7 @@ std::string picture(const Correspondence& c)
 
 } // namespace
 
-TEST_CASE("A picture of a correspondence is a sound GLB with the parts as nodes")
+TEST_CASE("A picture of a correspondence is a valid GLB with the parts as nodes")
 {
   const Glb glb = opened(picture(some_match()));
   check_accessors(glb);
@@ -204,7 +204,7 @@ TEST_CASE("Further scenes hold the curves and sheets, and the contacts as lines,
   }
 }
 
-TEST_CASE("What corresponds has one colour, the rest is grey")
+TEST_CASE("Corresponding parts have one colour, all others are grey")
 {
   const Glb glb = opened(picture(some_match()));
   const json grey = colour_of(glb, 0, "leg hind left");

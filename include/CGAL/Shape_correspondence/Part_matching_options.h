@@ -41,7 +41,7 @@ struct Part_cost_weights
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `Search_method::PARTS`. Costs are weighted as in `Part_cost_weights`, lengths are relative as there. They
+/// Options of `Search_method::PARTS`. Costs and lengths are in the units of `Part_cost_weights`. All numbers
 /// are not negative; `tolerance`, `anchor` and `warp_width` are above 0.
 struct Part_matching_options : Role_options
 {
