@@ -194,9 +194,9 @@ private:
   }
 
   std::vector<Point> points_;
-  std::vector<int> source_, opposite_; ///< by halfedge
+  std::vector<int> source_, opposite_; ///< indexed by halfedge
   std::vector<int> out_;               ///< one outgoing halfedge, by vertex
-  std::vector<int> degrees_;           ///< by vertex
+  std::vector<int> degrees_;           ///< indexed by vertex
 };
 
 } // namespace CGAL::Shape_correspondence::internal

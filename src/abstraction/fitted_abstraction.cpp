@@ -26,8 +26,8 @@ namespace {
 /// that of a pebble is hardly more than a point.
 bool is_layer(const Intrinsic_layout& layout, double thickness)
 {
-  const double most_depth = 0.28;        // over the width of the axis
-  const double most_thickness = 2. / 3.; // over the length of the axis
+  const double most_depth = 0.28;        // ratio to the width of the axis
+  const double most_thickness = 2. / 3.; // ratio to the length of the axis
   return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
 }
 
@@ -71,7 +71,7 @@ bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
 /// Whether a body of revolution with a layer as medial axis is truly round, like a wheel, and not a cushion.
 bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
 {
-  const double most_deviation = 0.03; // over the radius; that of a wheel of twelve sides is less
+  const double most_deviation = 0.03; // ratio to the radius; that of a wheel of twelve sides is less
   return !is_layer(layout, thickness) || axis.deviation < most_deviation;
 }
 

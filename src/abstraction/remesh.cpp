@@ -194,7 +194,7 @@ private:
 
   Closed_triangulation mesh_;
   contacts::Triangle_tree surface_;
-  std::vector<std::size_t> hints_; ///< by vertex, the triangle of the surface that it was last on
+  std::vector<std::size_t> hints_; ///< for each vertex, the triangle of the surface that it was last on
   double edge_length_;
   int most_vertices_;
   double thickness_; ///< thickness, if the part is a plate

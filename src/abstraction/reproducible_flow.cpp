@@ -56,7 +56,7 @@ double half_cotangent(const Mesh_kernel::Vector_3& side, const Mesh_kernel::Vect
 {
   constexpr double greatest_cosine = 0.999;
   const double along = side * other / std::sqrt(side.squared_length()) / std::sqrt(other.squared_length());
-  if (!(along > 0)) return 0; // also if the angle is undefined
+  if (!(along > 0)) return 0; // the angle may be undefined
   const double cosine = std::min(along, greatest_cosine);
   return cosine / std::sqrt(1 - cosine * cosine) / 2;
 }

@@ -30,7 +30,7 @@ struct Blend_part
   Blend_task task;
   std::shared_ptr<const Part_morph> morph;    ///< defined for matched parts
   Part_mesh mesh;                             ///< defined for unmatched parts, which shrink or grow
-  std::vector<contacts::Triangle_tree> trees; ///< by surface, at the surface's end of the blend
+  std::vector<contacts::Triangle_tree> trees; ///< indexed by surface, at the surface's end of the blend
   std::vector<Rest_surface> rests;
   double size = 0; ///< the greater of the diagonals of the surfaces' bounding boxes
 

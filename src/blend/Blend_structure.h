@@ -29,7 +29,7 @@ public:
   std::vector<Blend_part> parts; ///< the matched parts come first
   Part_pairs unlike;             ///< pairs of the given parts that correspond but do not morph
   std::vector<Touch> touches;
-  std::vector<Point> roots;                       ///< by part, the point that it shrinks to if it is unmatched
+  std::vector<Point> roots;                       ///< for each part, the point that it shrinks to if it is unmatched
   std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts
   std::array<double, 2> supports;                 ///< numbers of parts on the ground
 

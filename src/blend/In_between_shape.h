@@ -21,8 +21,8 @@ struct In_between_shape
 
   const Blend_structure& blend;
   double time;
-  std::vector<int> surfaces;  ///< by part, the index of its present surface, or -1
-  std::vector<Points> points; ///< by part, the points of its present surface
+  std::vector<int> surfaces;  ///< for each part, the index of its present surface, or -1
+  std::vector<Points> points; ///< for each part, the points of its present surface
 
   bool is_there(std::size_t part) const { return surfaces[part] >= 0; }
   /// The interpolated height of the whole.

@@ -49,7 +49,7 @@ private:
 
     Eigen::Matrix3Xi triangles;
     Points normals;                             ///< in chart coordinates
-    std::array<Points, 2> coordinates, offsets; ///< by end; relative to the outlines in the charts
+    std::array<Points, 2> coordinates, offsets; ///< indexed by end; relative to the outlines in the charts
   };
 
   // Members by end

@@ -34,7 +34,7 @@ double squared_longest_edge(const contacts::Triangle& corners)
 /// Extents of the bounding box of points, at least `least`.
 Point sizes_of(const Points& points)
 {
-  constexpr double least = 1e-4; // over the shape's height
+  constexpr double least = 1e-4; // ratio to the shape's height
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).cwiseMax(least);
 }
 

@@ -32,7 +32,7 @@ private:
   bool is_closed_;
   Point sizes_;                            ///< extents of its bounding box, bounded away from 0
   std::vector<std::array<int, 2>> smooth_; ///< pairs of adjacent triangles that smoothly continue each other
-  Eigen::VectorXd longest_;                ///< by triangle, the square of its longest edge
+  Eigen::VectorXd longest_;                ///< for each triangle, the square of its longest edge
   std::vector<Eigen::Index> chosen_;       ///< triangles of the samples
 };
 

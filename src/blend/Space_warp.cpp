@@ -39,7 +39,7 @@ Points lattice_nodes(const contacts::Box& box, const Eigen::Array3i& cells)
 /// The box with a minimum thickness, since points in a plane do not determine a motion of space.
 contacts::Box thickened(const contacts::Box& box)
 {
-  constexpr double thin = 0.01; // over the height
+  constexpr double thin = 0.01; // ratio to the shape's height
   const Point half = box.sizes().cwiseMax(thin) / 2;
   return {box.center() - half, box.center() + half};
 }
@@ -134,7 +134,7 @@ void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, c
 /// Adds a point on a matched part, or on the nearest of its pieces.
 void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near)
 {
-  constexpr double smoothing = 0.005; // over the height
+  constexpr double smoothing = 0.005; // ratio to the shape's height
   Control control;
   Steps least = std::numeric_limits<Steps>::max();
   for (std::size_t part : parts_of(parts, end_, given)) {

@@ -40,7 +40,7 @@ private:
   struct Control
   {
     Point at, at_other_end;                 ///< `at_other_end` is defined for points of boxes
-    Point smoothing;                        ///< by axis, over the height
+    Point smoothing;                        ///< length along each axis, relative to the shape's height
     std::size_t part = Blend_task::no_part; ///< the matched part that it is on, if any
     Mesh_place place = {};                  ///< location on the part's surface at this end
   };
@@ -54,8 +54,8 @@ private:
   contacts::Box box_;    ///< bounding box of the shape
   Eigen::Array3i cells_; ///< number of cells of the lattice, by axis
   std::vector<Control> controls_;
-  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< by axis
-  std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< by axis
+  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< indexed by axis
+  std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< indexed by axis
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -28,7 +28,7 @@ public:
 
 private:
   std::vector<int> places_; ///< result of `first_in_place()`
-  Eigen::VectorXd areas_;   ///< by point
+  Eigen::VectorXd areas_;   ///< indexed by point
   Eigen::SparseMatrix<double> stiffness_;
 };
 

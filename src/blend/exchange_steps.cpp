@@ -31,7 +31,7 @@ using Cell = std::array<int, 3>;
 /// rounding of the box does not matter.
 std::vector<Cell> cells_of(const contacts::Triangle_tree& tree, double side)
 {
-  const double squared_radius = 0.7 * side * side; // of a sphere around a cell that falls slightly short of its corners
+  const double squared_radius = 0.7 * side * side; // a sphere slightly smaller than that through a cell's corners
   const Eigen::Array3i low = (tree.box().min() / side).array().floor().cast<int>() - 1,
                        high = (tree.box().max() / side).array().floor().cast<int>() + 1;
   std::vector<Cell> result;
@@ -174,7 +174,7 @@ private:
   /// Unites old and new parts without counterpart that are attached to the same place, as a cactus and leaves in a pot.
   void unite_what_is_held_alike()
   {
-    constexpr double near = 0.1; // over the height
+    constexpr double near = 0.1; // ratio to the shape's height
     const Disjoint_sets groups = groups_;
     const std::vector<std::bitset<2>> ends = ends_of(groups);
     const auto is_alone = [&](const Hold& hold) { return !ends[groups[hold.part]].all(); };
@@ -190,7 +190,7 @@ private:
 
   std::vector<std::vector<Cell>> cells() const
   {
-    constexpr double least_side = 0.06, most_cells = 64; // over the height; number of cells along an axis
+    constexpr double least_side = 0.06, most_cells = 64; // ratio to the shape's height; number of cells along an axis
     const contacts::Box whole = blend_.stage.boxes[0].merged(blend_.stage.boxes[1]);
     const double side = std::max(least_side, whole.sizes().maxCoeff() / most_cells);
     std::vector<std::vector<Cell>> result;
@@ -242,7 +242,7 @@ private:
     for (const Rivals& rivals : rivals_)
       places_.unite(rivals.old_part, rivals.new_part);
     ends_ = ends_of(places_);
-    std::map<std::size_t, Parts> exchanged; // by the smallest part of the group
+    std::map<std::size_t, Parts> exchanged; // indexed by the smallest part of the group
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       old_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 0));
       new_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 1));
@@ -265,7 +265,7 @@ private:
 
   void find_joined()
   {
-    constexpr double near = 0.02; // over the height
+    constexpr double near = 0.02; // ratio to the shape's height
     const auto join = [&](std::size_t a, std::size_t b) {
       if (is_matched(a) && is_matched(b))
         always_joined_.unite(a, b);
@@ -392,7 +392,7 @@ private:
   /// Numbers of cells filled by both shapes, by the set of parts in the cell or beside it.
   std::map<std::vector<std::size_t>, int> filled_cells_;
   Disjoint_sets places_;             ///< sets of parts joined by groups, contacts and rivals
-  std::vector<std::bitset<2>> ends_; ///< by set of `places_`, the ends of its unmatched parts
+  std::vector<std::bitset<2>> ends_; ///< for each set of `places_`, the ends of its unmatched parts
   std::vector<Parts> exchanged_;     ///< the exchanged groups, from the ground up
   Parts old_, new_;                  ///< the present parts when nothing is exchanged, and when everything is
   double size_ = 0;                  ///< total size of the exchanged parts

@@ -139,7 +139,8 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
     sets.unite(s, *source_image);
     sets.unite(sources + t, sources + *target_image);
   }
-  std::vector<char> is_unlike(sets.size(), 0); // by set, whether it has an unlike pair: parts are divided as a whole
+  // For each set, whether it has an unlike pair: parts are divided as a whole
+  std::vector<char> is_unlike(sets.size(), 0);
   for (const auto& [s, t] : unlike.torn)
     is_unlike[sets[s]] = 1;
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {

@@ -55,7 +55,7 @@ struct Run_report
 std::string reflowed(const std::string& text)
 {
   std::string result, paragraph;
-  std::size_t indent = 0; // of the lines of the paragraph after the first
+  std::size_t indent = 0; // indentation of a paragraph's lines after the first
   const auto flush = [&] {
     if (paragraph.empty()) return;
     const std::size_t first = paragraph.find_first_not_of(' ');
@@ -208,7 +208,7 @@ std::unique_ptr<Command> command_of(const std::string& name)
 
 void write_help(std::ostream& out)
 {
-  constexpr int width = 12; // of the column of commands
+  constexpr int width = 12; // width of the column of commands
   out << program_description;
   for (const Command_entry& command : commands())
     out << "  " << std::left << std::setw(width) << command.name << command.summary << '\n';

@@ -16,7 +16,7 @@ namespace {
 constexpr int most_threads = 4096; // each needs its own memory
 // More than any shape needs, at little memory
 constexpr int most_curve_points = 1000;
-constexpr int most_sheet_points = 200; // for each side
+constexpr int most_sheet_points = 200; // number along each side
 
 const std::vector<std::string> axes{"x", "y", "z", "-x", "-y", "-z", "+x", "+y", "+z", "auto"};
 

@@ -37,7 +37,7 @@ struct Common_options
   {
     std::string up, parts_from; ///< empty: the value for all inputs
   };
-  std::array<Of_input, 2> of_pair; ///< for the source and the target
+  std::array<Of_input, 2> of_pair; ///< options of the source and of the target
   /// Role model to find the upright axes of models that do not give one; null: by stability alone.
   std::shared_ptr<const Role_model> roles;
   /// Called, instead of a progress bar, with the name of the work, the amount done and the total. May throw to end it.

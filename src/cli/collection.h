@@ -136,7 +136,7 @@ private:
   Row_store store_;
   const Energy_matrix_options& matching_;
   const Common_options& common_;
-  std::vector<std::string> names_; // of rows, by shape
+  std::vector<std::string> names_; // file names of rows, indexed by shape
 };
 
 struct Shape_distances
@@ -150,7 +150,7 @@ struct Shape_distances
 struct Analysis
 {
   Eigen::MatrixXd energies;
-  std::vector<Shape_distances> distances; ///< by shape
+  std::vector<Shape_distances> distances; ///< indexed by shape
   IO::Collection collection;              ///< refers to `energies`
   std::vector<Shape_pair_map> maps;
 };

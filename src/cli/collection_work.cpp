@@ -34,7 +34,7 @@ constexpr std::size_t usual_blocks = 8; // number of blocks in a collection
 constexpr const char* extension = ".row";
 constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";
 
-using Small = std::uint16_t; // for indices of at most 2000 parts, sizes and confidences
+using Small = std::uint16_t; // holds indices of at most 2000 parts, sizes and confidences
 constexpr double largest_confidence = 65535;
 
 /// Thrown if a row ends too early.
@@ -221,8 +221,8 @@ void Collection_work::for_each_pair(const std::function<void(std::size_t, std::s
 void Collection_work::match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress)
 {
   std::vector<std::string> bytes;
-  std::vector<std::vector<std::size_t>> missing_in; // by row
-  std::vector<Structural_graph> graphs;             // of the rows
+  std::vector<std::vector<std::size_t>> missing_in; // indexed by row
+  std::vector<Structural_graph> graphs;             // graphs of the rows
   std::set<std::size_t> columns;
   for (std::size_t row : rows) {
     bytes.push_back(store_.find(names_[row]));

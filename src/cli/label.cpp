@@ -71,7 +71,7 @@ IO::Json labels_json(const std::vector<std::string>& parts, const std::string& c
   return {{"format", "shape_correspondence/labels"}, {"category", category}, {"parts", parts_json(parts, labels)}};
 }
 
-using Labels = std::vector<Transferred_label>; // by part
+using Labels = std::vector<Transferred_label>; // indexed by part
 
 Labelled_model labelled_source(const std::string& path, const Common_options& common)
 {

@@ -56,7 +56,7 @@ std::vector<Labelled_graph> labelled_graphs(const std::vector<Labelled_model>& m
 /// Finds shapes without labels (folders with `parts/`) in a folder of SHAPE/ or CATEGORY/SHAPE/.
 void find_unlabelled(const fs::path& folder, int depth, std::vector<std::string>& shapes)
 {
-  constexpr int deepest = 2; // as in `read_part_labels()`
+  constexpr int deepest = 2; // same depth as in `read_part_labels()`
   if (!fs::is_directory(folder) || (depth > 0 && IO::is_hidden(folder)) || fs::exists(folder / "labels.json")) return;
   if (fs::is_directory(folder / "parts"))
     shapes.push_back(folder.string());

@@ -23,7 +23,7 @@ struct Labelled_model
   std::string folder; ///< given folder that contains it
   IO::Labelled_shape labels;
   Structural_graph graph;
-  std::vector<Part_label> part_labels; ///< by part of the graph
+  std::vector<Part_label> part_labels; ///< indexed by part of the graph
 };
 
 /// Loads all labelled shapes of folders of SHAPE/ or CATEGORY/SHAPE/ with `labels.json` and `parts/`.

@@ -27,7 +27,7 @@ struct Read_model
   bool is_up_estimated = false;
   std::vector<std::string> warnings;
   std::vector<std::vector<std::size_t>> faces; ///< by object and triangle, the index of its face in the file
-  std::size_t number_of_faces = 0;             ///< in the file; 0: faces have no indices
+  std::size_t number_of_faces = 0;             ///< number of faces in the file; 0: they have no indices
 };
 
 /// The name of an upright axis: x, y, z, -x, -y or -z.
@@ -74,7 +74,7 @@ struct Loaded_shape
   Structural_graph graph;
   std::optional<Segmented_shape> model;
   Part_split split;                 ///< how the model was split; empty for a graph file
-  Shape_appearance appearance = {}; ///< of the model's parts; empty until it is read
+  Shape_appearance appearance = {}; ///< appearance of the parts; empty until it is read
   IO::Reading_options reading;      ///< options used to read the model and its files
   double read_seconds = 0;
   double abstraction_seconds = 0;

@@ -71,7 +71,7 @@ struct Parts_output
 /// Writes one file for each part, named after it as far as the name is valid and unique.
 void write_part_files(const std::string& folder, const Segmented_shape& shape)
 {
-  std::set<std::string> taken; // in lower case, since some systems ignore case
+  std::set<std::string> taken; // names in lower case, since some systems ignore case
   const auto take = [&](const std::string& name) {
     return taken.insert(boost::algorithm::to_lower_copy(name, std::locale::classic())).second;
   };

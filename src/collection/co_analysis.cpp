@@ -43,7 +43,8 @@ public:
   Counterparts(const std::vector<std::size_t>& first, const std::vector<Shape_pair_map>& maps)
       : first_(first), begins_(first.back() + 1, 0), ends_(first.back())
   {
-    std::map<std::pair<std::size_t, std::size_t>, int> directions; // by pair of shapes, the number of its maps, 1 or 2
+    // For each pair of shapes, the number of its maps, 1 or 2
+    std::map<std::pair<std::size_t, std::size_t>, int> directions;
     for (const Shape_pair_map& map : maps) {
       ++directions[std::minmax(map.source, map.target)];
       for (const Part_correspondence& pair : map.map.pairs)

@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence {
 /// The matrix of all part correspondences of a set. Parts are numbered consecutively, shape by shape.
 struct Part_matrix
 {
-  std::vector<std::size_t> first;          ///< by shape, the index of its first part; then the number of all parts
+  std::vector<std::size_t> first; ///< for each shape, the index of its first part; then the number of all parts
   Eigen::SparseMatrix<double> confidences; ///< symmetric; means over the maps of both directions
   std::size_t rejected = 0;                ///< number of pairs of parts left out as outliers
 };

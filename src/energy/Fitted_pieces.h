@@ -103,14 +103,14 @@ private:
   Piece_list source_pieces_, target_pieces_;
   const Eigen::MatrixXd& part_distances_; // distances of the target's parts
   std::vector<Fitted_piece> fitted_;
-  std::vector<std::size_t> fitted_begin_; // by part
+  std::vector<std::size_t> fitted_begin_; // indexed by part
   std::vector<Sample_lanes> source_lanes_, lanes_;
-  std::vector<Points> points_; // by index of `lanes_`
+  std::vector<Points> points_; // same indices as `lanes_`
   // Index of `source_lanes_` by source piece and repeats
   std::map<std::pair<std::size_t, int>, std::size_t> source_lanes_of_;
   // Index of `lanes_` by target piece and order of `match_extremities()`
   std::map<std::pair<std::size_t, const std::vector<int>*>, std::size_t> lanes_of_;
-  std::vector<std::size_t> label_begin_; // by part, an index of `image_begin_`
+  std::vector<std::size_t> label_begin_; // for each part, an index of `image_begin_`
   std::vector<std::size_t> image_begin_; // by part and label, an index of `images_`
   std::vector<std::uint32_t> images_;    // indices of fitted pieces
 };

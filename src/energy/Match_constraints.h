@@ -33,8 +33,8 @@ public:
   const std::set<std::size_t>& pinned(std::size_t source) const { return pinned_[source]; }
 
 private:
-  std::vector<std::set<std::size_t>> pinned_; // by source part
-  std::vector<std::vector<char>> allowed_;    // by source part and target part
+  std::vector<std::set<std::size_t>> pinned_; // indexed by source part
+  std::vector<std::vector<char>> allowed_;    // indexed by source part and target part
 };
 
 /// The connected components of the graph of pinned pairs, with source and target parts by the indices of the pins.

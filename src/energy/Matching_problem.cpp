@@ -172,7 +172,8 @@ void Matching_problem::add_cut_energy(std::size_t group, std::size_t label)
 void Matching_problem::add_role_costs()
 {
   if (!(options_.weights.roles > 0) || options_.role_costs.size() == 0) return;
-  std::vector<double> weight(source().parts.size(), 0); // by part; each contact adds one half to both of its parts
+  // Indexed by part; each contact adds one half to both of its parts
+  std::vector<double> weight(source().parts.size(), 0);
   for (const Aligned_shape::Contact& contact : source().contacts)
     for (std::size_t part : contact.parts)
       weight[part] += 0.5;

@@ -122,11 +122,11 @@ private:
   Shared_shape source_, target_;
   Matching_options options_;
   bool has_shortlists_ = false;
-  std::vector<std::vector<Group_label>> labels_; // by source group
+  std::vector<std::vector<Group_label>> labels_; // indexed by source group
   internal::Fitted_pieces fitted_;
   std::vector<std::size_t> contact_begin_;             // index of `contact_energies_` by contact
-  std::vector<Rod_energy> contact_energies_;           // by contact and the labels of its two groups
-  std::vector<std::vector<Energy_terms>> group_terms_; // by group and label
+  std::vector<Rod_energy> contact_energies_;           // indexed by contact and the labels of its two groups
+  std::vector<std::vector<Energy_terms>> group_terms_; // indexed by group and label
   Pairwise_energy energy_;
 };
 

@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence {
 /// The affine map by which an unmatched part is displaced and deformed.
 struct Part_motion
 {
-  Point shift = Point::Zero();                       ///< of the part's centroid
+  Point shift = Point::Zero();                       ///< displacement of the part's centroid
   Eigen::Matrix3d stretch = Eigen::Matrix3d::Zero(); ///< a point x moves by stretch * (x - centroid) in addition
 
   friend bool operator==(const Part_motion& a, const Part_motion& b)
@@ -66,8 +66,8 @@ private:
   {
     std::size_t representative = 0, begin = 0, end = 0; // range of its contacts in `touches_`
     Point middle = Point::Zero();                       // mean of the contact points, relative to the part's centroid
-    std::vector<Point> slopes;                          // by contact; the stretch is the sum of displacement × slope
-    std::vector<Eigen::Matrix3d> directions;            // by member, the linear map from the representative to it
+    std::vector<Point> slopes;               // indexed by contact; the stretch is the sum of displacement × slope
+    std::vector<Eigen::Matrix3d> directions; // for each member, the linear map from the representative to it
   };
 
   Handles handles(std::size_t group) const;
@@ -82,9 +82,9 @@ private:
 
   const Aligned_shape& shape_;
   double stiffness_;
-  std::vector<std::vector<Touch>> touches_; // by group, ordered by part
-  std::vector<Handles> handles_;            // by group
-  Points displacement_;                     // by part
+  std::vector<std::vector<Touch>> touches_; // indexed by group, ordered by part
+  std::vector<Handles> handles_;            // indexed by group
+  Points displacement_;                     // indexed by part
   std::vector<char> placed_;                // whether a group is placed
   std::vector<std::size_t> order_;          // the unmatched groups connected to a matched one, breadth-first
   // Pointers to displacements, by group in `order_` and contact of its representative

@@ -22,7 +22,7 @@ class Unit_box
 public:
   explicit Unit_box(const Eigen::AlignedBox3d& box)
   {
-    constexpr double least_extent = 0.02; // over the shape's height; smaller extents count as flat
+    constexpr double least_extent = 0.02; // ratio to the shape's height; smaller extents count as flat
     for (int axis = 0; axis < 3; ++axis) {
       const double extent = box.sizes()[axis];
       const bool is_flat = extent < least_extent;
@@ -74,7 +74,7 @@ struct Group_label
 
   std::size_t target_group = no_group; ///< `no_group`: the group is left unmatched
   Operation operation = Operation::NONE;
-  std::vector<std::vector<Piece_image>> images; ///< by member of the source group; empty if it is unmatched
+  std::vector<std::vector<Piece_image>> images; ///< indexed by member of the source group; empty if it is unmatched
   double solidity_ratio = 1;                    ///< S_i of Eq. 5
 };
 

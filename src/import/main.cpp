@@ -202,7 +202,7 @@ private:
   const aiScene& scene_;
   std::uint64_t bytes_, triangles_ = 0;
   Model_content content_;
-  std::vector<int> channels_; ///< of texture coordinates, by material
+  std::vector<int> channels_; ///< index of each material's texture coordinates
   std::vector<Tree_node> tree_;
   std::vector<int> node_of_part_;
   std::vector<std::string> meshes_; ///< names of the parts' meshes
@@ -297,7 +297,7 @@ Model_content read_scene(const std::string& file, bool allows_outside)
     if (const auto found = names.find(part.name); found != names.end()) part.name = found->second;
   if (content.parts.empty()) throw Invalid_input("there is no triangle in it; give every part a mesh");
   if (extension == ".fbx") content.up = up_of_fbx(*scene, file);
-  if (is_3mf) content.up = Point::UnitZ(); // by the format's definition
+  if (is_3mf) content.up = Point::UnitZ(); // defined by the format
   return content;
 }
 
@@ -370,7 +370,7 @@ int main(int argc, char* argv[])
       std::cout << IO::has_complaint << error.what();
     } catch (const std::bad_alloc&) {
       throw;
-    } catch (const std::exception&) { // of assimp, whose words are for programmers
+    } catch (const std::exception&) { // assimp's messages address programmers
       std::cout << IO::has_complaint << IO::not_readable;
     }
   } catch (const std::bad_alloc&) {

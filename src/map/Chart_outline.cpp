@@ -38,7 +38,7 @@ double reach_in_polygon(const Planar_points& polygon, const Eigen::Vector2d& dir
 
 Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Vector2d>& points)
 {
-  constexpr double least_radius = 0.02; // over the half extents; gives a section that is a point an outline
+  constexpr double least_radius = 0.02; // ratio to the half extents; gives a section that is a point an outline
   // Over the largest radius, which may lie between two sampled angles of a flat section
   constexpr double least_share = 0.3;
   Section result;
@@ -64,7 +64,7 @@ Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Ve
 
 Chart_outline::Chart_outline(bool is_sheet, const Points& coordinates) : is_sheet_(is_sheet)
 {
-  constexpr double half_width = 0.2; // of the slice of a curve that gives a section, in chart coordinates
+  constexpr double half_width = 0.2; // half the width of a section's slice, in chart coordinates
   const auto points_near = [&](double station, double width) {
     std::vector<Eigen::Vector2d> result;
     for (Eigen::Index i = 0; i < coordinates.cols(); ++i)

@@ -42,7 +42,7 @@ private:
   int first() const { return is_sheet_ ? 0 : 1; } ///< first of the two coordinates of the outline's plane
 
   bool is_sheet_ = false;
-  std::vector<Section> sections_; ///< by station
+  std::vector<Section> sections_; ///< indexed by station
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -70,7 +70,7 @@ struct Correspondence_map::Pieces
     double shift = 0, step = 1;
   };
 
-  std::vector<std::vector<Piece_map>> of_part; ///< by source part
+  std::vector<std::vector<Piece_map>> of_part; ///< indexed by source part
   std::size_t targets = 0;
 };
 

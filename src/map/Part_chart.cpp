@@ -283,7 +283,7 @@ Part_chart Part_chart::plate(const Points& surface, const Eigen::Matrix3d& axes)
 Part_chart Part_chart::around(const Part_abstraction& part, const Points& control_points, const Points& surface)
 {
   const bool is_point = (control_points.rowwise().maxCoeff() - control_points.rowwise().minCoeff()).maxCoeff() <
-                        2 * least_half_extent; // its shape would be rounding noise
+                        2 * least_half_extent; // smaller extents would be rounding noise
   if (is_point) return (part.is_sheet() ? plate : box)(surface, Eigen::Matrix3d::Identity());
   if (const Sheet* given = std::get_if<Sheet>(&part.geometry))
     return over(spine_of(Sheet{control_points, given->rows, given->cols}), Point::Ones()).fitted(surface);

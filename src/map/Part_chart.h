@@ -75,7 +75,7 @@ private:
 
   bool is_sheet_ = false;
   Points spine_;  ///< stations of a curve, or of a sheet row by row
-  Frames frames_; ///< by station
+  Frames frames_; ///< indexed by station
   Point half_ = Point::Ones();
 };
 

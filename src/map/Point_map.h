@@ -46,7 +46,7 @@ private:
 
   Charted_shape target_;
   const Segmented_shape& target_shape_;
-  std::vector<std::vector<std::unique_ptr<Piece>>> pieces_; ///< by target part
+  std::vector<std::vector<std::unique_ptr<Piece>>> pieces_; ///< indexed by target part
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -126,8 +126,8 @@ private:
 
   Section_filling filling_;
   Triangulation triangulation_;
-  std::vector<Handle> handles_;                                      ///< by vertex of the section
-  std::map<Section_side, Triangulation::Constraint_id> constraints_; ///< by representative vertices
+  std::vector<Handle> handles_;                                      ///< indexed by vertex of the section
+  std::map<Section_side, Triangulation::Constraint_id> constraints_; ///< indexed by representative vertices
   /// By directed edge, the number of sides along it minus that of sides in the opposite direction.
   std::map<Section_side, int> runs_;
 };

@@ -31,7 +31,7 @@ namespace {
 /// Relative positions of parts: their centres in the bounding box of all centres.
 Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 {
-  constexpr double least_extent = 0.02; // over the shape's height; along shorter extents, positions count as equal
+  constexpr double least_extent = 0.02; // ratio to the shape's height; along shorter extents, positions count as equal
   Points result(3, Eigen::Index(parts.size()));
   for (std::size_t i = 0; i < parts.size(); ++i)
     result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());

@@ -86,7 +86,7 @@ public:
 private:
   static constexpr double on_side = 1e-9;
   static constexpr double straight = 1e-3; ///< deviation of an edge from the chart, over the height
-  static constexpr int most_rounds = 8;    ///< of splitting edges that deviate more
+  static constexpr int most_rounds = 8;    ///< number of rounds of splitting edges that deviate more
 
   /// Computes the coordinates of new points. \return the previous number of points
   std::size_t add_coordinates()
@@ -126,7 +126,7 @@ private:
   template <typename Is_on_side>
   void close(int axis, double at, const Is_on_side& is_on_side)
   {
-    std::vector<int> points; // by vertex of the section
+    std::vector<int> points; // indexed by vertex of the section
     std::map<int, int> vertex;
     const auto number = [&](int point) {
       const auto [known, is_new] = vertex.try_emplace(point, int(points.size()));

@@ -143,8 +143,8 @@ private:
   Eigen::Index place(std::size_t part, std::size_t other) const { return begin_[part] + number_[other] * count(part); }
 
   const Shape_features& from_;
-  std::vector<Eigen::Index> begin_;  // by part, the index of its first value in `values_`
-  std::vector<Eigen::Index> number_; // by part of the other shape, its rank among those in unions; -1: in none
+  std::vector<Eigen::Index> begin_;  // for each part, the index of its first value in `values_`
+  std::vector<Eigen::Index> number_; // for each part of the other shape, its rank among those in unions; -1: in none
   Eigen::ArrayXd values_, scratch_;
   Eigen::MatrixXd sums_; // sums of distances by part and other part
 };

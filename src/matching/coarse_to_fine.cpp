@@ -74,9 +74,9 @@ std::pair<double, Aligned_shape::Contact> nearest_samples(const Aligned_shape& s
 struct Coarse_shape
 {
   const Aligned_shape& fine;
-  std::vector<char> is_kept;                  ///< by part
+  std::vector<char> is_kept;                  ///< indexed by part
   std::vector<std::size_t> group_of_original; ///< group of the fine shape, by index in the structural graph
-  std::vector<Groups> nearest;                ///< by fine group, see `nearest_coarse()`
+  std::vector<Groups> nearest;                ///< indexed by fine group, see `nearest_coarse()`
   Shared_shape coarse;
 
   Coarse_shape(const Aligned_shape& shape, std::size_t count) : fine(shape), is_kept(most_prominent_parts(shape, count))
@@ -107,7 +107,7 @@ struct Coarse_shape
       if (is_kept[contact.parts[0]] && is_kept[contact.parts[1]]) pairs.erase({std::min(a, b), std::max(a, b)});
     }
     for (const auto& [a, b] : pairs) {
-      std::map<std::array<std::size_t, 2>, Aligned_shape::Contact> found; // by the two parts
+      std::map<std::array<std::size_t, 2>, Aligned_shape::Contact> found; // key: the two parts
       for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
         for (std::size_t part : fine.group(from).parts) {
           if (!is_kept[part]) continue;

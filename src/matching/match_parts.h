@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence {
 /// A part-to-part correspondence of two aligned shapes.
 struct Part_matching
 {
-  std::vector<Part_correspondence> pairs; ///< by source, then target, by index of the aligned shapes
+  std::vector<Part_correspondence> pairs; ///< sorted by source, then target; indices of parts of the aligned shapes
   Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
   bool upside_down = false;               ///< one shape was turned over, such as a lamp that hangs from a chain
   Eigen::MatrixXd probabilities;          ///< source part × target part; empty without roles

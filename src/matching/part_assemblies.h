@@ -28,7 +28,7 @@ struct Part_assemblies
   std::vector<std::size_t> support;
   /// The support without wide parts on the ground, if there are narrow ones (legs rather than side panels).
   std::vector<std::size_t> legs;
-  std::vector<char> is_on_ground; ///< by part
+  std::vector<char> is_on_ground; ///< indexed by part
   /// By part, whether it is in a chain: at least `Part_matching_options::repetition` rings (closed curves) of similar
   /// size, each touching the next. A shape hangs from its chain, whose rings only correspond to those of a chain.
   std::vector<char> is_in_chain;

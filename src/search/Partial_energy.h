@@ -16,8 +16,8 @@ namespace CGAL::Shape_correspondence::internal {
 // The deformation of the shape under a partial solution, and the energies of its contacts.
 struct Rating
 {
-  std::vector<Part_motion> motions; // by part; defined for unmatched parts
-  std::vector<Rod_energy> energies; // by contact
+  std::vector<Part_motion> motions; // indexed by part; defined for unmatched parts
+  std::vector<Rod_energy> energies; // indexed by contact
 };
 
 // The energy of a partial solution: that of the whole shape, with the parts of unassigned groups moved by structure
@@ -62,21 +62,21 @@ private:
   const Matching_problem& problem_;
   const Deformable_shape& shape_;
   Structure_preservation preserve_structure_;
-  std::vector<std::vector<std::size_t>> contacts_of_; // by group
+  std::vector<std::vector<std::size_t>> contacts_of_; // indexed by group
   // Displacement of the contact point of a matched part, by side and label
   std::vector<std::vector<Point>> contact_movement_;
-  std::vector<std::deque<Piece_rods>> piece_rods_; // by contact
+  std::vector<std::deque<Piece_rods>> piece_rods_; // indexed by contact
 
   Assignment parent_;
   Rating parent_rating_;
-  std::vector<Rod_energy> assigned_energies_; // by contact; 0 if one of its groups is not assigned
+  std::vector<Rod_energy> assigned_energies_; // indexed by contact; 0 if one of its groups is not assigned
   std::vector<std::size_t> order_;            // contacts by their energy in the parent, the highest first
 
   // The state of the solution that is being rated
   Rating rating_;
-  std::vector<char> matched_; // by group
+  std::vector<char> matched_; // indexed by group
   std::vector<std::array<Point, 2>> contact_displacement_;
-  std::vector<char> keeps_place_; // by part, whether it is where it is in the parent
+  std::vector<char> keeps_place_; // for each part, whether it is where it is in the parent
 
   // Samples of unmatched parts after a motion, cached since most motions recur
   std::vector<Sample_lanes> moved_;

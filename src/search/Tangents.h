@@ -51,7 +51,7 @@ private:
   const std::vector<std::size_t>& order_;
   const Deadline deadline_;
   std::unique_ptr<const Mini_buckets> buckets_;
-  std::vector<char> is_turned_; // by edge, whether its second variable comes first in the order
+  std::vector<char> is_turned_; // for each edge, whether its second variable comes first in the order
   std::vector<Eigen::VectorXd> unary_;
   std::vector<Pair_cost> pairs_;
   Message_passing pass_messages_;

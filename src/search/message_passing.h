@@ -42,9 +42,10 @@ private:
 
   void pass(const Eigen::VectorXd& unary, const std::vector<Pair_cost>& pairs, std::size_t v, bool is_forward);
 
-  std::vector<Pairs_of> pairs_of_;                    // by variable
-  std::vector<Eigen::VectorXd> to_first_, to_second_; // by pair, the cost moved to its first and its second variable
-  std::vector<Eigen::MatrixXd> transposed_;           // costs, second × first
+  std::vector<Pairs_of> pairs_of_; // indexed by variable
+  // For each pair, the cost moved to its first and its second variable
+  std::vector<Eigen::VectorXd> to_first_, to_second_;
+  std::vector<Eigen::MatrixXd> transposed_; // costs, second × first
   Eigen::VectorXd sum_, moved_;
 };
 

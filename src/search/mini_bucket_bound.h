@@ -14,7 +14,7 @@ namespace CGAL::Shape_correspondence::internal {
 // variable runs fastest, so that a row over it is contiguous.
 struct Cost_table
 {
-  std::vector<std::size_t> scope, strides; // by variable of the scope
+  std::vector<std::size_t> scope, strides; // indexed by variable of the scope
   std::size_t begin = 0;                   // index of its first value among those of all tables
 
   // Index of the first entry of the row over the last variable.

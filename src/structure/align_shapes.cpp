@@ -43,7 +43,7 @@ double prominence(const Part_abstraction& part, const Sampled_part& sampled)
 {
   if (part.volume > 0) return part.volume;
   if (part.hull_volume > 0) return part.hull_volume;
-  constexpr double assumed_thickness = 0.02; // over the shape's height
+  constexpr double assumed_thickness = 0.02; // ratio to the shape's height
   const Point extent = sampled.samples.rowwise().maxCoeff() - sampled.samples.rowwise().minCoeff();
   return (extent.array() + assumed_thickness).prod();
 }

@@ -28,7 +28,7 @@ constexpr double slack = 1 + 1e-9;
 constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
 constexpr double region_gap = 1.0 / 6;  ///< samples of either surface for finding the regions of a contact
 constexpr int region_samples = 64;      ///< samples of a curve, or along each side of a sheet
-constexpr int abstraction_samples = 16; ///< of a curve, or along each side of a sheet
+constexpr int abstraction_samples = 16; ///< number on a curve, or along each side of a sheet
 
 /// Samples of two surfaces near the respective other surface.
 struct Near_samples
@@ -112,7 +112,7 @@ Region region_of(const Near_samples& samples, const Disjoint_sets& pieces, std::
 /// The regions where two surfaces touch, the largest first; regions of less than `least_share` of its area are dropped.
 std::vector<Region> regions(const Near_samples& samples, double tolerance)
 {
-  constexpr double least_share = 0.05; // over the area of the largest region
+  constexpr double least_share = 0.05; // ratio to the area of the largest region
   const Disjoint_sets pieces = linked(samples.points, tolerance);
   std::vector<Region> result;
   for (std::size_t i = 0; i < samples.points.size(); ++i)

@@ -29,7 +29,7 @@ std::vector<Shown_triangle> shown_triangles(const Texture_layout& layout, int si
   for (std::size_t part = 0; part < layout.size(); ++part)
     for (std::size_t t = 0; t < layout[part].size(); ++t)
       for_each_pixel(layout[part][t], size, [&](std::size_t pixel) { show(pixel, part, t); });
-  // Triangles thinner than a pixel
+  // Triangles that contain no centre of a pixel are shown by the pixel at their centroid
   for (std::size_t part = 0; part < layout.size(); ++part)
     for (std::size_t t = 0; t < layout[part].size(); ++t) {
       const Flat_triangle& flat = layout[part][t];

@@ -98,7 +98,7 @@ public:
     const auto is_larger = [&](std::size_t a, std::size_t b) {
       return sizes[a] > sizes[b] || (sizes[a] == sizes[b] && a < b);
     };
-    std::map<std::size_t, std::size_t> found; // by part, the chosen neighbour in this round
+    std::map<std::size_t, std::size_t> found; // for each part, the chosen neighbour in this round
     do {
       found.clear();
       for (const Contact& contact : contacts)

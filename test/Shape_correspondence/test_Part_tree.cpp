@@ -201,7 +201,7 @@ TEST_CASE("The best cut of a tree is worked out by hand")
   using Cut = std::vector<std::size_t>;
   CHECK(best_cut(nodes, {1, 1, -1, -1, 1, 1, 2}) == Cut{0, 1, 5}); // 1 + 1 + 1 is more than 1 + 1 and than 2
   CHECK(best_cut(nodes, {1, 1, -1, -1, 1, 1, 4}) == Cut{6});
-  CHECK(best_cut(nodes, {0, 0, 0, 0, 0, 0, 0}) == Cut{6});            // of equal values, the larger part
+  CHECK(best_cut(nodes, {0, 0, 0, 0, 0, 0, 0}) == Cut{6});            // among equal values, the largest part
   CHECK(best_cut(nodes, {-3, -3, -3, -3, -5, -5, -20}) == Cut{4, 5}); // the least negative value
 }
 

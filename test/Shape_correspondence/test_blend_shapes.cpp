@@ -31,7 +31,7 @@ using namespace blend_checks;
 
 namespace {
 
-constexpr double wider = 0.005; // over the height: wider gaps count
+constexpr double wider = 0.005; // ratio to the shape's height: wider gaps count
 
 struct Model
 {
@@ -289,7 +289,8 @@ TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mir
 
 TEST_CASE("Shapes in between are the same whatever the order of parts")
 {
-  constexpr double alike = 0.002; // over the height: mirror images are computed from the part that comes first
+  // Largest asymmetry, over the shape's height; mirror images are computed from the part that comes first
+  constexpr double alike = 0.002;
   const Model &source = model("chair_four_legged"), &target = model("chair_slatted");
   Model reversed{Segmented_shape(source.shape.name(), source.shape.up()), {}};
   const std::size_t count = source.shape.parts().size();
@@ -536,7 +537,7 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
           points[i] += weights[key * targets + target] * difference[i];
       }
       const std::vector<Points> wanted = blend.points((double(times[key]) - 0.5) / 2); // held for .5 s, moving for 2 s
-      double least = 1e9; // over the surfaces of this name, one for each piece of a part
+      double least = 1e9; // minimum over the surfaces of this name, one for each piece of a part
       for (std::size_t s = 0; s < surfaces.size(); ++s)
         if (surfaces[s].name == node["name"] && std::size_t(wanted[s].size()) == points.size())
           least = std::min(least,
@@ -544,7 +545,7 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
                                .colwise()
                                .norm()
                                .maxCoeff());
-      CHECK(least < 0.002 * 1.6); // over the diagonal of the larger shape
+      CHECK(least < 0.002 * 1.6); // ratio to the diagonal of the larger shape
       ++compared;
     }
   }

@@ -73,7 +73,7 @@ double distance(const Segmented_shape& shape, const std::string& first, const st
   return std::sqrt(trees[found[0]].nearly_closest(trees[found[1]]).squared) / (high - low);
 }
 
-constexpr double touching = 0.02; // over the height
+constexpr double touching = 0.02; // ratio to the shape's height
 
 } // namespace
 

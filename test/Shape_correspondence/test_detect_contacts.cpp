@@ -248,7 +248,7 @@ TEST_CASE("The point of a triangle nearest to a point, also of needles and of tr
 
 TEST_CASE("A shape of which too many pairs of parts touch is refused")
 {
-  constexpr int copies = 320; // with 51 040 pairs
+  constexpr int copies = 320; // they have 51 040 pairs
   Segmented_shape shape("heap");
   for (int i = 0; i < copies; ++i)
     shape.add_part("part_" + std::to_string(i), box({1e-4 * i, 0.5, 0}, {1, 1, 1}));

@@ -91,7 +91,7 @@ Named_groups groups_stated(const generated_shapes::gen::Assembly& assembly)
 }
 
 constexpr double ANGLE = 0.02;    // in radians
-constexpr double DISTANCE = 0.01; // over the shape's diagonal
+constexpr double DISTANCE = 0.01; // ratio to the shape's diagonal
 
 bool are_parallel(const Point& a, const Point& b) { return a.cross(b).norm() < ANGLE * a.norm() * b.norm(); }
 

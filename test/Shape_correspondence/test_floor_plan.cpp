@@ -39,7 +39,7 @@ std::vector<std::string> cells(std::string text, const char* separators)
 struct Floor_plan
 {
   std::vector<std::string> rooms;
-  std::map<std::string, std::set<std::string>> may_include; ///< by room
+  std::map<std::string, std::set<std::string>> may_include; ///< indexed by room
   std::map<std::string, std::string> headers;               ///< the room of a public header without a source
 };
 

@@ -154,7 +154,7 @@ TEST_CASE("A chain is made of like closed curves that touch one after the other"
     const Point across = k % 2 == 0 ? Point(.1, 0, 0) : Point(0, 0, .1);
     shape.parts.push_back(hand_made::ring("ring", {0, 1 + .18 * k, 0}, {0, .1, 0}, across));
   }
-  shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5})); // of another size
+  shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5})); // another size
   // Of similar size, around the rim
   shape.parts.push_back(hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55}));
   shape.parts.push_back(hand_made::curve("rod", {0, 0, 0}, {0, .9, 0}));

@@ -53,12 +53,12 @@ TEST_CASE("The least rectangle does not depend on rounding: of equal ones the on
     double angle, expected;
   } const cases[] = {
       {4, 45, 0},   // parallel to the axes
-      {4, 0, 45},   // on a corner
+      {4, 0, 45},   // stands on a corner
       {4, 65, 20},  // rotated slightly
       {4, 15, -30}, // turned by 60° is turned by -30°
       {20, 9, 0},   // two of its edges are parallel to the axes
       {20, 0, 9},   // its edges are rotated by 9° and -9°
-      {20, 2, -7},  // by -7° and 11°
+      {20, 2, -7},  // rotated by -7° and 11°
       {36, 5, 0},   //
       {36, 0, 5},   //
   };

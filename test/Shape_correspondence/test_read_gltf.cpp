@@ -405,7 +405,7 @@ TEST_CASE("Textures are where their set of coordinates and their transform say")
     changed.document["extensionsRequired"] = {"KHR_texture_transform"};
     Shape_appearance looks;
     changed.read(&looks);
-    const std::vector<Eigen::Vector2f>& at = looks.parts[0].coordinates; // of the corners 0, 2, 1
+    const std::vector<Eigen::Vector2f>& at = looks.parts[0].coordinates; // coordinates of corners 0, 2, 1
     return std::vector<Eigen::Vector2f>{at[0], at[2], at[1]};
   };
   const auto are = [](const std::vector<Eigen::Vector2f>& found, const std::vector<Eigen::Vector2f>& expected) {

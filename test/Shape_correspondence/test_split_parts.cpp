@@ -365,7 +365,7 @@ TEST_CASE("A model of one object becomes its pieces, one of one piece its segmen
 
   const auto ring = part_meshes::torus_like(320, 320, [](double u, double v) {
     return Point((3 + std::cos(v)) * std::cos(u), std::sin(v), (3 + std::cos(v)) * std::sin(u));
-  }); // of more triangles than are divided without being asked to
+  }); // more triangles than are divided by default
   const Part_split large = split_parts(model({{"ring", ring}}));
   CHECK(names(large) == std::vector<std::string>{"ring"});
   CHECK_FALSE(large.by_segments);

@@ -382,7 +382,7 @@ TEST_CASE("STL: words in capitals, on one line, several solids, and files one af
   check(text_solid("", 0) + text_solid("", 5), {"part_1", "part_2"});
   check(replaced(replaced(text_solid("a", 0), "endloop\n", "endloop "), "outer loop\n", "outer loop "), {"a"});
   check("\n\n" + text_solid("a", 0) + "\0\0\0"s, {"a"});
-  check(text_solid("a", 0).substr(8), {"m"}); // without its first line
+  check(text_solid("a", 0).substr(8), {"m"}); // the text without its first line
   check(binary_solid("solid by a program", 0), {"m"});
   check(binary_solid("seat", 0) + binary_solid("back", 5), {"seat", "back"});
   check(binary_solid("by X", 0) + binary_solid("by X", 5), {"part_1", "part_2"});

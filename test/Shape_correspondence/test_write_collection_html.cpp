@@ -104,7 +104,7 @@ TEST_CASE("The page shows surfaces where there are models, of few triangles each
       triangles[shape] +=
           glb["accessors"][mesh["primitives"][0]["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
     }
-  CHECK(triangles[0] <= 200000); // of 460800
+  CHECK(triangles[0] <= 200000); // the model has 460800
   CHECK(triangles[0] > 1000);
   CHECK(triangles[1] > 0);
 }

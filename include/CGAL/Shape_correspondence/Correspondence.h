@@ -66,8 +66,8 @@ struct Correspondence
   /// of every part of the deformed shape, with the segments of cut curves. Matching by parts pairs sets of parts, every
   /// part of one set with every part of the other, and gives confidences.
   std::vector<Part_correspondence> pairs;
-  std::vector<Group_match> groups;           ///< by group of the deformed shape
-  std::vector<Contact_energy> contacts;      ///< by contact of the deformed shape
+  std::vector<Group_match> groups;           ///< indexed by group of the deformed shape
+  std::vector<Contact_energy> contacts;      ///< indexed by contact of the deformed shape
   std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
   /// Deformation energy, E of Eq. 1; after matching by parts, of whole parts, after a search with the pieces of split

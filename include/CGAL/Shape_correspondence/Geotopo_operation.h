@@ -18,7 +18,7 @@ namespace Shape_correspondence {
 /// Operations of the GeoTopo transform on the parts of a group, in the direction of the deformation (paper, section
 /// 4.1).
 enum class Operation {
-  MATCH,     ///< as many parts as before, one to one
+  MATCH,     ///< parts correspond one to one
   SPLIT,     ///< one part becomes many
   DUPLICATE, ///< some of several parts are cloned
   MERGE,     ///< many parts become fewer

@@ -61,10 +61,11 @@ struct Surface_material
 /// The appearance of the triangles of a `Part_mesh`; empty: unknown.
 struct Part_appearance
 {
-  std::vector<int> materials; ///< by triangle, index of its material; -1: none
-  std::vector<Eigen::Vector2f>
-      coordinates;                      ///< by corner, three per triangle: texture coordinates, v downwards as in glTF
-  std::vector<Eigen::Vector3f> colours; ///< by corner, three per triangle: linear factors of the base colour, in [0, 1]
+  std::vector<int> materials; ///< for each triangle, the index of its material; -1: none
+  /// Indexed by corner, three per triangle: texture coordinates, v downwards as in glTF.
+  std::vector<Eigen::Vector2f> coordinates;
+  /// Indexed by corner, three per triangle: linear factors of the base colour, in [0, 1].
+  std::vector<Eigen::Vector3f> colours;
 
   /// Whether the appearance is unknown.
   bool empty() const { return materials.empty() && coordinates.empty() && colours.empty(); }
@@ -74,9 +75,9 @@ struct Part_appearance
 /// Materials, textures and colours of a shape, apart from its `Segmented_shape`, since matching does not use them.
 struct Shape_appearance
 {
-  std::vector<Surface_material> materials; ///< of all parts
-  std::vector<Texture> textures;           ///< of all materials
-  std::vector<Part_appearance> parts;      ///< by part of the shape
+  std::vector<Surface_material> materials; ///< materials of all parts
+  std::vector<Texture> textures;           ///< textures of all materials
+  std::vector<Part_appearance> parts;      ///< indexed by part of the shape
   std::vector<std::string> warnings;       ///< sentences on missing or damaged files named by the model
 
   /// Whether no part has a material or colours.

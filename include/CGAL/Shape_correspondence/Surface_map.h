@@ -65,7 +65,7 @@ public:
   std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
 
 private:
-  using Places = std::vector<std::vector<std::optional<Surface_place>>>; ///< by part and vertex
+  using Places = std::vector<std::vector<std::optional<Surface_place>>>; ///< indexed by part and vertex
 
   static std::optional<Surface_place> place_of(const Places& places, std::size_t part, Eigen::Index vertex);
 

@@ -35,10 +35,11 @@ struct Co_analysis
 {
   static constexpr int none = -1; ///< label of a part in no cluster
 
-  std::vector<std::vector<int>> labels; ///< by shape and part; 0 is the largest cluster; `none` for parts in no cluster
-  int number_of_labels = 0;             ///< labels are 0 to `number_of_labels` - 1
-  std::size_t part_pairs = 0;           ///< number of unordered pairs of parts in the matrix
-  std::size_t rejected_pairs = 0;       ///< number of pairs left out as outliers
+  /// Indexed by shape and part; 0 is the largest cluster; `none` for parts in no cluster.
+  std::vector<std::vector<int>> labels;
+  int number_of_labels = 0;       ///< labels are 0 to `number_of_labels` - 1
+  std::size_t part_pairs = 0;     ///< number of unordered pairs of parts in the matrix
+  std::size_t rejected_pairs = 0; ///< number of pairs left out as outliers
 };
 
 /// \ingroup PkgShapeCorrespondenceSets

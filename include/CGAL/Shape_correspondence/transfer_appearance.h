@@ -52,7 +52,7 @@ struct Transferred_part
   /// The source parts to which it is mapped; after `transfer_appearance()`, the first one is the origin.
   std::vector<std::size_t> sources;
   std::size_t neighbour = 0; ///< for `Looks_origin::NEIGHBOUR`: index of the neighbour in the target
-  std::vector<int> labels;   ///< by triangle, after `transfer_labels()`; -1: none
+  std::vector<int> labels;   ///< label of each triangle, set by `transfer_labels()`; -1: none
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
@@ -60,7 +60,7 @@ struct Transferred_part
 struct Transferred_appearance
 {
   Shape_appearance appearance; ///< appearance of the target: one material with one texture, which is only decoded
-  std::vector<Transferred_part> parts; ///< by target part
+  std::vector<Transferred_part> parts; ///< indexed by target part
   bool has_given_coordinates = false;  ///< whether the texture coordinates are those of the target
 };
 

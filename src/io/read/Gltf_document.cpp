@@ -16,7 +16,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr std::uint64_t most_numbers = 200'000'000; // for ten million triangles with three corners and their attributes
+constexpr std::uint64_t most_numbers = 200'000'000; // enough for ten million triangles
 constexpr std::size_t most_zeros = 1'000'000;       // elements of an accessor without data
 constexpr const char* version_1 = "glTF 1.0";
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
@@ -248,7 +248,7 @@ std::string Gltf_document::decompressed(const Json_field& view, const Json_field
   const auto text_at = [&](const char* key) { return extension.has(key) ? extension[key].text() : ""; };
   const Meshopt_view packed{bytes_in(extension), number_at(extension, "count", 0),
                             number_at(extension, "byteStride", 0), text_at("mode"), text_at("filter")};
-  constexpr std::size_t largest_stride = 256; // in bytes, by the extension
+  constexpr std::size_t largest_stride = 256; // limit of the extension, in bytes
   if (packed.stride == 0 || packed.stride > largest_stride) extension.fail("has a byteStride that is not in 1 to 256");
   count(extension, packed.count * (packed.stride / sizeof(float) + 1));
   std::string result = codecs_->meshopt(packed);

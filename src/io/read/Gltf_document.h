@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::IO {
 struct Draco_mesh
 {
   std::vector<std::size_t> corners;          ///< vertex indices, three for each triangle
-  std::map<int, Eigen::MatrixXd> attributes; ///< by identifier; one column for each vertex; not normalized
+  std::map<int, Eigen::MatrixXd> attributes; ///< indexed by identifier; one column for each vertex; not normalized
 };
 
 /// A buffer view compressed by meshoptimizer, with its description in the document.
@@ -122,7 +122,7 @@ private:
   std::map<std::string, std::vector<Json_field>> lists_;
   std::map<std::size_t, std::string> loaded_;       ///< buffers, by index
   std::map<std::size_t, std::string> decompressed_; ///< buffer views, by index
-  std::map<std::size_t, Draco_mesh> draco_;         ///< by buffer view
+  std::map<std::size_t, Draco_mesh> draco_;         ///< indexed by buffer view
   std::uintmax_t rest_of_files_ = largest_model;
   std::uint64_t counted_ = 0, triangles_ = 0;
 };

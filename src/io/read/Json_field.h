@@ -30,8 +30,8 @@ public:
   bool has(const std::string& key, const std::string& text) const;
   Json_field operator[](const std::string& key) const; ///< fails if the key is missing
 
-  std::size_t size() const;                 ///< of an array
-  std::vector<Json_field> elements() const; ///< of an array
+  std::size_t size() const;                 ///< fails if this is no array
+  std::vector<Json_field> elements() const; ///< fails if this is no array
   std::vector<Json_field> elements(std::size_t size, const char* meaning) const;
 
   double number() const; ///< fails beyond `largest_number`
@@ -41,11 +41,11 @@ public:
   bool is_null() const;
   bool is_text() const;
   std::string text() const;
-  std::vector<std::string> texts() const;                  ///< of an array
-  std::map<std::string, std::string> texts_by_key() const; ///< of an object
+  std::vector<std::string> texts() const;                  ///< fails if this is no array
+  std::map<std::string, std::string> texts_by_key() const; ///< fails if this is no object
   Point point() const;                                     ///< fails beyond `largest_coordinate`
   Point unit_vector() const;
-  Points points() const; ///< of an array
+  Points points() const; ///< fails if this is no array
   Points points(std::size_t size, const char* meaning) const;
 
 private:

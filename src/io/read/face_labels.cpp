@@ -143,7 +143,7 @@ private:
   const std::string& name_;
   std::size_t faces_;
   std::vector<Line> lines_;
-  std::map<std::string, std::string> names_; ///< of parts, by number
+  std::map<std::string, std::string> names_; ///< names of parts, by number
   std::map<std::string, int> known_;         ///< index of a name in `Face_labels::names`
   Face_labels labels_;
 };
@@ -169,7 +169,7 @@ void divide_by_labels(const Face_labels& labels, Model_content& content)
   if (number < 2 || number > internal::most_parts) return;
   std::vector<Model_part> parts(labels.names.size());
   for (const Model_part& part : content.parts) {
-    std::map<int, std::vector<std::size_t>> triangles; // by label
+    std::map<int, std::vector<std::size_t>> triangles; // indexed by label
     for (std::size_t t = 0; t < part.faces.size(); ++t)
       triangles[labels.of_faces[part.faces[t]]].push_back(t);
     for (const auto& [label, list] : triangles) {

@@ -23,7 +23,8 @@ struct Model_part
 {
   std::string name;
   std::vector<Point> corners;
-  Part_appearance appearance = {}; ///< of the triangles, as in the file; materials are indices into those of the model
+  /// Appearance of the triangles as in the file; materials are indices into those of the model.
+  Part_appearance appearance = {};
   /// By triangle, the index of its face in the file, counting dropped faces; empty if faces have no indices.
   std::vector<std::size_t> faces = {};
 };
@@ -31,7 +32,7 @@ struct Model_part
 /// Labels of the faces of a model.
 struct Face_labels
 {
-  std::vector<int> of_faces; ///< by face, index of its label in `names`
+  std::vector<int> of_faces; ///< for each face, the index of its label in `names`
   std::vector<std::string> names = {};
   std::string model = {}; ///< name of the file whose faces are labelled; empty: unknown
 };

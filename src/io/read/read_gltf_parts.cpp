@@ -369,13 +369,13 @@ private:
 
   Gltf_document& document_;
   Model_content content_;
-  std::vector<Place> places_;   ///< by material
+  std::vector<Place> places_;   ///< indexed by material
   std::vector<Tree_node> tree_; ///< each node after its parent
   std::vector<int> node_of_part_;
   bool is_written_ = false;         ///< whether the file was written by this program
   std::size_t parts_written_ = 0;   ///< number of nodes marked as parts
   std::vector<std::string> meshes_; ///< names of the parts' meshes
-  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image
+  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image and wrap modes
 };
 
 } // namespace

@@ -373,14 +373,14 @@ private:
   const std::string& file_;
   std::size_t faces_left_out_ = 0, number_of_faces_ = 0;
   std::vector<Point> points_;
-  std::vector<Eigen::Vector3d> colours_; ///< of vertices, up to the last one with a colour; negative: none
-  std::vector<Eigen::Vector3d> painted_; ///< of vertices, from ZBrush's comments
+  std::vector<Eigen::Vector3d> colours_; ///< colours of vertices, up to the last one with a colour; negative: none
+  std::vector<Eigen::Vector3d> painted_; ///< colours of vertices, from ZBrush's comments
   double white_ = 1;                     ///< value of a full channel in `colours_`
   std::vector<Section> sections_;
   std::vector<Eigen::Vector2f> coordinates_;
   std::vector<std::string> materials_, libraries_; ///< names
   std::map<std::string, int> material_numbers_;
-  int material_ = -1; ///< of the following faces
+  int material_ = -1; ///< material of the following faces
   std::vector<std::string> without_faces_;
   std::optional<Point> up_; ///< given in files that this program wrote
 };

@@ -199,7 +199,7 @@ private:
   const std::string& file_;
   std::vector<Point> points_, polygon_;
   std::string_view line_;                                ///< unread part of a line of the header
-  std::vector<Off_colour> colours_, colours_of_corners_; ///< of vertices, and of the corners of triangles
+  std::vector<Off_colour> colours_, colours_of_corners_; ///< colours of vertices, and of corners of triangles
   double white_ = 1;                                     ///< value of a full channel for `OF_FILE`
   bool has_weights_ = false, has_dimension_ = false, normals_come_first_ = false;
   bool vertices_have_colours_ = false, has_colours_ = false;

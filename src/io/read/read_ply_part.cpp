@@ -468,7 +468,7 @@ private:
   std::vector<Ply_element> elements_;
   std::vector<Point> points_;
   std::vector<std::vector<double>> faces_;
-  std::vector<Values> vertices_, face_looks_; ///< of `points_` and `faces_`; may be shorter
+  std::vector<Values> vertices_, face_looks_; ///< values for `points_` and `faces_`; may be shorter
   std::vector<std::size_t> numbers_;          ///< indices in the file of `faces_`
   bool faces_have_coordinates_ = false;
   std::vector<std::string> textures_;               ///< file names
@@ -476,7 +476,7 @@ private:
   bool vertices_are_labelled_ = false;              ///< whether the property belongs to vertices rather than faces
   std::vector<double> labels_, labels_of_vertices_; ///< values of the property for `faces_` and `points_`
   bool is_written_ = false;                         ///< whether the file was written by this program
-  std::map<std::string, std::string> names_;        ///< of parts and labels, by keyword and number
+  std::map<std::string, std::string> names_;        ///< names of parts and labels, by keyword and number
   Model_content result_;
 };
 

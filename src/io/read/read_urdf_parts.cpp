@@ -396,7 +396,7 @@ private:
   const Mesh_reader& read_;
   Model_content content_;
   std::map<std::string, const Element*> links_;
-  std::map<std::string, Joint> joints_; ///< by child link
+  std::map<std::string, Joint> joints_; ///< indexed by child link
   std::map<std::string, int> materials_;
   std::map<std::string, std::vector<Model_part>> meshes_;
   std::map<std::string, Transform> places_;

@@ -47,7 +47,7 @@ inline std::string lower(std::string_view word)
   return result;
 }
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; ///< of UTF-8; some programs put it at the start of files
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; ///< some programs start UTF-8 files with it
 
 /// Removes the first line from `text` and returns it without its end (LF, CR LF or CR) and without a byte order mark.
 inline std::string_view next_line(std::string_view& text)

@@ -206,7 +206,7 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
   Temporary temporary(path, folder, make_new_folder);
   try {
     write(temporary.name());
-  } catch (const Invalid_input& error) { // of a file in it, by the name that it was going to have
+  } catch (const Invalid_input& error) { // the message names the file by its final name
     throw Invalid_input(boost::replace_all_copy(std::string(error.what()), temporary.name(), folder.string()));
   }
   temporary.rename_to(folder);

@@ -65,7 +65,7 @@ void keep_freed_memory()
   // In bytes
   constexpr int most_kept = 1 << 26;
   constexpr int largest_kept_block = 1 << 22; // larger blocks are returned when freed
-  constexpr int heap_growth = 1 << 22;        // for each request
+  constexpr int heap_growth = 1 << 22;        // bytes for each request
   mallopt(M_TRIM_THRESHOLD, most_kept);
   mallopt(M_MMAP_THRESHOLD, largest_kept_block);
   mallopt(M_TOP_PAD, heap_growth);

@@ -24,7 +24,7 @@ struct Drawn_mesh
   Eigen::Matrix2Xi lines = {};       ///< drawn if there are no triangles
   std::string layer = {};            ///< name of a layer that viewers may switch on and off; empty: none
   int material = 0;                  ///< index in the file
-  Eigen::Matrix2Xf coordinates = {}; ///< of a texture, one for each point; or empty
+  Eigen::Matrix2Xf coordinates = {}; ///< texture coordinates, one for each point; or empty
   Eigen::Matrix3Xf colours = {};     ///< factors of the material's colour, one for each point; or empty
   std::vector<Points> morphs = {};   ///< differences to the points; equally many for all meshes of a node
 

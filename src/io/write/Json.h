@@ -36,13 +36,13 @@ public:
   /// A value stored as its text, in a fraction of the memory. Its content cannot be changed.
   static Json of_text(std::string json);
 
-  std::size_t size() const { return elements_.size(); } ///< of an array or object
+  std::size_t size() const { return elements_.size(); } ///< number of elements of an array or object
   bool empty() const { return elements_.empty(); }
   bool contains(const std::string& key) const { return index_of(key) < keys_.size(); }
   Json& operator[](const std::string& key); ///< adds the key if it is missing
   Json& operator[](std::size_t i) { return elements_[i]; }
   Json& back() { return elements_.back(); }
-  void push_back(Json element); ///< to an array, or to null, which becomes an array
+  void push_back(Json element); ///< appends to an array; null becomes an array
   void erase(const std::string& key);
 
   /// The text on one line. Numbers are the shortest that read as the same double or float.
@@ -74,7 +74,7 @@ private:
 
   Type type_ = Type::NONE;
   std::string text_;              ///< the text, or the notation of a scalar
-  std::vector<std::string> keys_; ///< of an object, by element
+  std::vector<std::string> keys_; ///< keys of an object's elements
   std::vector<Json> elements_;
 };
 

@@ -17,7 +17,7 @@ struct Ply_part
   std::string name;
   Part_mesh mesh;
   std::vector<std::uint8_t> colours = {}; ///< red, green, blue of each point; all parts have them or none
-  std::vector<int> labels = {};           ///< of each triangle; all parts have them or none
+  std::vector<int> labels = {};           ///< label of each triangle; all parts have them or none
 };
 
 /// Writes parts as one mesh in binary PLY, with the index of the part and that of the label for every face; comments

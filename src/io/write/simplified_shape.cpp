@@ -63,7 +63,7 @@ struct Edge_limit
 Part_mesh collapsed(const Part_mesh& mesh, std::size_t most_triangles)
 {
   internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
-  const std::size_t edges = most_triangles * 3 / 2; // for a closed surface
+  const std::size_t edges = most_triangles * 3 / 2; // exact for a closed surface
   Surface_mesh_simplification::edge_collapse(surface, Edge_limit{edges},
                                              CGAL::parameters::get_placement(Near_placement()));
   surface.collect_garbage();

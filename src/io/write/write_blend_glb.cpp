@@ -97,7 +97,7 @@ constexpr double animation_tolerance = 2e-3;
 struct Motion
 {
   std::vector<Points> targets; ///< differences to the first points
-  Eigen::MatrixXf weights;     ///< of each target (row) at each time (column)
+  Eigen::MatrixXf weights;     ///< weight of each target (row) at each time (column)
 };
 
 /// \param points at each time \param distance largest displacement caused by dropping components
@@ -155,7 +155,7 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
   glb.animate_visibility(roots[0], 0, hold_seconds);
   const double distance = animation_tolerance * std::max(diagonal(blend(0)), diagonal(blend(1)));
   const std::vector<Blend_surface> surfaces = blend.surfaces();
-  std::vector<std::vector<Points>> points(static_cast<std::size_t>(frames)); // by frame and surface
+  std::vector<std::vector<Points>> points(static_cast<std::size_t>(frames)); // indexed by frame and surface
   internal::for_each_index<CGAL::Parallel_if_available_tag>(
       points.size(), [&](std::size_t frame) { points[frame] = blend.points(double(frame) / (frames - 1)); });
   for (std::size_t s = 0; s < surfaces.size(); ++s) {

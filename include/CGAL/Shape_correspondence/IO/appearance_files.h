@@ -80,8 +80,8 @@ void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph
 /// The appearance of the two shapes of a blend.
 struct Blend_appearance
 {
-  Shape_appearance source; ///< of the source's parts
-  Shape_appearance target; ///< of the target's parts
+  Shape_appearance source; ///< appearance of the source
+  Shape_appearance target; ///< appearance of the target
 };
 
 /// \ingroup PkgShapeCorrespondenceIO

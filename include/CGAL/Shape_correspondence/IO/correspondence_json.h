@@ -70,7 +70,7 @@ struct Named_correspondence
   bool complete = false;                           ///< see `Correspondence::complete`
   int target_quarter_turns = 0;                    ///< see `Correspondence::target_quarter_turns`
   std::string category;                            ///< category of both shapes; empty if the method does not use roles
-  std::map<std::string, std::string> source_roles; ///< by name of a part; empty if there is no category
+  std::map<std::string, std::string> source_roles; ///< by part name; empty if there is no category
   std::map<std::string, std::string> target_roles; ///< see `source_roles`
 };
 

@@ -30,7 +30,7 @@ struct Labelled_shape
   std::string source;             ///< origin of the shape; empty if not given
   std::string license;            ///< licence of the shape; empty if not given
   std::vector<std::string> parts; ///< names, each once
-  std::vector<Part_label> labels; ///< by part
+  std::vector<Part_label> labels; ///< indexed by part
 
   /// Index of the part of this name; the number of parts if there is none.
   std::size_t index(const std::string& part) const;
