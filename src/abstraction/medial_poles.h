@@ -66,7 +66,7 @@ inline Medial_pole medial_pole(const Nearest_points& vertices, const Points& poi
   return {p - radius * normal, touched};
 }
 
-/// By vertex, an adjacent vertex of lower index; -1: none.
+/// For each vertex, an adjacent vertex of lower index; -1: none.
 inline std::vector<Eigen::Index> earlier_neighbours(const Part_mesh& mesh)
 {
   std::vector<Eigen::Index> result(std::size_t(mesh.points.cols()), -1);

@@ -28,7 +28,7 @@ inline Point mirrored(const Point& p) { return {-p.x(), p.y(), p.z()}; }
 /// Root mean square distance between points of some surfaces, mirrored in x = 0, and other surfaces.
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees);
 
-/// By part, its mirror image in x = 0, if it has one; a symmetric part is its own image.
+/// For each part, its mirror image in x = 0, if it has one; a symmetric part is its own image.
 using Mirror_images = std::vector<std::optional<std::size_t>>;
 
 /// The source and the target (ends 0 and 1) in a common frame: both stand on the ground, y = 0, their bounding boxes
@@ -52,7 +52,7 @@ struct Blend_stage
 
   /// Adds the pair of mirror images of every pair whose two parts have mirror images.
   void add_mirrored(Part_pairs& pairs) const;
-  /// From the stage to the world, at a share `done` of the change of size, which grows by equal factors in equal times.
+  /// Maps points from the stage to the world, at a share `done` of the change of size on a logarithmic scale.
   Points to_world(const Points& points, double done) const;
 
 private:

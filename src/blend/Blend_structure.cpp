@@ -31,7 +31,7 @@ std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_
   return {found.begin(), found.end()};
 }
 
-/// By part, the point to which it shrinks or from which it grows if it is unmatched: for a set of unmatched parts that
+/// For each unmatched part, the point to which it shrinks or from which it grows: for a set of unmatched parts that
 /// touch each other, the mean of the places where matched parts touch it, or the foot of the set if there are none.
 std::vector<Point> roots_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
 {
@@ -39,7 +39,7 @@ std::vector<Point> roots_of(const std::vector<Blend_part>& parts, const std::vec
   for (const Touch& touch : touches)
     if (!parts[touch[0]].is_matched() && !parts[touch[1]].is_matched()) sets.unite(touch[0], touch[1]);
   std::vector<contacts::Box> boxes(parts.size()); // bounding boxes of the sets
-  // By set, homogeneous sum of the places where matched parts touch it
+  // For each set, homogeneous sum of the places where matched parts touch it
   Eigen::Matrix4Xd places = Eigen::Matrix4Xd::Zero(4, parts.size());
   for (std::size_t part = 0; part < parts.size(); ++part)
     boxes[sets[part]].extend(parts[part].trees[0].box());

@@ -122,7 +122,7 @@ private:
     return (seen_[part].tree.nearest(place, triangle) - place).norm();
   }
   bool is_exchanged(std::size_t part) const { return ends_[places_[part]].all(); }
-  /// By set, the ends of its unmatched parts.
+  /// For each set, the ends of its unmatched parts.
   std::vector<std::bitset<2>> ends_of(const Disjoint_sets& sets) const
   {
     std::vector<std::bitset<2>> result(sets.size());

@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// How a part changes: in the first or second step of an exchange, or (`NONE`) by morphing, appearing or vanishing.
 enum class Exchange_step { NONE, FIRST, SECOND };
 
-/// By part, its step of exchange.
+/// For each part, its step of exchange.
 ///
 /// Parts are *exchanged* if they replace others or are replaced by them: if groups, contacts and shared places connect
 /// them with parts of both ends. A *group* changes in one step: parts that correspond, mirror images, all parts on the

@@ -22,7 +22,7 @@ namespace CGAL::Shape_correspondence {
 /// Largest number of labels of a group without cut curves; bounds time and memory for shapes of hundreds of groups.
 constexpr std::size_t maximum_labels = 64;
 
-/// By source group, the target groups that it may be matched to, ascending; empty: all.
+/// For each source group, the target groups that it may be matched to, ascending; empty: all.
 using Group_candidates = std::vector<std::vector<std::size_t>>;
 
 /// Memory, in bytes, that the tables of a search may take; exact search may take as much again. The tables of the best

@@ -39,7 +39,7 @@ double reach_in_polygon(const Planar_points& polygon, const Eigen::Vector2d& dir
 Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Vector2d>& points)
 {
   constexpr double least_radius = 0.02; // ratio to the half extents; gives a section that is a point an outline
-  // Over the largest radius, which may lie between two sampled angles of a flat section
+  // Ratio to the largest radius, which may lie between two sampled angles of a flat section
   constexpr double least_share = 0.3;
   Section result;
   Eigen::AlignedBox2d box;

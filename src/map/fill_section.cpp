@@ -128,7 +128,7 @@ private:
   Triangulation triangulation_;
   std::vector<Handle> handles_;                                      ///< indexed by vertex of the section
   std::map<Section_side, Triangulation::Constraint_id> constraints_; ///< indexed by representative vertices
-  /// By directed edge, the number of sides along it minus that of sides in the opposite direction.
+  /// For each directed edge, the number of sides along it minus that of sides in the opposite direction.
   std::map<Section_side, int> runs_;
 };
 

@@ -283,7 +283,7 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
 }
 
-// In canonical order of the shapes, since the sums of the warp run over pairs source by source.
+// The shapes are in canonical order, since the sums of the warp run over pairs source by source.
 Eigen::MatrixXd part_costs(const Shape_features& source, const Shape_features& target,
                            const Part_matching_options& options, const Deadline* deadline)
 {

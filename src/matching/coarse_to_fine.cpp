@@ -27,7 +27,7 @@ bool have_common(const Groups& a, const Groups& b)
   return std::any_of(a.begin(), a.end(), [&](std::size_t g) { return b.count(g) > 0; });
 }
 
-/// By group, the coarse groups nearest to it in the graph; for a coarse group, itself.
+/// For each group, the coarse groups nearest to it in the graph; for a coarse group, itself.
 std::vector<Groups> nearest_coarse(const Aligned_shape& shape, const std::vector<char>& is_coarse)
 {
   const std::size_t n = shape.number_of_groups();
@@ -127,7 +127,7 @@ struct Coarse_shape
 
   std::size_t fine_group(std::size_t coarse_part) const { return group_of_original[coarse->original[coarse_part]]; }
 
-  /// By fine group, the coarse groups nearest to it or to a group in contact with it.
+  /// For each fine group, the coarse groups nearest to it or to a group in contact with it.
   std::vector<Groups> near_coarse() const
   {
     std::vector<Groups> result = nearest;
@@ -148,7 +148,7 @@ std::vector<Part_pair> coarse_pins(const std::vector<Part_pair>& pinned, const C
   return result;
 }
 
-/// By fine group of the source, the fine groups of the target that its coarse parts correspond to.
+/// For each fine group of the source, the fine groups of the target that its coarse parts correspond to.
 std::vector<Groups> images_of(const Search_run& run, const Coarse_shape& source, const Coarse_shape& target)
 {
   std::vector<Groups> result(source.fine.number_of_groups());

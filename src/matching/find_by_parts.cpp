@@ -22,7 +22,7 @@ using namespace internal;
 
 namespace {
 
-// By part of `from`, its index in `to`, another alignment of the same shape.
+// For each part of `from`, its index in `to`, another alignment of the same shape.
 std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
 {
   std::vector<std::size_t> result;

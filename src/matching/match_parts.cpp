@@ -114,7 +114,7 @@ void separate_copies(const Eigen::MatrixXd& costs, double tolerance, Match_matri
   }
 }
 
-// By row, the number of its pairs with the columns.
+// For each row, the number of its pairs with the columns.
 std::vector<std::size_t> number_of_pairs(const Match_matrix& pairs, const std::vector<std::size_t>& rows,
                                          const std::vector<std::size_t>& columns)
 {

@@ -89,7 +89,7 @@ private:
     return lowest;
   }
 
-  // By part, whether it is connected to the main surface by paths that avoid the part left out.
+  // For each part, whether it is connected to the main surface by paths that avoid the part left out.
   std::vector<char> connected_to_main_surface(std::size_t left_out = no_surface) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);
@@ -157,7 +157,7 @@ private:
            !is_less(depth, std::abs(layout_.boxes[part].centre()[axis] - side));
   }
 
-  // By part, whether it lies flat in this side of the shape, above the main surface.
+  // For each part, whether it lies flat in this side of the shape, above the main surface.
   std::vector<char> parts_in_side(Eigen::Index axis, double side) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);

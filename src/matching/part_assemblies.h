@@ -29,8 +29,9 @@ struct Part_assemblies
   /// The support without wide parts on the ground, if there are narrow ones (legs rather than side panels).
   std::vector<std::size_t> legs;
   std::vector<char> is_on_ground; ///< indexed by part
-  /// By part, whether it is in a chain: at least `Part_matching_options::repetition` rings (closed curves) of similar
-  /// size, each touching the next. A shape hangs from its chain, whose rings only correspond to those of a chain.
+  /// For each part, whether it is in a chain: at least `Part_matching_options::repetition` rings (closed curves) of
+  /// similar size, each touching the next. A shape hangs from its chain, whose rings only correspond to those of a
+  /// chain.
   std::vector<char> is_in_chain;
   bool has_chain() const { return std::find(is_in_chain.begin(), is_in_chain.end(), 1) != is_in_chain.end(); }
 };

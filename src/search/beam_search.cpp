@@ -89,7 +89,7 @@ public:
     for (const auto& [bound, label] : bounds_) {
       Steps worst = kept_before;
       if (level.size() == begin + count_) worst = std::min(worst, level.back().energy);
-      // One grid step above the worst, since energies are rounded
+      // The limit is one grid step above the worst energy, since energies are rounded
       const double greatest = worst == std::numeric_limits<Steps>::max() ? std::numeric_limits<double>::infinity()
                                                                          : double(worst + 1) * comparison_grid;
       if (bound > greatest || (!level.empty() && deadline_.is_over())) break;

@@ -230,7 +230,7 @@ TEST_CASE("A model that is extended equals one that is trained with all shapes a
     CHECK(a.probabilities == b.probabilities);
     CHECK(a.distance == b.distance);
   }
-  // The same after the model was stored in a file
+  // The extended model is the same if the first one was stored in a file
   const Temporary_folder folder;
   IO::write_role_model(folder.path("half.roles"), train_role_model(first_half));
   CHECK(bytes(extend_role_model(IO::read_role_model(folder.path("half.roles")), second_half)) == bytes(extended));

@@ -76,7 +76,7 @@ std::map<std::string, fs::path> package_files()
   return files;
 }
 
-/// By file, the files of the package that it includes.
+/// For each file, the files of the package that it includes.
 std::map<std::string, std::vector<std::string>> package_includes()
 {
   const std::map<std::string, fs::path> files = package_files();

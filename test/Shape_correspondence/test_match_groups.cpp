@@ -49,7 +49,7 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
 
 TEST_CASE("Groups: members are matched by their places in unit boxes, one left over goes to the nearest")
 {
-  // At 0 and 1 of one unit box; at 0, 0.8 and 1 of the other
+  // Members at 0 and 1 of one unit box, and at 0, 0.8 and 1 of the other
   const Aligned_shape two = align_shape(point_graph({{0, -1, 0}, {10, 0, 0}, {12, 0, 0}}, {{0, 1}},
                                                     {group({0}), group({1, 2}, Symmetry_type::TRANSLATION)}));
   const Aligned_shape three = align_shape(point_graph({{0, -1, 0}, {0, 0, 0}, {.8, 0, 0}, {1, 0, 0}}, {{0, 1}},

@@ -94,7 +94,7 @@ TEST_CASE("A row has a frame of what lies in its plane, is connected and extends
 {
   const Assemblies found = assemblies(framed_chair());
   REQUIRE(found.panels.size() == 1);
-  // Without the seat, the bar that leaves the plane, and the rail under the seat
+  // The seat, the bar that leaves the plane, and the rail under the seat do not belong to it
   CHECK(found.panels[0] == Indices{1, 2, 3, 8, 9, 10});
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("A chain is made of like closed curves that touch one after the other"
     shape.parts.push_back(hand_made::ring("ring", {0, 1 + .18 * k, 0}, {0, .1, 0}, across));
   }
   shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5})); // another size
-  // Of similar size, around the rim
+  // A ring of similar size around the rim
   shape.parts.push_back(hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55}));
   shape.parts.push_back(hand_made::curve("rod", {0, 0, 0}, {0, .9, 0}));
   for (std::size_t k = 0; k + 1 < 4; ++k)

@@ -297,7 +297,7 @@ TEST_CASE("OFF: headers of all kinds, comments, colours of vertices and faces")
   using Colours = std::vector<Eigen::Vector3f>;
   const Colours expected{red, blue, blue};
   CHECK(colours("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 0 255 255\n0 1 0 0 0 255 255\n3 0 1 2\n") == expected);
-  // Without an announcement in the header
+  // The header does not announce the colours
   CHECK(colours("OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 0 255\n0 1 0 0 0 255\n3 0 1 2\n") == expected);
   CHECK(colours("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 0 1 1\n0 1 0 0 0 1 1\n3 0 1 2\n") == expected);
   CHECK(colours("CNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0\n1 0 0 0 0 1 0 0 1\n0 1 0 0 0 1 0 0 1\n3 0 1 2\n") == expected);

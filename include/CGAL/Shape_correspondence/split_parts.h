@@ -41,7 +41,7 @@ struct Part_splitting_options
   double touching_distance = 0.005;  ///< largest gap of pieces in contact
   std::size_t most_parts = 100;      ///< largest number of parts of an object; an object with more stays whole
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
-  /// By object and triangle, the material's index; patches of one material may have a seam. Empty: a single material.
+  /// Index of the material by object and triangle; patches of one material may have a seam. Empty: a single material.
   std::vector<std::vector<int>> materials;
   bool divide_by_materials = true; ///< whether loose pieces also end at changes of the material
 };

@@ -25,7 +25,7 @@ struct Model_part
   std::vector<Point> corners;
   /// Appearance of the triangles as in the file; materials are indices into those of the model.
   Part_appearance appearance = {};
-  /// By triangle, the index of its face in the file, counting dropped faces; empty if faces have no indices.
+  /// For each triangle, the index of its face in the file, counting dropped faces; empty if faces have no indices.
   std::vector<std::size_t> faces = {};
 };
 

@@ -226,7 +226,7 @@ private:
     return pieces.size() > internal::most_parts || largest > mostly_one_piece * all;
   }
 
-  /// In linear light; white for vertices without a colour.
+  /// Colour in linear light; white for vertices without a colour.
   Eigen::Vector3f colour_of(std::size_t vertex) const
   {
     const std::vector<Eigen::Vector3d>& colours = painted_.empty() ? colours_ : painted_;

@@ -21,12 +21,12 @@ constexpr const char* labels_left_out = "The labels of faces beside the model we
 struct Model_objects
 {
   Segmented_shape shape;
-  /// By object and triangle, the index of the material (`Part_splitting_options`); empty if no object has several.
+  /// Index of the material by object and triangle (`Part_splitting_options`); empty if no object has several.
   std::vector<std::vector<int>> materials;
   std::vector<std::string> warnings; ///< warnings of the reader
   bool says_up = false;              ///< whether the files give the upright axis, which is then that of the shape
   bool are_labelled = false;         ///< whether the objects are labels of faces
-  /// By object and triangle, the index of its face in the file, and the number of faces; empty for a folder.
+  /// For each object and triangle, the index of its face in the file, and the number of faces; empty for a folder.
   std::vector<std::vector<std::size_t>> faces = {};
   std::size_t number_of_faces = 0;
   Shape_appearance appearance = {}; ///< from the model's own file, completed from the files that it names

@@ -273,7 +273,7 @@ std::vector<Part_files> files_of(const std::string& path)
   return files;
 }
 
-/// By object and triangle, the index of the material; empty if no object has several.
+/// For each object and triangle, the index of the material; empty if no object has several.
 std::vector<std::vector<int>> materials_of(const Model_objects& objects)
 {
   std::vector<std::vector<int>> result;
