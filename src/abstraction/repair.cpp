@@ -125,7 +125,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   const double area = PMP::area(mesh);
   // A longer border is the rim of an open surface rather than of a hole; triangulating it takes cubic time.
   const std::size_t longest_border = 400;
-  // Sum of the cubed lengths of all borders, equal to about 30 of the longest
+  // Limit for the sum of the cubed lengths of all borders: that of about 30 of the longest ones
   const double most_work = 2e9;
   const double smallest_fullness = 1e-3;
   Halfedge_mesh filled = mesh;

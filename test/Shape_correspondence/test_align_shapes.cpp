@@ -132,7 +132,7 @@ TEST_CASE("The most prominent parts are as many as asked for, in whole groups as
   // The top, then one of the four legs; the group of legs is taken as a whole only if all fit
   const Aligned_shape table = align_shape(hand_made::table());
   CHECK(most_prominent_parts(table, 2)[hand_made::index_of(table, 0)] == 1);
-  // Of the chair without the front pair: seat, back and one pair
+  // Seat, back and one pair of legs; the front pair is left out
   const Aligned_shape chair = align_shape(hand_made::chair());
   const std::vector<char> four = most_prominent_parts(chair, 4);
   for (const Part_group& group : groups(chair))

@@ -130,7 +130,7 @@ TEST_CASE("Four legs that share an object become four parts, with its name")
   CHECK(split.shape.parts()[4].mesh.points == top().points);
 }
 
-TEST_CASE("The other modes")
+TEST_CASE("The modes FILE, COMPONENTS and SEGMENTS")
 {
   const Segmented_shape table = table_of_materials();
   const Part_split file = split_by(table, Part_splitting::FILE);
