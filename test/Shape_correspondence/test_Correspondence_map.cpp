@@ -67,7 +67,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
   CHECK(map.inverse()({1, {0.5, 0.5}}).size() == 1);
 }
 
-TEST_CASE("A curve that is cut becomes segments, at the border both")
+TEST_CASE("A curve that is cut becomes segments; its points between two segments have both as images")
 {
   Segmented_shape source = knobbed_box({0.1, 1, 0.1}), target("cut");
   target.add_part("low", box({0, 0.25, 0}, {0.1, 0.5, 0.1}));
@@ -83,7 +83,7 @@ TEST_CASE("A curve that is cut becomes segments, at the border both")
   CHECK(map({0, {0.5, 0}}).size() == 2);
 }
 
-TEST_CASE("A ring goes onto a ring whose curve runs the other way, every point to its place")
+TEST_CASE("A ring is mapped to a ring whose curve has the opposite direction, every point to its place")
 {
   const auto graph_of_ring = [](double sign) {
     Shape_structure shape;

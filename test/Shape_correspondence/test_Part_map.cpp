@@ -26,7 +26,7 @@ TEST_CASE("The inverse map is sorted by the other side, with its confidences")
   CHECK(inverse(inverse(map)) == map);
 }
 
-TEST_CASE("Maps compose by the parts in between, each pair once, by its most probable way")
+TEST_CASE("Maps compose over intermediate parts; each pair has the probability of its most probable path")
 {
   // 0 reaches 5 in two ways, .5 · .4 and .9 · .8; 1 splits into 6 and 7; 2 ends half-way
   const Part_map first{{{0, 0, .5}, {0, 1, .9}, {1, 2, 1}, {2, 3, 1}}};

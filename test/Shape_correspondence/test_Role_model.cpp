@@ -278,7 +278,7 @@ TEST_CASE("Examples that cannot be learned from are refused")
   CHECK_THROWS_WITH(train_role_model(labelled(examples()), options), Contains("trees"));
 }
 
-TEST_CASE("Fine labels are learned where all parts of a role have one, and the side is told from the place")
+TEST_CASE("Fine labels are learned where all parts of a role have one; the side follows from the position")
 {
   std::vector<Labelled_graph> shapes = labelled(examples());
   const Furniture shape = chair(0.17, 1.9);

@@ -247,7 +247,7 @@ TEST_CASE("A part that pulls on one not yet assigned changes all contacts of tha
   CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
-TEST_CASE("What touches a part that splits moves with the mean of its clones and keeps to the nearest one")
+TEST_CASE("A part in contact with one that splits moves with the mean of the clones and touches the nearest one")
 {
   // Three points above each other; in the target, the middle one is a pair, 0.3 down and up. The middle is assigned
   // first. At the lowest point, or at the pair, which leaves the others in place, each 0.7 from a clone, no rod rotates
@@ -262,7 +262,7 @@ TEST_CASE("What touches a part that splits moves with the mean of its clones and
   CHECK(solution.energy == Approx(2 * 0.6 / 2));
 }
 
-TEST_CASE("What touches a part follows it where it touches it")
+TEST_CASE("A part follows the point of contact with another part")
 {
   // A post with a point 0.5 above it. The target has a post half as high with a point 0.4 above it, and next to it a
   // post of full height. If the point follows the top of the post, the lower post costs nothing and is taken, since it

@@ -249,7 +249,7 @@ TEST_CASE("Parts on the mirror plane keep contacts on both of its sides, wheneve
   }
 }
 
-TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become what are no mirror images")
+TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become parts that are no mirror images")
 {
   const auto plane = [](Abstraction_kind left, double height) {
     Model result{Segmented_shape("plane"), {}};
@@ -277,7 +277,7 @@ TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become wh
   }
 }
 
-TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mirror images")
+TEST_CASE("Mirror images of round parts and of parts that hang in the middle stay mirror images")
 {
   const Measured_blend blend = measured_blend("table_four_legged", "table_pedestal");
   for (double t : {0.3, 0.6}) {
@@ -380,7 +380,7 @@ TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
   CHECK(*std::min_element(to.begin(), to.end()) > 0);
 }
 
-TEST_CASE("Without a correspondence parts come and go, or become what is alike in place and size")
+TEST_CASE("Without a correspondence parts appear and vanish, or become parts similar in place and size")
 {
   const Model& stool = model("stool");
   const Shape_blend blend = blend_of(stool, stool, Correspondence());

@@ -50,7 +50,7 @@ bool tells(const Correspondence& found)
 
 } // namespace
 
-TEST_CASE("Coarse to fine: groups may become what is near to the images of the large parts that they are near to")
+TEST_CASE("Coarse to fine: candidates for a group are near the images of the large parts near the group")
 {
   const auto shape = std::make_shared<Deformable_shape>(align_shape(row(7, 0.01)));
   const Group_candidates allowed = internal::coarse_candidates(shape, shape, search(Search_method::EXACT, 2));
@@ -76,7 +76,7 @@ TEST_CASE("Coarse to fine: groups may become what is near to the images of the l
   CHECK(internal::coarse_candidates(shape, shape, search(Search_method::EXACT, 7)).empty());
 }
 
-TEST_CASE("Coarse to fine: a shape is itself; no energy is less than the least; what was done is told")
+TEST_CASE("Coarse to fine: a shape matches itself; no energy is below the minimum; the summary says what was done")
 {
   for (const Search_method method : {Search_method::BEAM, Search_method::EXACT}) {
     const Structural_graph one = row(9, 0.01), other = row(9, 0.1);

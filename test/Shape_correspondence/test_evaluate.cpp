@@ -165,7 +165,7 @@ TEST_CASE("The labels of the models that come with the package can be read")
   CHECK(shapes[0].index("none") == shapes[0].parts.size());
 }
 
-TEST_CASE("What evaluate cannot understand ends with status 2")
+TEST_CASE("Wrong usage of evaluate ends with status 2")
 {
   const Labelled_chairs chairs;
   CHECK(run("evaluate " + quoted(chairs.results)).status == 2);

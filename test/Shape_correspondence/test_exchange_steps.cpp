@@ -74,7 +74,7 @@ TEST_CASE("Parts below and parts above a part that stays are exchanged in two st
   CHECK(found.at("box~") != found.at("left~"));
 }
 
-TEST_CASE("What is exchanged has two times, or one if that is asked for")
+TEST_CASE("Exchanges have two times, or one if that is asked for")
 {
   const Box_model source = upright(on_walls()), target = upright(on_column());
   Blend_options options;
@@ -119,7 +119,7 @@ TEST_CASE("The search for steps and the rating report progress, and end when can
   CHECK(ended.different_blends().size() == 1); // no steps were found
 }
 
-TEST_CASE("There are no two steps if most of what is to stand would be missing between them")
+TEST_CASE("Exchanges take one step if most of the parts on the ground would be missing between two steps")
 {
   std::vector<Named_box> on_feet = {board, on_walls().back()};
   for (int i = 0; i < 8; ++i)

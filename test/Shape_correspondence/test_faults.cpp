@@ -510,7 +510,7 @@ TEST_CASE("A writer that is killed leaves the previous file, and does not hinder
   CHECK(text_of(frames + "/a") == "a");
 }
 
-TEST_CASE("What is overwritten keeps its mode, and links to it")
+TEST_CASE("Files that are overwritten keep their mode and the links to them")
 {
   const Temporary_folder folder;
   const std::string file = folder.write("r.json", "old"), link = folder.path("link");

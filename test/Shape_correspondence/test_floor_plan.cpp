@@ -174,7 +174,7 @@ TEST_CASE("No files include each other in a circle")
     CHECK(file_in_circle(file, includes, state) == "");
 }
 
-TEST_CASE("What only some compilers and systems have stands where it is met for all")
+TEST_CASE("Code for single compilers or systems is in the files made for it only")
 {
   const std::regex compiler("__attribute__|__builtin_|\\b__int128|\\bssize_t"),
       system("#include <(unistd|windows|fcntl|io|dlfcn|spawn|poll|sys/.*)\\.h>|_WIN32|__linux__|__APPLE__");

@@ -66,7 +66,7 @@ TEST_CASE("A call that throws does not interrupt loops in other calls, and the f
 }
 
 #ifndef __SANITIZE_THREAD__
-TEST_CASE("As many threads work as the limit allows, in loops in loops, too, and as before when it is gone")
+TEST_CASE("As many threads work as the limit allows, also in nested loops, and as before when it is removed")
 {
   const auto most_at_once = [] {
     std::atomic<int> working{0}, most{0};

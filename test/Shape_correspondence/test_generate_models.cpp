@@ -412,7 +412,7 @@ TEST_CASE("drawn shapes are whole, of other styles with every seed, and the same
   CHECK(hash == 0xdb37b930598788b6);
 }
 
-TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_shapes]")
+TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_shapes]")
 {
   const gen::Assembly chair = benchmark_shape("chair_slats");
   const auto made_worse = [&](bool gen::Degradation::*way, std::uint64_t seed = 7) {

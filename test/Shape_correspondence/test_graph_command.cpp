@@ -137,7 +137,7 @@ TEST_CASE("Ways of abstraction by their names")
   CHECK(method_of_top("boxes") == "bounding_box");
 }
 
-TEST_CASE("--paper builds graphs by the flow, unless told otherwise, and tells of graphs of the other kind")
+TEST_CASE("--paper builds graphs by the flow by default, and warns about graphs built otherwise")
 {
   const Temporary_folder folder;
   const std::string table = quoted(folder.write("table.obj", obj_table())), flow = quoted(folder.path("flow.json")),

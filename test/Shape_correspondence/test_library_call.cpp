@@ -128,7 +128,7 @@ TEST_CASE("Where CGAL fails, the fallback is reported")
   }
 }
 
-TEST_CASE("No failure of a library ends a command in another way than by a result or an error that names the file")
+TEST_CASE("If a library fails, commands end with a result or with an error that names the file")
 {
   const Temporary_folder folder;
   const std::string a = folder.write("a.obj", table_text()), b = folder.write("b.obj", table_text());

@@ -124,7 +124,7 @@ TEST_CASE("More inflation makes no fewer clusters")
   CHECK(markov_clustering(weights, low).number_of_clusters <= markov_clustering(weights, high).number_of_clusters);
 }
 
-TEST_CASE("The scale of weights and what stands on the diagonal change nothing")
+TEST_CASE("The scale of weights and the entries of the diagonal change nothing")
 {
   const Weights weights = planted(4, 6, .8, .1, 1);
   Weights other = 8 * weights;

@@ -64,7 +64,7 @@ TEST_CASE("Groups: members are matched by their places in unit boxes, one left o
     CHECK(merge.images[i][0].target.part == (i == 0 ? 1 : 2));
 }
 
-TEST_CASE("Solidity ratio: of groups of different sizes, without rotation")
+TEST_CASE("The solidity ratio is 1 but for groups of different sizes without rotation")
 {
   const auto group = [](std::size_t size, double solidity, Symmetry_type type = Symmetry_type::REFLECTION) {
     Part_group result;

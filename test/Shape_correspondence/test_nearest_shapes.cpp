@@ -112,7 +112,7 @@ TEST_CASE("The same in parallel, and of any number of neighbours")
   CHECK(nearest_shapes(hand_made::table(), std::vector<Structural_graph>(), 3).shapes.empty());
 }
 
-TEST_CASE("Shapes of the query's category come first, then those of none that is known, in parallel, too")
+TEST_CASE("Shapes of the query's category come first, then those of unknown category, in parallel, too")
 {
   Energy_matrix_options options;
   options.search.roles = std::make_shared<const Role_model>(
