@@ -11,8 +11,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_H
 #define CGAL_SHAPE_CORRESPONDENCE_H
 
-/// \file Shape_correspondence.h
-/// Includes all of the package except reading and writing files (`Shape_correspondence/IO/`) and the solvers that can
+/// \file Shape_correspondence.h Includes the package except files (`Shape_correspondence/IO/`) and the solvers that can
 /// be used without shapes (`exact_search.h`, `markov_clustering.h`).
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>

@@ -16,9 +16,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A closed triangle mesh whose edges can be split and collapsed. Halfedges 3f, 3f + 1 and 3f + 2 are those of
-/// face f in turn, so that of each only its source and its opposite are kept (directed edges; Campagna, Kobbelt and
-/// Seidel 1998).
+/// A closed triangle mesh whose edges can be split and collapsed. The halfedges of face f are 3f, 3f + 1 and 3f + 2;
+/// only their sources and opposites are stored (directed edges; Campagna, Kobbelt and Seidel 1998).
 class Closed_triangulation
 {
 public:
@@ -52,16 +51,16 @@ public:
   int opposite(int h) const { return opposite_[at(h)]; }
   int source(int h) const { return source_[at(h)]; }
   int target(int h) const { return source(next(h)); }
-  /// The vertex across an edge, in the face of a halfedge.
+  /// The vertex opposite to a halfedge in its face.
   int apex(int h) const { return source(previous(h)); }
 
   Point& point(int v) { return points_[at(v)]; }
   const Point& point(int v) const { return points_[at(v)]; }
   double squared_length(int h) const { return (point(target(h)) - point(source(h))).squaredNorm(); }
-  /// Of a halfedge's face, twice its area long.
+  /// Normal of a halfedge's face, of length twice the area.
   Point normal(int h) const { return (point(target(h)) - point(source(h))).cross(point(apex(h)) - point(source(h))); }
 
-  /// Calls `f` with every halfedge from a vertex until it returns false. \return whether it never did
+  /// Calls `f` with every outgoing halfedge of a vertex until it returns false. \return whether all calls returned true
   template <typename Function>
   bool for_each_out(int v, const Function& f) const
   {
@@ -140,10 +139,8 @@ public:
     out_[at(d)] = ad;
   }
 
-  /// The number of edges of a vertex.
   int degree(int v) const { return degrees_[at(v)]; }
 
-  /// The mesh, without what was removed.
   Part_mesh mesh() const
   {
     std::vector<int> index(points_.size(), none);
@@ -197,9 +194,9 @@ private:
   }
 
   std::vector<Point> points_;
-  std::vector<int> source_, opposite_; ///< by halfedge
-  std::vector<int> out_;               ///< by vertex, a halfedge from it
-  std::vector<int> degrees_;           ///< by vertex
+  std::vector<int> source_, opposite_; ///< indexed by halfedge
+  std::vector<int> out_;               ///< one outgoing halfedge, by vertex
+  std::vector<int> degrees_;           ///< indexed by vertex
 };
 
 } // namespace CGAL::Shape_correspondence::internal

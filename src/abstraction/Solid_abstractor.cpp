@@ -20,7 +20,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The edge length that the options ask for, longer where that would make too many triangles.
+/// The edge length that the options ask for, or a greater one that bounds the number of triangles.
 double target_edge_length(const Part_mesh& solid, const Abstraction_options& options)
 {
   const double triangle_area = surface_area(solid) / options.triangles;
@@ -55,7 +55,7 @@ Part_abstraction Solid_abstractor::run()
 
 void Solid_abstractor::try_to_run()
 {
-  const double farthest = 1e6; // of the coordinates, over the diagonal: CGAL divides by differences of them
+  const double farthest = 1e6; // largest coordinate, over the diagonal: CGAL divides by differences of coordinates
   watch_.lap();
   if (mesh().points.cwiseAbs().maxCoeff() > farthest * diagonal_)
     throw Flow_failure("it is far from the origin for its size");
@@ -80,7 +80,8 @@ void Solid_abstractor::try_to_run()
 
 double Solid_abstractor::share_in_part(const Points& points, const Part_mesh& solid) const
 {
-  const double near = 2.5 * edge_length_; // a bent plate is off its sheet by less
+  // Distance from the solid that counts as inside: a bent plate deviates less from its sheet
+  const double near = 2.5 * edge_length_;
   const Inside_test is_inside(solid);
   const Nearest_points surface(solid.points);
   Eigen::Index count = 0;
@@ -103,7 +104,7 @@ Part_abstraction Solid_abstractor::bounding_box(const std::string& failure, bool
 
 bool Solid_abstractor::is_point(const Fitted_curve& fitted) const
 {
-  const double shortest = 0.2; // over the part's diagonal
+  const double shortest = 0.2; // least length of a curve, over the part's diagonal
   return fitted.curve.points.cols() < 2 || arc_lengths(fitted.curve).back() < shortest * diagonal_;
 }
 

@@ -14,22 +14,21 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Repairs and remeshes the surface of a part to a closed solid, of which derived classes find the curve or sheet.
-/// Parts for which that fails get their bounding box.
+/// Repairs and remeshes the surface of a part to a closed solid, from which derived classes find the curve or sheet.
+/// Parts for which this fails are abstracted by their bounding box.
 class Solid_abstractor
 {
 public:
   Solid_abstractor(const Shape_part& part, const Abstraction_options& options);
   virtual ~Solid_abstractor() = default;
 
-  /// The abstraction, with any failure in its report.
+  /// The abstraction; its report names any failure.
   Part_abstraction run();
 
 protected:
   using Method = Abstraction_report::Method;
 
-  /// Calls `use_prism()` if the part is a prism, which needs no remeshing. \param repaired closed and connected
-  /// \return whether it is one
+  /// Calls `use_prism()` if the part is a prism, and returns whether it is. \param repaired closed and connected
   virtual bool find_geometry_from_faces(const Repaired_part& /*repaired*/) { return false; }
   /// Calls one of `use_curve()`, `use_axis()` and `use_sheet()`. \throw Flow_failure
   virtual void find_geometry(const Part_mesh& solid) = 0;
@@ -40,7 +39,7 @@ protected:
   void use_sheet(const Fitted_sheet& fitted, Method method);
   void use_prism(std::variant<Curve, Sheet> geometry);
 
-  /// Whether the curve is too short for the part
+  /// Whether the curve is too short to represent the part.
   bool is_point(const Fitted_curve& fitted) const;
 
   const Part_mesh& mesh() const { return part_.mesh; }
@@ -48,20 +47,19 @@ protected:
   Abstraction_kind wanted_kind() const { return wanted_kind_; }
   const Deadline& deadline() const { return deadline_; }
   double diagonal_of_part() const { return diagonal_; }
-  /// Volume that the part encloses
+  /// Volume enclosed by the part.
   double volume() const { return result_.volume; }
-  /// Edge length of the remeshed solid
   double edge_length() const { return edge_length_; }
   Abstraction_report& report() { return result_.report; }
-  /// Milliseconds since the last call
+  /// Milliseconds since the last call.
   double lap() { return watch_.lap(); }
 
 private:
-  /// \throw Flow_failure, or what else the algorithms throw
+  /// \throw Flow_failure or any exception of the algorithms
   void try_to_run();
-  /// The share of points that are inside a solid or near its surface
+  /// The share of the points that are inside a solid or near its surface.
   double share_in_part(const Points& points, const Part_mesh& solid) const;
-  /// \param failure why the bounding box stands in
+  /// \param failure why the bounding box is used
   Part_abstraction bounding_box(const std::string& failure, bool time_limit) const;
 
   const Shape_part& part_;

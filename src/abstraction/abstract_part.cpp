@@ -22,19 +22,19 @@ using namespace internal;
 
 namespace {
 
-/// Coordinates are rounded to this fraction of the height of the shape (or the size of a single part): the remeshing
-/// and the flow amplify rounding noise, so that it must not reach them.
+/// Grid to which coordinates are rounded, over the height of the shape (or the size of a single part). Remeshing and
+/// flow would amplify rounding noise.
 constexpr double coordinate_grid = 1e-7;
 
-/// Parts whose diagonal is a smaller fraction of the height of the shape are abstracted in a frame of their own, since
-/// differences of their coordinates would be rounding noise.
+/// Diagonal, over the height of the shape, below which a part is abstracted in a frame of its own: differences of its
+/// coordinates would be rounding noise.
 constexpr double tiny_part = 1e-4;
 
 constexpr std::size_t surface_points_of_a_part = 256;
 
 void check(const Abstraction_options& options)
 {
-  constexpr double most_points = 1000; // of a curve, and along a side of a sheet
+  constexpr double most_points = 1000; // limit for a curve, and for each side of a sheet
   if (!options.abstractor) throw Invalid_input("abstract_part: there is no abstractor; give one, or keep the default");
   check_positive("abstract_part: the edge length", options.edge_length);
   check_positive("abstract_part: the volume at which the flow stops", options.stop_volume);
@@ -52,7 +52,7 @@ bool is_valid(const Sheet& sheet)
   return sheet.rows >= 2 && sheet.cols >= 2 && sheet.points.cols() == Eigen::Index(sheet.rows) * sheet.cols;
 }
 
-/// The options' abstractor is anybody's.
+/// Checks the result of a user's abstractor.
 void check_abstraction(const std::string& name, const Part_abstraction& abstraction)
 {
   const bool valid = std::visit([](const auto& g) { return is_valid(g); }, abstraction.geometry);
@@ -62,7 +62,6 @@ void check_abstraction(const std::string& name, const Part_abstraction& abstract
   }
 }
 
-/// Finds the abstraction of a part whose mesh is in canonical form.
 Part_abstraction abstract_mesh(const Shape_part& part, const Abstraction_options& options)
 {
   Stop_watch watch;
@@ -103,7 +102,7 @@ Part_abstraction to_world(Part_abstraction part, const Shape_frame& frame)
   return part;
 }
 
-/// The abstraction of a part that is moved to the origin and scaled to a diagonal of 1 for it.
+/// Abstracts a copy of the part that is centred at the origin and scaled to diagonal 1, and maps the result back.
 Part_abstraction abstract_in_own_frame(const Shape_part& part, const Abstraction_options& options)
 {
   const Point low = part.mesh.points.rowwise().minCoeff(), high = part.mesh.points.rowwise().maxCoeff();
@@ -132,7 +131,7 @@ Part_abstraction moved_copy(const Part_abstraction& original, const Motion& moti
   return result;
 }
 
-/// Counts parts that are done, for a caller who wants to know.
+/// Counts the parts that are done, and reports the count to the caller.
 class Progress
 {
 public:
@@ -153,7 +152,7 @@ private:
   std::mutex mutex_;
 };
 
-/// The parts' meshes in the shape's frame, in canonical form.
+/// The meshes of the parts in the shape's frame, in canonical form.
 std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape_frame& frame)
 {
   std::vector<Part_mesh> result;
@@ -165,8 +164,7 @@ std::vector<Part_mesh> meshes_in_frame(const Segmented_shape& shape, const Shape
   return result;
 }
 
-/// Indices of the meshes that are no copies, by descending number of triangles, as large ones are likely to take
-/// longest.
+/// Indices of the meshes that are not copies, the largest first, since they probably take longest.
 std::vector<std::size_t> originals_by_size(const std::vector<Part_mesh>& meshes,
                                            const std::vector<Congruence>& congruences)
 {

@@ -9,7 +9,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The line through the middle of a box along one of its axes.
+/// The line through the centre of a box along one of its axes.
 inline Curve medial_curve(const Oriented_box& box, int control_points, Eigen::Index axis = 0)
 {
   Curve result;
@@ -21,8 +21,7 @@ inline Curve medial_curve(const Oriented_box& box, int control_points, Eigen::In
   return result;
 }
 
-/// The axis of a block whose extent differs most from the two others, as that of a square prism; of a cube the upright
-/// one.
+/// The axis of a box, as of a square prism, whose extent differs most from the other two; for a cube, the upright one.
 inline Eigen::Index distinct_axis(const Oriented_box& box)
 {
   const double alike = 0.9;

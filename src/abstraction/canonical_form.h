@@ -21,10 +21,10 @@
 namespace CGAL::Shape_correspondence::internal {
 
 /// A mesh that does not depend on the order of vertices and triangles, nor on rounding noise: coordinates are rounded
-/// to a grid, equal vertices merged, vertices and triangles sorted along a direction, duplicates removed.
+/// to a grid, equal vertices merged, duplicates removed, vertices and triangles sorted along a direction.
 inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
 {
-  using Key = std::array<double, 4>; // place along the direction, coordinates
+  using Key = std::array<double, 4>; // position along the direction, then coordinates
   const Point direction = generic_direction();
   std::map<Key, int> vertices;
   const auto key = [&](Eigen::Index v) {
@@ -43,8 +43,8 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
     result.points.col(count) << position[1], position[2], position[3];
     index = count++;
   }
-  using Triangle_key = std::pair<double, std::array<int, 3>>; // place of the centre, sorted corners
-  std::map<Triangle_key, std::array<int, 3>> triangles;       // corners in their order
+  using Triangle_key = std::pair<double, std::array<int, 3>>; // position of the centre, then sorted corners
+  std::map<Triangle_key, std::array<int, 3>> triangles;       // corners in their orientation
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     std::array<int, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -60,7 +60,7 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
     }
   }
   if (triangles.empty()) {
-    // Thinner than the grid.
+    // The mesh is thinner than the grid.
     const double finer = 1e-4, finest = 1e-20;
     return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
   }
@@ -71,7 +71,7 @@ inline Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
   return result;
 }
 
-/// The coordinate in which a direction is longest; of nearly equal ones the height, then the side.
+/// The coordinate axis of the largest component; of nearly equal components, y, then x.
 inline int dominant_axis(const Point& direction)
 {
   const double nearly = 0.98;
@@ -83,8 +83,8 @@ inline int dominant_axis(const Point& direction)
 
 inline bool points_backwards(const Point& direction) { return direction[dominant_axis(direction)] < 0; }
 
-/// An open curve runs up, else to the side, else to the front; a closed one starts at its foremost point and turns
-/// about the positive side of its longest axis.
+/// Orients a curve: an open one runs up, else to the side, else to the front; a closed one starts at its foremost point
+/// and turns counter-clockwise about its longest axis.
 inline void make_canonical(Curve& curve)
 {
   const Eigen::Index n = curve.points.cols();
@@ -93,7 +93,7 @@ inline void make_canonical(Curve& curve)
       curve.points = curve.points.rowwise().reverse().eval();
     return;
   }
-  // Along no axis, so that no two points of a regular ring tie
+  // Oblique to the axes, so that no two points of a regular ring tie
   const Point front(0.13, 0.29, 1.);
   const std::vector<double> lengths = arc_lengths(curve);
   Point turn = Point::Zero();
@@ -125,7 +125,7 @@ inline Sheet transposed(const Sheet& sheet)
 inline Point row_direction(const Sheet& sheet) { return sheet(1, 0) + sheet(1, 1) - sheet(0, 0) - sheet(0, 1); }
 inline Point col_direction(const Sheet& sheet) { return sheet(0, 1) + sheet(1, 1) - sheet(0, 0) - sheet(1, 0); }
 
-/// v runs to the side (of a sheet that has no side: to the front), u up or to the front.
+/// Orients a sheet: v runs to the side (or to the front, if the sheet does not extend sideways), u up or to the front.
 inline void make_canonical(Sheet& sheet)
 {
   const Point along_u = row_direction(sheet).normalized(), along_v = col_direction(sheet).normalized();

@@ -23,7 +23,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A motion: x goes to linear * x + offset.
+/// The affine map x → linear * x + offset, a rigid motion or reflection.
 struct Motion
 {
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
@@ -32,9 +32,9 @@ struct Motion
   Points operator()(const Points& points) const { return (linear * points).colwise() + offset; }
 };
 
-/// Invariants of a surface under rigid motions and reflections, and its place and orientation. They are exact
-/// integrals, so that it does not matter how flat faces are divided into triangles. Aligned, since the order in which
-/// Eigen adds, and so the last bit of a sum, depends on the alignment of its operands.
+/// Invariants of a surface under rigid motions and reflections, with its centre and principal axes. They are exact
+/// integrals, independent of the triangulation of flat faces. Aligned, since the order in which Eigen adds, and thus
+/// the last bit of a sum, depends on the alignment of its operands.
 struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 {
   explicit Mesh_signature(const Part_mesh& mesh) : mesh(&mesh), size(diagonal(mesh.points))
@@ -70,12 +70,12 @@ struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 
 inline bool may_be_congruent(const Mesh_signature& a, const Mesh_signature& b)
 {
-  const double tolerance = 1e-3; // over the area, and over the length
+  const double tolerance = 1e-3; // ratio to the area, and to the greatest length
   return std::abs(a.area - b.area) <= tolerance * a.area &&
          (a.lengths - b.lengths).cwiseAbs().maxCoeff() <= tolerance * a.lengths[2];
 }
 
-/// Orthonormal axes of which the first is along one vector and the second in the plane of both.
+/// Orthonormal axes, the first along the first vector, the second in the plane of both.
 inline Eigen::Matrix3d axes_of_two(const Point& first, const Point& second)
 {
   Eigen::Matrix3d result;
@@ -85,8 +85,8 @@ inline Eigen::Matrix3d axes_of_two(const Point& first, const Point& second)
   return result;
 }
 
-/// Adds motions that carry an outermost corner and one aside from it to corners alike, as principal axes are any axes
-/// where a part is as long along one as along another.
+/// Adds motions that map the outermost corner and the corner farthest from its axis to equivalent corners: principal
+/// axes are arbitrary where a part has equal lengths along two of them.
 inline void add_motions_of_corners(const Mesh_signature& from, const Mesh_signature& to,
                                    std::vector<Eigen::Matrix3d>& motions)
 {
@@ -115,9 +115,9 @@ inline void add_motions_of_corners(const Mesh_signature& from, const Mesh_signat
   }
 }
 
-/// The linear parts of motions that may carry one mesh onto another: mirror images in the frame's axes, quarter turns
-/// about the vertical, turns about it that carry the horizontal moments over, and all that carry the principal axes or
-/// corners over.
+/// The linear parts of motions that may map one mesh to another: reflections in the frame's axes, quarter turns about
+/// the vertical, turns about it that map the horizontal moments, and maps of the principal axes and of corners. Those
+/// that do not map the moments are left out.
 inline std::vector<Eigen::Matrix3d> candidate_motions(const Mesh_signature& from, const Mesh_signature& to)
 {
   using Eigen::Matrix3d;
@@ -149,7 +149,7 @@ inline std::vector<Eigen::Matrix3d> candidate_motions(const Mesh_signature& from
   return result;
 }
 
-/// Whether a motion carries every vertex of one mesh, and the middle of every triangle, to the surface of another.
+/// Whether a motion maps every vertex of one mesh, and the centre of every triangle, to the surface of another.
 inline bool carries(const Motion& motion, const Mesh_signature& from, const Mesh_signature& to,
                     const contacts::Triangle_tree& target)
 {
@@ -164,7 +164,7 @@ inline bool carries(const Motion& motion, const Mesh_signature& from, const Mesh
   return true;
 }
 
-/// The motion that carries a surface onto another, if they are copies of each other.
+/// The motion that maps a surface to another; none if they are not congruent.
 inline std::optional<Motion> find_congruence(const Mesh_signature& from, const Mesh_signature& to,
                                              const contacts::Triangle_tree& from_tree,
                                              const contacts::Triangle_tree& to_tree)
@@ -177,14 +177,13 @@ inline std::optional<Motion> find_congruence(const Mesh_signature& from, const M
   return std::nullopt;
 }
 
-/// The mesh that a mesh is a copy of, or itself, and the motion from there.
+/// The index of the mesh that a mesh is a copy of (or its own), and the motion from there.
 struct Congruence
 {
   std::size_t original;
   Motion motion;
 };
 
-/// Lexicographic order of meshes in canonical form.
 inline bool canonical_less(const Part_mesh& a, const Part_mesh& b)
 {
   const auto points = [](const Part_mesh& m) {
@@ -200,8 +199,7 @@ inline bool canonical_less(const Part_mesh& a, const Part_mesh& b)
   return is_less(corners(a), corners(b));
 }
 
-/// Classes of congruent meshes in canonical form. Which one of a class is the original depends on places, not on the
-/// order.
+/// Classes of congruent meshes in canonical form. The original of a class depends on positions, not on the order.
 /// \param comparable whether the meshes of two indices may be in one class
 inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& meshes,
                                                 const std::function<bool(std::size_t, std::size_t)>& comparable)
@@ -210,7 +208,7 @@ inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& me
   std::vector<std::size_t> order(meshes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto place = [&](std::size_t i) {
-    // Along a direction, and on a coarse grid: noise must not decide between mirror images.
+    // Rounded to a coarse grid, so that noise does not decide between mirror images.
     return -std::round(1e4 * generic_direction().dot(signatures[i].centre));
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

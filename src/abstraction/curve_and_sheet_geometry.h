@@ -20,7 +20,7 @@
 namespace CGAL::Shape_correspondence {
 namespace internal {
 
-/// A cell of a uniform subdivision and the position in it, in [0, 1].
+/// The index of a cell of a uniform subdivision, and the position within it, in [0, 1].
 struct Cell_position
 {
   int cell;
@@ -34,7 +34,7 @@ inline Cell_position locate_cell(double parameter, int cells)
   return {cell, x - cell};
 }
 
-/// Number of segments of a curve; a closed one has a last segment back to its first point.
+/// Number of segments of a curve; the last segment of a closed one leads back to its first point.
 inline Eigen::Index number_of_segments(const Curve& curve)
 {
   return curve.closed ? curve.points.cols() : curve.points.cols() - 1;
@@ -45,7 +45,7 @@ inline Point segment_end(const Curve& curve, Eigen::Index segment)
   return curve.points.col((segment + 1) % curve.points.cols());
 }
 
-/// Arc length up to each control point; one entry more than there are segments.
+/// Arc length from the first control point to each one; for a closed curve, the total length is appended.
 inline std::vector<double> arc_lengths(const Curve& curve)
 {
   std::vector<double> result{0.};
@@ -64,7 +64,7 @@ inline Point point_at_length(const Curve& curve, const std::vector<double>& leng
   return (1 - f) * curve.points.col(s) + f * segment_end(curve, s);
 }
 
-/// The fraction of a segment at which it is nearest to a point.
+/// Parameter in [0, 1] of the point of a segment nearest to p.
 inline double nearest_on_segment(const Point& a, const Point& b, const Point& p)
 {
   const double squared_length = (b - a).squaredNorm();
@@ -90,7 +90,7 @@ inline Eigen::Vector2d nearest_parameter_on_curve(const Curve& curve, const Poin
   return {lengths.back() > 0 ? length / lengths.back() : 0., 0.};
 }
 
-/// Barycentric coordinates (along b - a, along c - a) of the point of a triangle nearest to p.
+/// Barycentric coordinates (along b - a and c - a) of the point of a triangle nearest to p.
 inline Eigen::Vector2d nearest_on_triangle(const Point& a, const Point& b, const Point& c, const Point& p)
 {
   Eigen::Matrix<double, 3, 2> edges;
@@ -109,7 +109,7 @@ inline Eigen::Vector2d nearest_on_triangle(const Point& a, const Point& b, const
                            [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
 }
 
-/// One Gauss-Newton step at a time towards the point of a sheet's cell nearest to p, from a good start.
+/// The parameter of the point of a sheet's cell nearest to p, by Gauss-Newton steps from a good start.
 inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parameter, int row, int col, const Point& p)
 {
   const Eigen::Array2d cells(sheet.rows - 1, sheet.cols - 1);
@@ -138,7 +138,7 @@ inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parame
   return parameter;
 }
 
-/// The nearest point of one of a cell's two triangles, as a start.
+/// A start for `refine_in_cell()`: the nearest point of one of a cell's two triangles.
 struct Cell_candidate
 {
   double distance; ///< squared
@@ -165,7 +165,7 @@ inline void add_cell_candidates(const Sheet& sheet, int i, int j, const Point& p
   }
 }
 
-/// A cell, and how far from a point its box is: no point of the cell is nearer.
+/// A cell, and the distance of its bounding box from a point: a lower bound of the cell's distance.
 struct Cell_distance
 {
   double distance;
@@ -191,7 +191,7 @@ inline std::vector<Cell_distance> cells_by_distance(const Sheet& sheet, const Po
   return result;
 }
 
-/// Refines the best candidates: in a twisted cell the best start need not lead to the nearest point.
+/// Refines several candidates, since in a twisted cell the best start need not lead to the nearest point.
 inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Point& p)
 {
   const std::size_t most_refined = 4;

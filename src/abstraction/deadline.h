@@ -9,7 +9,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A part that the flow cannot treat; the message says why. Thrown inside this room only.
+/// Thrown if the flow cannot treat a part; the message says why. Does not leave this room.
 class Flow_failure : public std::runtime_error
 {
 public:

@@ -19,18 +19,18 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Least coverage of an abstraction that is not called branching, see `Abstraction_report::coverage`.
+/// Least coverage (`Abstraction_report::coverage`) of an abstraction that does not count as branching.
 constexpr double least_coverage = 0.8;
 
 /// A curve taken from a skeleton.
 struct Fitted_curve
 {
   Curve curve;
-  double coverage = 1; ///< its length over the length of the pruned skeleton
-  double residual = 0; ///< root mean square distance of the skeleton from it, before it is centred
+  double coverage = 1; ///< length of the curve over the length of the pruned skeleton
+  double residual = 0; ///< root mean square distance of the skeleton from the curve, before it is centred
 };
 
-/// From a leaf to the first vertex whose degree is not 2.
+/// The path from a leaf to the first vertex whose degree is not 2.
 inline std::vector<int> leaf_chain(const Spatial_graph_view& graph, int leaf)
 {
   std::vector<int> chain{leaf};
@@ -54,7 +54,7 @@ inline double chain_length(const Spatial_graph_view& graph, const std::vector<in
   return result;
 }
 
-/// The longest path, by a double sweep; exact on trees.
+/// The longest shortest path, by a double sweep; exact on trees.
 inline std::vector<int> longest_path(const Spatial_graph_view& graph)
 {
   int start = 0;
@@ -64,11 +64,12 @@ inline std::vector<int> longest_path(const Spatial_graph_view& graph)
   return graph.path(from, graph.farthest(graph.distances_from(from)));
 }
 
-/// Removes the shortest twig as long as it is no longer than the part is thick there, or a tenth of the longest path.
+/// Removes twigs, the shortest first, as long as they are shorter than twice the thickness of the part at the
+/// branching, or than a tenth of the longest path.
 inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
 {
-  const double smallest_fraction = 0.1; // of the longest path
-  const double smallest_radii = 2;      // of the part where the twig branches off
+  const double smallest_fraction = 0.1; // ratio to the length of the longest path
+  const double smallest_radii = 2;      // ratio to the distance of the surface at the branching
   const double smallest_length = smallest_fraction * chain_length(graph, longest_path(graph));
   while (true) {
     std::vector<int> shortest;
@@ -97,7 +98,7 @@ inline bool has_free_end(const Spatial_graph_view& graph)
   return false;
 }
 
-/// The outer cycle of a graph without free ends; of a wheel the rim, not the way through the hub.
+/// The outer cycle of a graph without free ends; for a wheel, the rim and not the path through the hub.
 inline std::vector<int> outer_cycle(Spatial_graph_view graph)
 {
   const std::vector<int> across = longest_path(graph);
@@ -124,7 +125,7 @@ inline std::vector<int> outer_cycle(Spatial_graph_view graph)
   return cycle;
 }
 
-/// Averages neighbours; the ends of an open curve stay.
+/// Averages neighbouring points; the ends of an open curve are fixed.
 inline void smooth(Curve& curve, int rounds)
 {
   const Eigen::Index n = curve.points.cols();
@@ -135,12 +136,12 @@ inline void smooth(Curve& curve, int rounds)
   }
 }
 
-/// Lengthens an end of a curve in its direction up to the surface: the flow draws tips back by about half the width.
+/// Extends an end of a curve along its tangent up to the surface: the flow shortens tips by about half the width.
 inline void extend_end(Curve& curve, bool last, const Nearest_points& surface, const Inside_test& is_inside)
 {
   const int steps = 64;
-  const double most_lengths = 0.2; // of the curve
-  const double most_radii = 2;     // of the part near the end
+  const double most_lengths = 0.2; // longest extension, over the length of the curve
+  const double most_radii = 2;     // longest extension, over the distance of the surface near the end
   const Eigen::Index n = curve.points.cols();
   const Eigen::Index end = last ? n - 1 : 0;
   const Eigen::Index inner = last ? std::max<Eigen::Index>(n - 3, 0) : std::min<Eigen::Index>(2, n - 1);
@@ -165,7 +166,7 @@ inline Curve to_curve(const Spatial_graph_view& graph, const std::vector<int>& p
   return result;
 }
 
-/// The total turning angle of a curve: 2 π for a ring.
+/// The total turning angle of a curve; 2 π for a ring.
 inline double turning(const Curve& curve)
 {
   const Eigen::Index n = curve.points.cols();
@@ -178,7 +179,6 @@ inline double turning(const Curve& curve)
   return result;
 }
 
-/// A path, resampled and smoothed.
 inline Curve smoothed(const Curve& raw, int samples)
 {
   const int rounds = 3;
@@ -187,13 +187,12 @@ inline Curve smoothed(const Curve& raw, int samples)
   return result;
 }
 
-/// Moves a curve, across its direction, to the middle of the points of the medial axis around it: of those that are
-/// about as near to the curve as to the surface.
+/// Moves a curve across itself to the mean of the medial points that are about as far from it as from the surface.
 /// \param axis the medial poles of the surface's points
 inline void centre(Curve& curve, const Points& axis, const Points& surface)
 {
   const int rounds = 3;
-  const double reach = 1.5; // over the distance of the axis from the surface
+  const double reach = 1.5; // ratio to the distance of the axis from the surface
   const Eigen::Index n = curve.points.cols();
   Curve offsets{Points::Zero(3, n), curve.closed};
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(n);
@@ -228,7 +227,7 @@ inline double skeleton_residual(const Spatial_graph_view& graph, const Curve& cu
   return std::sqrt(sum / graph.total_length());
 }
 
-/// The path of a pruned skeleton that stands for it: the outer cycle, or the longest path where there is none.
+/// The path that represents a pruned skeleton: the outer cycle, or the longest path if there is none.
 inline Curve main_path(const Spatial_graph_view& graph)
 {
   const std::vector<int> cycle = has_free_end(graph) ? std::vector<int>() : outer_cycle(graph);
@@ -239,17 +238,17 @@ inline Curve main_path(const Spatial_graph_view& graph)
 struct Skeleton_path
 {
   Fitted_curve fitted;
-  int turns = 0; ///< full ones
+  int turns = 0; ///< number of full turns
 };
 
-/// Control points of a curve: segments between few points would cut bends.
+/// The number of control points of a curve. It grows with the turns, since few segments would cut bends.
 inline int number_of_points(int control_points, int turns) { return control_points * (1 + turns); }
 
-/// \return without a curve if nothing is left of the skeleton
+/// \return an empty curve if nothing is left of the skeleton
 inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_points& surface, int control_points)
 {
-  const int samples = 4;     // for a control point
-  const double nearly = 0.1; // of a full turn
+  const int samples = 4;     // number for each control point
+  const double nearly = 0.1; // fraction of a full turn
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
   Skeleton_path result;
@@ -265,7 +264,7 @@ inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_
   return result;
 }
 
-/// The curve of a skeleton as it is. \param solid the closed mesh that the skeleton is of
+/// The curve of a skeleton, without corrections. \param solid the closed mesh that the skeleton was computed from
 inline Fitted_curve skeleton_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
 {
   auto [result, turns] = skeleton_path(skeleton, Nearest_points(solid.points), control_points);
@@ -274,7 +273,7 @@ inline Fitted_curve skeleton_curve(const Spatial_graph& skeleton, const Part_mes
   return result;
 }
 
-/// The same, but extended to the surface, and where it is bent, moved to the middle of the medial axis.
+/// The curve of a skeleton, extended to the surface and, if it is bent, moved to the middle of the medial axis.
 /// \param axis the medial poles of the vertices of `solid`
 inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& axis, const Part_mesh& solid,
                               int control_points)
@@ -283,7 +282,7 @@ inline Fitted_curve fit_curve(const Spatial_graph& skeleton, const Points& axis,
   auto [result, turns] = skeleton_path(skeleton, surface, control_points);
   Curve& curve = result.curve;
   if (curve.points.cols() == 0) return result;
-  if (turns > 0) { // the flow draws bends inwards
+  if (turns > 0) { // the flow pulls bends inwards
     centre(curve, axis, solid.points);
   }
   if (!curve.closed) {

@@ -25,7 +25,7 @@ namespace CGAL::Shape_correspondence::internal {
 struct Fitted_sheet
 {
   Sheet sheet;
-  double residual = 0; ///< root mean square distance of the medial axis from it
+  double residual = 0; ///< root mean square distance of the medial axis from the sheet
 };
 
 /// The plane of a sheet: its centre and axes, the normal last.
@@ -45,11 +45,11 @@ inline Eigen::Vector3d principal_variances(const Points& points)
   return eigen_system(scatter_matrix(centred) / points.cols()).values.reverse().cwiseMax(1e-300);
 }
 
-/// The plane through points along the principal axes; of points that are round in it, which have none, along some axes.
-/// Neither the axes nor their signs are left to rounding.
+/// The plane through points, with axes along their principal axes; if the points have no preferred direction in the
+/// plane, with axes that depend on the normal alone. Neither the axes nor their signs depend on rounding.
 inline Sheet_plane principal_plane(const Points& points)
 {
-  const double round = 0.999; // ratio of the variances in the plane, at least
+  const double round = 0.999; // least ratio of the two variances in the plane that counts as equal
   const Point centre = points.rowwise().mean();
   const Eigen_system system = eigen_system(scatter_matrix(points.colwise() - centre));
   const Point normal = with_fixed_sign(system.vectors.col(0));
@@ -70,7 +70,7 @@ inline Planar_points project(const Points& points)
   return result;
 }
 
-/// Turns the plane's axes so that they lie along the rectangle of least area around the outline.
+/// Rotates the axes in the plane to the sides of the outline's bounding rectangle of least area.
 inline void turn_to_rectangle(Sheet_plane& plane, const Points& surface)
 {
   const Eigen::Vector2d side = least_rectangle_direction(planar_hull(project(plane.to_plane(surface))));
@@ -87,10 +87,10 @@ inline double quadrilateral_area(const Planar_points& outline, const Outline_cor
   return 0.5 * std::abs(cross(outline[c[2]] - outline[c[0]], outline[c[3]] - outline[c[1]]));
 }
 
-/// The largest quadrilateral of an outline's vertices, found by its first diagonal.
+/// The largest quadrilateral of vertices of an outline, found by its first diagonal.
 inline Outline_corners largest_quadrilateral(const Planar_points& outline)
 {
-  // Every n-th vertex suffices on a smooth outline.
+  // On a smooth outline, every n-th vertex suffices.
   const std::size_t most_vertices = 60;
   const std::size_t n = outline.size(), step = 1 + n / most_vertices;
   Outline_corners result{0, 0, 0, 0};
@@ -114,8 +114,7 @@ inline Outline_corners largest_quadrilateral(const Planar_points& outline)
   return result;
 }
 
-/// The extreme points of an outline along the diagonals of its bounding rectangle, counter-clockwise from the lower
-/// left.
+/// The extreme points of an outline along the diagonals of its bounding box, counter-clockwise from the lower left.
 inline Outline_corners diagonal_corners(const Planar_points& outline)
 {
   Eigen::Array2d low = outline[0], high = low;
@@ -134,11 +133,11 @@ inline Outline_corners diagonal_corners(const Planar_points& outline)
   return result;
 }
 
-/// The four corners of an outline: those along its diagonals, or of a skew one, like that of a swept wing, those of its
-/// largest quadrilateral, from the one nearest to the lower left on.
+/// The four corners of an outline: its extreme points along the diagonals, or for a skew outline, such as that of a
+/// swept wing, the corners of its largest quadrilateral, starting with the one nearest to the lower left.
 inline Outline_corners outline_corners(const Planar_points& outline)
 {
-  const double clearly = 1.03; // ratio of areas
+  const double clearly = 1.03; // ratio of areas beyond which the outline counts as skew
   const Outline_corners along_diagonals = diagonal_corners(outline);
   Outline_corners largest = largest_quadrilateral(outline);
   if (quadrilateral_area(outline, largest) < clearly * quadrilateral_area(outline, along_diagonals))
@@ -151,7 +150,7 @@ inline Outline_corners outline_corners(const Planar_points& outline)
   return largest;
 }
 
-/// `n` points, evenly spaced, of a closed outline from one of its vertices on to another.
+/// `n` points, evenly spaced on a closed outline from one of its vertices to another.
 inline Planar_points outline_side(const Planar_points& outline, std::size_t from, std::size_t to, int n)
 {
   std::vector<Point> chain;
@@ -167,7 +166,7 @@ inline Planar_points outline_side(const Planar_points& outline, std::size_t from
   return project(sample(curve, n));
 }
 
-/// A grid in the plane whose rim follows an outline (a Coons patch). Rows run along y.
+/// A grid in the plane whose boundary follows an outline (a Coons patch). Rows run along y.
 inline Sheet flat_grid(const Planar_points& outline, int n)
 {
   const auto corners = outline_corners(outline);
@@ -194,7 +193,7 @@ inline Sheet flat_grid(const Planar_points& outline, int n)
   return result;
 }
 
-/// The control points of a sheet that the bilinear map weighs at a parameter, with their weights.
+/// The control points that the bilinear map of a sheet combines at a parameter, with their weights.
 inline std::array<std::pair<Eigen::Index, double>, 4> bilinear_weights(const Sheet& sheet,
                                                                        const Eigen::Vector2d& parameter)
 {
@@ -207,8 +206,7 @@ inline std::array<std::pair<Eigen::Index, double>, 4> bilinear_weights(const She
            {first + sheet.cols + 1, row.fraction * col.fraction}}};
 }
 
-/// The squared second differences of a grid as a quadratic form; it lets heights go on straight where there are no
-/// data.
+/// The sum of squared second differences of a grid as a quadratic form; it extrapolates heights linearly.
 inline Eigen::MatrixXd bending_form(int rows, int cols)
 {
   const Eigen::Index size = Eigen::Index(rows) * cols;
@@ -233,12 +231,13 @@ inline Eigen::MatrixXd bending_form(int rows, int cols)
   return result;
 }
 
-/// Smooth values at the control points of a flat grid, a column each, that are near to given values at points of its
+/// Smooth values, one column for each control point of a flat grid, that approximate given values at points in its
 /// plane.
 inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, const Eigen::MatrixXd& values)
 {
-  const double smoothness = 0.05; // weight of the bending energy over that of the points
-  const double ridge = 1e-9;      // weight of zero, where neither says anything
+  const double smoothness = 0.05; // weight of the bending energy relative to the points
+  // Weight of the value 0, for control points that neither the points nor the bending energy determine
+  const double ridge = 1e-9;
   const Eigen::Index n = grid.points.cols();
   Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, values.rows());
@@ -257,7 +256,7 @@ inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, co
   return form.ldlt().solve(right).transpose();
 }
 
-/// Values, but none past the least and the greatest of others: a strongly curved sheet would go on without end.
+/// The values, clamped to the range of others row by row: a strongly curved sheet would be extrapolated without bound.
 inline Eigen::MatrixXd clamped(const Eigen::MatrixXd& values, const Eigen::MatrixXd& range)
 {
   Eigen::MatrixXd result = values;
@@ -266,7 +265,7 @@ inline Eigen::MatrixXd clamped(const Eigen::MatrixXd& values, const Eigen::Matri
   return result;
 }
 
-/// At most `limit` of some points, evenly picked.
+/// At most `limit` of the points, evenly picked.
 inline Points thin_out(const Points& points, Eigen::Index limit)
 {
   if (points.cols() <= limit) return points;
@@ -291,7 +290,8 @@ inline double sheet_residual(const Sheet& sheet, const Points& points)
 
 constexpr Eigen::Index most_fitted_points = 600;
 
-/// Fits a sheet to a medial axis: its rim follows the outline of the part, seen across the sheet, its height the axis.
+/// Fits a sheet to a medial axis as a height field over its principal plane: the boundary is the outline of the part in
+/// this plane, the heights those of the axis.
 /// \param surface points of the part's surface that span its hull
 inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
 {
@@ -307,7 +307,7 @@ inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
   return result;
 }
 
-/// A flat sheet in a given plane, inside the outline of the part as it is seen across.
+/// A flat sheet in a given plane, bounded by the outline of the part in this plane.
 inline Fitted_sheet fit_flat_sheet(const Sheet_plane& plane, const Points& axis, const Points& surface, int n)
 {
   Fitted_sheet result;
@@ -317,10 +317,10 @@ inline Fitted_sheet fit_flat_sheet(const Sheet_plane& plane, const Points& axis,
   return result;
 }
 
-/// Fits a sheet to a medial axis that is bent too much to be seen from one side: its rim follows the outline of a
-/// layout of the axis, a little farther out, where the part's surface is.
-/// \param layout of the axis in the plane
-/// \param margin from the rim of the axis to that of the part
+/// Fits a sheet to a medial axis that is bent too much for a height field: its boundary is the outline of a planar
+/// layout of the axis, offset to the part's surface.
+/// \param layout coordinates of the axis in the plane
+/// \param margin distance between the rim of the axis and that of the part
 inline Fitted_sheet fit_bent_sheet(const Points& axis, const Points& layout, double margin, const Points& surface,
                                    int n)
 {

@@ -22,30 +22,31 @@ using namespace internal;
 
 namespace {
 
-/// Whether the medial axis of a part is a layer, as that of a thick cushion; a block with edges has sheets towards
-/// them, and a pebble hardly more than a point.
+/// Whether the medial axis of a part is a layer, as in a thick cushion. That of a block has sheets towards the edges;
+/// that of a pebble is hardly more than a point.
 bool is_layer(const Intrinsic_layout& layout, double thickness)
 {
-  const double most_depth = 0.28;        // over its width
-  const double most_thickness = 2. / 3.; // of the part, over its length
+  const double most_depth = 0.28;        // ratio to the width of the axis
+  const double most_thickness = 2. / 3.; // ratio to the length of the axis
   return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
 }
 
-/// What a part is like when it is measured along itself. A blade is long, but far wider than thick; a block is compact
-/// and so thick that its medial axis has no clear direction.
+/// The proportions of a part, measured along its medial axis. A blade is long, but far wider than thick; a block is
+/// compact and so thick that its medial axis has no clear direction.
 enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 
-/// \param layout of the medial axis
+/// \param layout the layout of the medial axis
 /// \param thickness mean distance of the surface from the medial axis
 /// \param box extents of the bounding box, longest first
 Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
 {
-  const double least_width = 0.21;        // of a sheet, over its length
-  const double least_depth = 0.5;         // of a compact part, over its width
-  const double least_blade_width = 0.075; // over its length
-  const double blade_thickness = 0.253;   // over its width at most; a blade is 7.8 times as wide as thick
-  const double least_thickness = 0.3;     // of a block, over its length
-  const double least_height = 0.32, plate_height = 0.45; // of a block's box, over its length and its width
+  const double least_width = 0.21;        // width of a sheet, over its length
+  const double least_depth = 0.5;         // depth of a compact part, over its width
+  const double least_blade_width = 0.075; // width of a blade, over its length
+  const double blade_thickness = 0.253;   // largest thickness over the width; a blade is 7.8 times as wide as thick
+  const double least_thickness = 0.3;     // thickness of a block, over its length
+  // Least heights of a block's bounding box, over its length and over its width
+  const double least_height = 0.32, plate_height = 0.45;
   const Eigen::Vector3d& extents = layout.extents;
   if (extents[1] <= least_width * extents[0]) {
     const bool is_blade = extents[1] > least_blade_width * extents[0] && thickness < blade_thickness * extents[1];
@@ -58,36 +59,36 @@ Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, 
   return extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
 }
 
-/// Whether a body of revolution is known by its axis rather than as a disc; with a hole through it, only a tube of a
-/// thin wall is, for others are rings.
+/// Whether a body of revolution is represented by its axis rather than by a disc. With a hole through it, only a
+/// thin-walled tube is; others are rings.
 bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
 {
   const double least_slenderness = has_handle ? 0.15 : 1. / 3; // height over diameter
-  const double thin_wall = 0.25;                               // its thickness over the height, at most
+  const double thin_wall = 0.25;                               // largest thickness of the wall, over the height
   return axis.slenderness >= least_slenderness && (!has_handle || 2 * thickness <= thin_wall * axis.height);
 }
 
-/// Whether a body of revolution with such a medial axis is one indeed, as a wheel, not a cushion with rounded corners.
+/// Whether a body of revolution with a layer as medial axis is truly round, like a wheel, and not a cushion.
 bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
 {
-  const double most_deviation = 0.03; // over the radius; that of a wheel of twelve sides is less
+  const double most_deviation = 0.03; // ratio to the radius; that of a wheel of twelve sides is less
   return !is_layer(layout, thickness) || axis.deviation < most_deviation;
 }
 
-/// Whether a part that is compact along itself is so for its walls only, as a carcass of boards.
+/// Whether a part has compact proportions only because it is hollow, as a carcass of boards.
 bool is_carcass(const Intrinsic_layout& layout, double thickness)
 {
-  const double thin_wall = 0.2; // half its thickness over the depth, at most
+  const double thin_wall = 0.2; // largest half thickness, over the depth
   return thickness < thin_wall * layout.extents[2];
 }
 
-/// 2 of a closed connected surface without handles, less by two for each handle.
+/// Euler characteristic: 2 for a connected surface without handles, less 2 for each handle.
 Eigen::Index euler_characteristic(const Part_mesh& closed)
 {
   return closed.points.cols() - closed.triangles.cols() / 2;
 }
 
-/// Finds the curve or sheet of one part: sheets and straight rods on the medial axis, other curves on the skeleton.
+/// Finds the curve or sheet of one part: sheets and straight rods from the medial axis, other curves from the skeleton.
 class Fitter : public Solid_abstractor
 {
   using Solid_abstractor::Solid_abstractor;
@@ -117,7 +118,7 @@ class Fitter : public Solid_abstractor
       use_axis(revolution->curve(mesh().points, options().curve_points));
       return;
     }
-    // Flat as a whole, though not along itself: a disc on a long axle, a flat carcass
+    // These are flat as a whole, though not by the medial axis: a disc on a long axle, a flat carcass
     const bool is_disc = revolution && !has_handle && measured != Intrinsic_kind::FLAT;
     const bool is_flat_carcass =
         measured == Intrinsic_kind::COMPACT && is_carcass(layout, thickness) && is_flat(box.extents);
@@ -136,7 +137,7 @@ class Fitter : public Solid_abstractor
       use_axis(medial_curve(box, options().curve_points, distinct_axis(box)));
       return;
     }
-    // Residual of a fit over the diagonal, at most: arms that branch off are no blade, and no curve goes along all
+    // Largest residual; greater for a blade with branching arms, and for a net that no single curve follows
     const double most = 0.02 * diagonal_of_part();
     if (wanted_kind() == Abstraction_kind::AUTOMATIC && !has_handle &&
         (kind == Intrinsic_kind::FLAT || kind == Intrinsic_kind::BLADE)) {
@@ -154,12 +155,13 @@ class Fitter : public Solid_abstractor
       }
     }
     const Fitted_curve fitted = contracted_curve(solid, axis.points);
-    const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most; // a ring is its whole skeleton
+    // The skeleton of a ring has no other branches
+    const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most;
     if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
-      use_sheet(sheet(), Method::MEDIAL_AXIS); // also of a propeller or a pedal
+      use_sheet(sheet(), Method::MEDIAL_AXIS); // includes propellers and pedals
     } else if ((is_net && fitted.curve.closed) || (is_point(fitted) && !is_flat(box.extents))) {
-      use_axis(medial_curve(box, options().curve_points, distinct_axis(box))); // of a cage or an open box
+      use_axis(medial_curve(box, options().curve_points, distinct_axis(box))); // includes cages and open boxes
     } else {
       report().blob = (kind == Intrinsic_kind::COMPACT || kind == Intrinsic_kind::BLOCK) && !fitted.curve.closed;
       use_curve(fitted, Method::SKELETON);
@@ -167,7 +169,7 @@ class Fitter : public Solid_abstractor
   }
 
 private:
-  /// Whether the part fills its convex hull, but for rounding
+  /// Whether the part fills its convex hull, up to rounding.
   bool is_convex()
   {
     const double least_solidity = 0.97;
@@ -175,10 +177,10 @@ private:
            volume() > least_solidity * convex_hull(mesh().points).volume;
   }
 
-  /// The curve that the flow finds. Whether the part is a tube shows on the way.
+  /// The curve found by the flow. Also finds whether the part is a tube.
   Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
   {
-    const double tube_area = 0.5; // share of the area that a tube has left when its volume is gone
+    const double tube_area = 0.5; // share of the area that a tube keeps when its volume is gone
     Stepwise_flow flow(solid, options().maximum_iterations, deadline());
     flow.run_to_volume(options().stop_volume);
     const double area_kept = flow.area_kept();
@@ -197,14 +199,14 @@ private:
     return intrinsic_layout(layer);
   }
 
-  /// That of a part that is not long, where it says more than a skeleton, which may run in any direction.
+  /// The axis of a body of revolution that is not elongated: a skeleton of it might have any direction.
   std::optional<Revolution_axis> axis_of_revolution(const Part_mesh& solid, Intrinsic_kind kind) const
   {
     if (wanted_kind() == Abstraction_kind::SHEET || kind == Intrinsic_kind::ELONGATED) return std::nullopt;
     return revolution_axis(solid.points, edge_length());
   }
 
-  /// A sheet as it is seen from one side, or, of a part that is bent too much for that, along the part itself.
+  /// A sheet as a height field or, if the part is bent too much for that, along the part itself.
   Fitted_sheet fitted_sheet(const Points& axis, const Intrinsic_layout& layout, double thickness) const
   {
     const double bent = 0.4; // depth over width

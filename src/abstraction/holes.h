@@ -11,11 +11,10 @@
 #include <iterator>
 #include <vector>
 
-// What CGAL has by other names, or with other parameters, in other versions
+// What different versions of CGAL have under other names or with other parameters
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A halfedge of each border.
 inline std::vector<Halfedge_mesh::Halfedge_index> borders_of(const Halfedge_mesh& mesh)
 {
   std::vector<bool> is_known(mesh.num_halfedges());
@@ -33,7 +32,7 @@ template <typename Parameters>
 void fill_hole(Halfedge_mesh& mesh, Halfedge_mesh::Halfedge_index border, const Parameters& parameters)
 {
 #if CGAL_VERSION_NR < 1050600000
-  std::vector<Halfedge_mesh::Face_index> patch; // asked for
+  std::vector<Halfedge_mesh::Face_index> patch; // output that CGAL requires
   CGAL::Polygon_mesh_processing::triangulate_hole(mesh, border, std::back_inserter(patch), parameters);
 #else
   CGAL::Polygon_mesh_processing::triangulate_hole(mesh, border, parameters);

@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Tells which points a closed mesh encloses, by the parity of crossings of a ray along z. Triangles are found by a
+/// Tests whether a closed mesh encloses points, by the parity of crossings of a ray along z. Triangles are found by a
 /// grid over their projections. A point within rounding error of an edge's projection may be judged wrongly.
 class Inside_test
 {
@@ -62,7 +62,7 @@ private:
 
   Point corner(Eigen::Index t, int k) const { return mesh_.points.col(mesh_.triangles(k, t)); }
 
-  /// The cells that the projection of a triangle may meet.
+  /// Calls `f` with every cell that the projection of a triangle may meet.
   template <typename Function>
   void for_each_bin(Eigen::Index t, const Function& f) const
   {
@@ -74,7 +74,7 @@ private:
     }
   }
 
-  /// Whether the edge a-b, both ends in either order alike, passes p at a greater x; half open in y.
+  /// Whether the edge a-b passes p at a greater x, half open in y; the same for b-a.
   static bool passes(const Point& a, const Point& b, const Point& p)
   {
     if ((a.y() > p.y()) == (b.y() > p.y())) return false;
@@ -96,7 +96,7 @@ private:
   const Part_mesh& mesh_;
   Eigen::Vector2d low_, cell_;
   int counts_[2];
-  std::vector<std::size_t> starts_;   ///< of the cells in `in_bins_`, and its end
+  std::vector<std::size_t> starts_;   ///< index of the first entry of every cell in `in_bins_`, then the size of that
   std::vector<Eigen::Index> in_bins_; ///< triangles, cell by cell
 };
 

@@ -13,15 +13,15 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// An embedding of a graph in space that keeps its geodesic distances: bent parts become straight.
+/// An embedding of a graph in space that approximates its geodesic distances: bent parts become straight.
 struct Intrinsic_layout
 {
-  Points coordinates;      ///< a vertex a column, along the principal directions, longest first
-  Eigen::Vector3d extents; ///< root mean square along them
+  Points coordinates;      ///< one column for each vertex, in principal axes, longest first
+  Eigen::Vector3d extents; ///< root mean square coordinates
 };
 
-/// Vertices far from each other: each one is the farthest from those before, by geodesic distance.
-/// \return a landmark a column, the distances of all vertices from it
+/// Picks vertices far from each other: each is the farthest from those before, by geodesic distance.
+/// \return one column for each landmark, the distances of all vertices from it
 inline Eigen::MatrixXd landmark_distances(const Spatial_graph_view& graph, int landmarks, std::vector<int>& chosen)
 {
   Eigen::MatrixXd result(graph.size(), landmarks);

@@ -18,7 +18,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Outward normals of vertices: the mean of their faces', weighted by area.
+/// Outward normals of vertices: the mean of their faces' normals, weighted by area.
 inline Points vertex_normals(const Part_mesh& mesh)
 {
   Points result = Points::Zero(3, mesh.points.cols());
@@ -31,7 +31,7 @@ inline Points vertex_normals(const Part_mesh& mesh)
   return result;
 }
 
-/// A vertex's point of the medial axis, and the other vertex that the ball around it touches; -1: none.
+/// A point of the medial axis for a vertex, and the other vertex that the medial ball touches; -1: none.
 struct Medial_pole
 {
   Point centre;
@@ -39,8 +39,8 @@ struct Medial_pole
 };
 
 /// The centre of the largest ball that touches the surface in a vertex from inside and holds no other vertex: a point
-/// of the medial axis. Found by shrinking a large ball (Ma, Bae and Choi 2012).
-/// \param likely a vertex that the ball is likely to touch, which saves time and changes nothing but rounding; or -1
+/// of the medial axis. Computed by shrinking a large ball (Ma, Bae and Choi 2012).
+/// \param likely a vertex that the ball probably touches, which saves time and only changes rounding; or -1
 inline Medial_pole medial_pole(const Nearest_points& vertices, const Points& points, Eigen::Index v,
                                const Point& normal, double largest_radius, Eigen::Index likely)
 {
@@ -66,7 +66,7 @@ inline Medial_pole medial_pole(const Nearest_points& vertices, const Points& poi
   return {p - radius * normal, touched};
 }
 
-/// Of each vertex, one of lower index that an edge joins it to; -1: none.
+/// For each vertex, an adjacent vertex of lower index; -1: none.
 inline std::vector<Eigen::Index> earlier_neighbours(const Part_mesh& mesh)
 {
   std::vector<Eigen::Index> result(std::size_t(mesh.points.cols()), -1);
@@ -79,7 +79,6 @@ inline std::vector<Eigen::Index> earlier_neighbours(const Part_mesh& mesh)
   return result;
 }
 
-/// Medial poles of all vertices.
 inline Points medial_poles(const Part_mesh& mesh)
 {
   const Points normals = vertex_normals(mesh);
@@ -98,8 +97,8 @@ inline Points medial_poles(const Part_mesh& mesh)
   return result;
 }
 
-/// The medial axis as far as the vertices see it: each moved to its pole, the mesh's edges in between. A vertex whose
-/// pole is not inside stays where it is.
+/// The medial axis as sampled by the vertices: the edges of the mesh with every vertex moved to its pole. A vertex
+/// whose pole is outside the mesh is not moved.
 inline Spatial_graph medial_graph(const Part_mesh& mesh, const Points& poles)
 {
   const Inside_test is_inside(mesh);

@@ -18,11 +18,11 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Volume of a prism over that of the extrusion of its outline. Edges may be rounded; an axis is off the middle by less
-/// than the rest, over the thickness.
+/// Limits of a prism's volume over that of the extrusion of its outline. Edges may be rounded; the remaining volume
+/// bounds the offset of the axis from the middle, over the thickness.
 constexpr double least_filled = 0.98, most_filled = 1.001;
 
-/// Of each triangle, the normal, as long as twice the area.
+/// Normal of each triangle, of length twice its area.
 Points area_vectors(const Part_mesh& mesh)
 {
   Points result(3, mesh.triangles.cols());
@@ -31,11 +31,11 @@ Points area_vectors(const Part_mesh& mesh)
   return result;
 }
 
-/// The direction of some normals that the largest area is across to.
+/// The normal direction with the largest total area.
 /// \param candidates indices of normals, those of the largest triangles first
 Point largest_face_normal(const Points& normals, const std::vector<Eigen::Index>& candidates)
 {
-  const std::size_t most_candidates = 8; // the largest triangles are of the largest faces
+  const std::size_t most_candidates = 8; // enough, since the largest triangles are in the largest faces
   const double parallel = 0.9999;        // cosine
   Point result = Point::Zero();
   double largest = 0;
@@ -52,11 +52,11 @@ Point largest_face_normal(const Points& normals, const std::vector<Eigen::Index>
   return result;
 }
 
-/// Right-angled axes of a part: the normal of its largest face, and that of the largest one across to it. The axis of a
-/// prism is among them.
+/// Orthogonal axes of a part: the normal of its largest face, that of the largest face perpendicular to it, and their
+/// cross product. The axis of a prism is among them.
 std::optional<std::array<Point, 3>> face_axes(const Part_mesh& mesh)
 {
-  const double right_angle = 0.01; // cosine, at most
+  const double right_angle = 0.01; // largest cosine
   const Points normals = area_vectors(mesh);
   std::vector<Eigen::Index> order(std::size_t(normals.cols()));
   std::iota(order.begin(), order.end(), Eigen::Index(0));
@@ -72,7 +72,7 @@ std::optional<std::array<Point, 3>> face_axes(const Part_mesh& mesh)
   return std::array<Point, 3>{first, second, first.cross(second)};
 }
 
-/// The extrusion of a part's outline, seen along an axis.
+/// The extrusion of a part's outline in the direction of an axis.
 class Extrusion
 {
 public:
@@ -91,8 +91,8 @@ public:
   }
 
   double height() const { return extent(2); }
-  double length() const { return std::max(extent(0), extent(1)); } ///< of the outline
-  double width() const { return std::min(extent(0), extent(1)); }  ///< of the outline
+  double length() const { return std::max(extent(0), extent(1)); } ///< longer side of the outline
+  double width() const { return std::min(extent(0), extent(1)); }  ///< shorter side of the outline
   double volume() const { return area_ * height(); }
 
   Curve axis(int n) const
@@ -127,25 +127,26 @@ private:
   Sheet_plane plane_;
   Point low_, high_;
   Planar_points outline_;
-  double area_ = 0; ///< of the outline
+  double area_ = 0; ///< area of the outline
   Eigen::Vector2d centroid_ = Eigen::Vector2d::Zero();
 };
 
-// Proportions at which the measures of the medial axis leave no doubt, found with boxes of 221 proportions and
-// cylinders of 68: what lies between is left to those.
+// Proportions at which the medial axis leaves no doubt, found with boxes of 221 proportions and cylinders of 68; prisms
+// in between are left to the medial axis.
 
 bool is_clearly_long(const Extrusion& e)
 {
-  const double strip_width = 0.08;                      // over the length, whatever the thickness
-  const double rod_width = 0.17, rod_thickness = 0.199; // over the length; over the width, where many boards have 0.2
+  const double strip_width = 0.08; // largest length over the height, for any thickness
+  // Largest length of a rod, over the height, and least width, over the length: many boards have 0.2
+  const double rod_width = 0.17, rod_thickness = 0.199;
   return e.length() < strip_width * e.height() ||
          (e.length() < rod_width * e.height() && e.width() > rod_thickness * e.length());
 }
 
 bool is_clearly_flat(const Extrusion& e)
 {
-  const double plate_width = 0.23, plate_thickness = 0.3;  // over the length; over the width
-  const double blade_width = 0.11, blade_thickness = 0.12; // the same
+  const double plate_width = 0.23, plate_thickness = 0.3;  // width over the length; height over the width
+  const double blade_width = 0.11, blade_thickness = 0.12; // width over the length; height over the width
   return (e.width() > plate_width * e.length() && e.height() < plate_thickness * e.width()) ||
          (e.width() > blade_width * e.length() && e.height() < blade_thickness * e.width());
 }

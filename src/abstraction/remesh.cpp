@@ -42,11 +42,11 @@ public:
   }
 
 private:
-  // Over the wanted length
+  // Thresholds of edge lengths, over the wanted length
   static constexpr double needle_edge = 0.6, short_edge = 4. / 5., long_edge = 4. / 3.;
 
-  // Vertices that splitting adds at most: for 2000 triangles, as are asked for, a thousand times what they need. Edges
-  // that rounding does not let shrink would be split until memory ends
+  // Limit of vertices added by splitting, a thousand times what the usual 2000 triangles need. Without it, edges that
+  // do not shrink because of rounding would be split until memory is exhausted
   static constexpr int most_new_vertices = 1'000'000;
 
   using Entry = std::pair<double, int>; // squared length, halfedge
@@ -71,15 +71,15 @@ private:
         hints_.push_back(hint);
         mesh_.for_each_out(middle, [&](int around) {
           push(around);
-          push(mesh_.next(around)); // its halfedges may have other numbers now
+          push(mesh_.next(around)); // the halfedges may have been renumbered
           return true;
         });
       }
     }
   }
 
-  /// Collapses edges, the shortest first, where that changes the surface hardly. The rounds collapse them, too, but
-  /// only after they have split the needles that such edges are the short sides of.
+  /// Collapses short edges, the shortest first, if that hardly changes the surface. The rounds would collapse them,
+  /// too, but only after splitting the needles whose short sides they are.
   void collapse_needles()
   {
     const double length = needle_edge * edge_length_;
@@ -92,7 +92,7 @@ private:
     collapse_edges(short_edge * edge_length_, [&](int h) { return turns_no_face(h) && makes_no_long_edge(h); });
   }
 
-  /// Collapses edges that are shorter than a length, the shortest first, in the direction that is allowed.
+  /// Collapses edges shorter than `length`, the shortest first, in an allowed direction.
   template <typename Test>
   void collapse_edges(double length, const Test& is_allowed)
   {
@@ -121,8 +121,8 @@ private:
     }
   }
 
-  /// Whether the surface hardly changes when the source of a halfedge moves to its target: it stays near the planes of
-  /// its faces, and none of them turns much.
+  /// Whether moving the source of a halfedge to its target hardly changes the surface: it stays near the planes of its
+  /// faces, and none of them turns much.
   bool hardly_changes(int h, double tolerance) const
   {
     const double least_cosine = 0.5;
@@ -135,7 +135,7 @@ private:
 
   bool turns_no_face(int h) const
   {
-    const double least_cosine = 0.7; // 45 degrees
+    const double least_cosine = 0.7; // cosine of 45 degrees
     return for_each_moved_face(h, [&](const Point& before, const Point& after) {
       return before.dot(after) > least_cosine * before.norm() * after.norm();
     });
@@ -149,7 +149,7 @@ private:
     });
   }
 
-  /// Tests the normals, before and after, of the faces that stay when the source of a halfedge moves to its target.
+  /// Tests the normals, before and after, of the faces that remain when the source of a halfedge moves to its target.
   template <typename Test>
   bool for_each_moved_face(int h, const Test& test) const
   {
@@ -163,7 +163,7 @@ private:
     });
   }
 
-  /// Moves every vertex to the middle of its neighbours, along the surface.
+  /// Moves every vertex to the centre of its neighbours, along the surface.
   void spread_vertices()
   {
     deadline_->check();
@@ -187,17 +187,17 @@ private:
     return surface_.nearest(mesh_.point(v) + step - normal.dot(step) * normal, hints_[std::size_t(v)]);
   }
 
-  /// One of the two halfedges of every edge.
+  /// Whether a halfedge is the one of its edge that represents it.
   bool is_edge(int h) const { return !mesh_.is_removed(h) && h < mesh_.opposite(h); }
 
   static double square(double x) { return x * x; }
 
   Closed_triangulation mesh_;
   contacts::Triangle_tree surface_;
-  std::vector<std::size_t> hints_; ///< by vertex, the triangle of the surface that it was on
+  std::vector<std::size_t> hints_; ///< for each vertex, the triangle of the surface that it was last on
   double edge_length_;
   int most_vertices_;
-  double thickness_; ///< of a plate
+  double thickness_; ///< thickness, if the part is a plate
   const Deadline* deadline_;
 };
 

@@ -9,9 +9,9 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Triangles of one size, as the flow needs them: a leg of eight vertices would collapse to a point. Edges are split
-/// and collapsed, vertices spread over the surface (Botsch and Kobbelt 2004; they also flip edges). By hand: remeshing
-/// is the largest share of an abstraction, and CGAL's `isotropic_remeshing()` takes three times as many instructions.
+/// Remeshes to triangles of uniform size, as the flow needs them: a leg of eight vertices would collapse to a point.
+/// Splits and collapses edges and spreads vertices over the surface (Botsch and Kobbelt 2004, without edge flips).
+/// Remeshing takes most of the time, and CGAL's `isotropic_remeshing()` three times as many instructions.
 /// \pre `solid` is a closed manifold
 /// \throw Flow_failure
 Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);

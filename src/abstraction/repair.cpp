@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Holes are filled without a 3D Delaunay triangulation, see fill_holes(): that need not be compiled
+// fill_holes() does not use 3D Delaunay triangulations, so they need not be compiled
 #define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
 
 #include "abstraction/repair.h"
@@ -31,14 +31,14 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-/// Enclosed volume over area^1.5: 0.094 for a ball, 0.0035 for a plate a hundredth thick.
+/// Enclosed volume over area^1.5: 0.094 for a ball, 0.0035 for a plate with thickness 1/100 of its side.
 double fullness(const Halfedge_mesh& mesh)
 {
   const double area = PMP::area(mesh);
   return area > 0 ? PMP::volume(mesh) / (area * std::sqrt(area)) : 0.;
 }
 
-/// The manifold that the triangles make, borders that lie on each other joined.
+/// The manifold of the triangles, with coincident borders stitched.
 Halfedge_mesh stitched_surface(const Part_mesh& part, bool& changed)
 {
   Halfedge_mesh mesh = manifold_surface(part, &changed);
@@ -52,7 +52,7 @@ void turn_outwards(Halfedge_mesh& mesh)
   if (PMP::volume(mesh) < 0) PMP::reverse_face_orientations(mesh);
 }
 
-/// The mesh of some of a mesh's faces. \param vertex_map null for every vertex, before and after
+/// The mesh of some of the faces. \param vertex_map null for every vertex, before and after
 Halfedge_mesh submesh(const Halfedge_mesh& mesh, const std::vector<Halfedge_mesh::Face_index>& faces,
                       std::vector<Halfedge_mesh::Vertex_index>& vertex_map)
 {
@@ -73,7 +73,7 @@ Halfedge_mesh submesh(const Halfedge_mesh& mesh, const std::vector<Halfedge_mesh
   return result;
 }
 
-/// The connected components, the one of the largest area first. In linear time, also where there are thousands.
+/// The connected components, the one of the largest area first. In linear time even with thousands of components.
 /// \pre `mesh` has no garbage
 std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
 {
@@ -96,8 +96,8 @@ std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
   return result;
 }
 
-/// Whether points of a border stay apart when CGAL's filling by a planar triangulation projects them along the mean of
-/// the border's normals, all turned to one side. Where two become one, it crashes (CGAL 5.5).
+/// Whether points of a border stay distinct when CGAL's filling by a planar triangulation projects them along the mean
+/// of the border's consistently oriented normals. If two points coincide, it crashes (CGAL 5.5).
 bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
 {
   constexpr double least_sine = 1e-6;
@@ -118,14 +118,14 @@ bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
 }
 
 /// Closes all holes by flat or minimal patches.
-/// \return whether that gave a solid to rely on; `mesh` is unchanged if not
+/// \return whether the result is a valid solid; otherwise `mesh` is unchanged
 /// \throw Out_of_time
 bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
 {
   const double area = PMP::area(mesh);
-  // A longer border is not a hole but the rim of a surface; triangulating it takes cubic time.
+  // A longer border is the rim of an open surface rather than of a hole; triangulating it takes cubic time.
   const std::size_t longest_border = 400;
-  // Sum of the cubes of the lengths of all borders, about 30 of the longest
+  // Limit for the sum of the cubed lengths of all borders: that of about 30 of the longest ones
   const double most_work = 2e9;
   const double smallest_fullness = 1e-3;
   Halfedge_mesh filled = mesh;
@@ -136,7 +136,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
     work += std::pow(double(length), 3);
     if (length > longest_border || work > most_work) return false;
   }
-  // A surface that intersects itself is left as it is: it would still do so with its holes filled.
+  // A surface that intersects itself is left as it is: filling its holes would not change that.
   const double much_work = 1e5;
   if (work > much_work && PMP::does_self_intersect(mesh)) return false;
   for (auto h : borders) {
@@ -144,14 +144,14 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
     std::vector<Halfedge_mesh::Point> border;
     for (auto vertex : vertices_around_face(h, filled))
       border.push_back(filled.point(vertex));
-    // The search in a 3D Delaunay triangulation does not always fill the same hole alike
+    // The search in a 3D Delaunay triangulation does not always give the same patch
     const auto parameters = CGAL::parameters::use_2d_constrained_delaunay_triangulation(projects_apart(border))
                                 .use_delaunay_triangulation(false);
     fill_hole(filled, h, parameters);
   }
   if (!CGAL::is_closed(filled) || PMP::does_self_intersect(filled)) return false;
   turn_outwards(filled);
-  // Of a tyre that is open inside, the "holes" are larger than the surface.
+  // Rejects the "holes" of a tyre that is open inside, which are larger than the surface.
   if (fullness(filled) < smallest_fullness || PMP::area(filled) > 2.1 * area) return false;
   mesh = std::move(filled);
   return true;
@@ -165,10 +165,10 @@ bool is_solid(Halfedge_mesh& mesh)
   return fullness(mesh) > smallest_fullness;
 }
 
-// Points that a wrap may insert where it has one. As its distances are rounded, it can insert the same point for ever.
+// Limit for points that a wrap inserts at existing points, which its rounded distances can make it do forever.
 constexpr int most_repeated_points = 1000;
 
-/// Ends a wrap that takes too long, or does not end, by an exception.
+/// Throws if a wrap takes too long or does not terminate.
 struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
 {
   explicit Wrap_watch(const Deadline& deadline) : deadline(&deadline) {}
@@ -205,7 +205,7 @@ std::vector<contacts::Triangle> proper_triangles(const Part_mesh& part)
 }
 #endif
 
-/// A closed surface around everything, at a small distance. \throw Out_of_time, Flow_failure
+/// A closed surface around the part at a small distance. \throw Out_of_time, Flow_failure
 Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
 {
   const double size = diagonal(part.points);
@@ -235,8 +235,7 @@ double box_diagonal(const Halfedge_mesh& mesh)
                    CGAL::square(box.zmax() - box.zmin()));
 }
 
-/// Whether a component stands for its whole part: it spans the part and has about half of its area, as the tyre of a
-/// wheel with thin spokes.
+/// Whether a component, such as the tyre of a wheel with thin spokes, spans its part and has about half of its area.
 bool dominates(const Halfedge_mesh& component, const Part_mesh& part, double area)
 {
   return box_diagonal(component) > 0.9 * diagonal(part.points) && PMP::area(component) > 0.45 * area;
@@ -266,7 +265,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     result.volume += solid.back() ? PMP::volume(component) : 0.;
     all_solid = all_solid && solid.back();
     if (!solid[0]) {
-      break; // everything is going to be wrapped
+      break; // the whole part will be wrapped
     }
   }
   const bool stands_alone = !components.empty() && dominates(components[0], part, area);
@@ -275,7 +274,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     return result;
   }
   deadline.check();
-  // Spokes would close the ring that they are in.
+  // With the spokes, the wrap would close the ring.
   const Halfedge_mesh wrapped = wrap(stands_alone ? to_part_mesh(components[0]) : part, deadline);
   if (!all_solid) result.volume = PMP::volume(wrapped);
   Halfedge_mesh outer = components_by_area(wrapped).at(0);

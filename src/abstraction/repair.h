@@ -10,16 +10,16 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A part made fit for the flow.
+/// A part repaired for the flow.
 struct Repaired_part
 {
   Part_mesh mesh;    ///< closed, connected, oriented outwards
-  double volume = 0; ///< enclosed by the whole part, of all its components
+  double volume = 0; ///< volume enclosed by all components of the part
   Abstraction_report::Repair repair = Abstraction_report::Repair::NONE;
   bool several_components = false;
 };
 
-/// Makes a closed and connected mesh of a part: its dominant component, holes filled, or a wrap around everything.
+/// Makes a part closed and connected: its dominant component with holes filled, or a wrap around everything.
 /// \throw Flow_failure
 Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
 

@@ -26,8 +26,8 @@ using Delaunay_cell = CGAL::Delaunay_triangulation_cell_base_3<Mesh_kernel>;
 using Delaunay =
     CGAL::Delaunay_triangulation_3<Mesh_kernel, CGAL::Triangulation_data_structure_3<Delaunay_vertex, Delaunay_cell>>;
 
-/// The centre of the circumsphere of a cell, by the edges at a corner (a, b, c); none if their volume is less than
-/// `flattest` of that of a box with such edges.
+/// The circumcentre of a cell, computed from the edges at one corner (a, b, c); none if their volume is less than
+/// `flattest` times that of a box with such edges.
 template <typename Number>
 std::optional<Point> circumcentre(const Delaunay::Cell& cell, double flattest)
 {
@@ -41,8 +41,7 @@ std::optional<Point> circumcentre(const Delaunay::Cell& cell, double flattest)
   return Point(result.template cast<double>());
 }
 
-/// Equal on all machines: in floating-point numbers that are rounded to nearest, or in longer ones where those are not
-/// enough.
+/// The circumcentre, bitwise equal on all machines: by IEEE rounding, or with longer numbers where double is too short.
 Point circumcentre(const Delaunay::Cell& cell)
 {
   using Long_number = boost::multiprecision::cpp_bin_float_100;
@@ -51,13 +50,13 @@ Point circumcentre(const Delaunay::Cell& cell)
   return circumcentre<Long_number>(cell, 0).value_or(to_point(cell.vertex(0)->point()));
 }
 
-/// Half of the cotangent of an angle in a triangle, as far as the cosine is not next to 1; not negative. In CGAL's
-/// vectors, since Eigen adds the products of three coordinates in another order.
+/// Half of the cotangent of an angle in a triangle; 0 if negative, bounded for angles near 0. With CGAL's vectors,
+/// since Eigen adds the products of the coordinates in another order.
 double half_cotangent(const Mesh_kernel::Vector_3& side, const Mesh_kernel::Vector_3& other)
 {
   constexpr double greatest_cosine = 0.999;
   const double along = side * other / std::sqrt(side.squared_length()) / std::sqrt(other.squared_length());
-  if (!(along > 0)) return 0; // or the angle is not known
+  if (!(along > 0)) return 0; // the angle may be undefined
   const double cosine = std::min(along, greatest_cosine);
   return cosine / std::sqrt(1 - cosine * cosine) / 2;
 }
@@ -86,14 +85,14 @@ void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedg
                                          Shape_correspondence::internal::Flow_traits>::compute_voronoi_pole()
 {
   namespace internal = Shape_correspondence::internal;
-  using Vector = Shape_correspondence::Point; // Point is the mesh's
+  using Vector = Shape_correspondence::Point; // since Point is the mesh's type here
   compute_vertex_normal();
   std::vector<std::pair<internal::Mesh_point, vertex_descriptor>> points;
   for (auto v : vertices(m_tmesh))
     points.emplace_back(v->point(), v);
   const internal::Delaunay triangulation(points.begin(), points.end());
 
-  // The pole is the centre that lies deepest below the vertex.
+  // The pole is the circumcentre deepest below the vertex.
   std::vector<double> deepest(points.size(), 0);
   std::vector<Vector> poles(points.size());
   for (auto cell : triangulation.finite_cell_handles()) {
@@ -107,7 +106,7 @@ void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedg
       poles[v->id()] = centre;
     }
   }
-  // Of vertices at one point, the triangulation has one.
+  // The triangulation has only one of several vertices at the same point.
   for (const auto& [point, v] : points) {
     std::size_t known = v->id();
     if (deepest[known] == 0) {

@@ -3,8 +3,7 @@
 
 #pragma once
 
-// Points are sorted for the Delaunay triangulation in the flow; what happens to ties must not depend on the standard
-// library
+// The flow sorts points for a Delaunay triangulation; how ties are resolved must not depend on the standard library
 #define CGAL_HILBERT_SORT_WITH_MEDIAN_POLICY_CROSS_PLATFORM_BEHAVIOR
 
 #include "shape/meshes.h"
@@ -15,8 +14,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A kernel of our own, so that the mesh inside the flow has a type of our own, for which the order of its edges can be
-/// defined.
+/// A kernel type of our own makes the type of the mesh within the flow distinct, so that its edges can be ordered.
 struct Flow_traits : Mesh_kernel
 {};
 
@@ -27,9 +25,9 @@ using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 } // namespace CGAL::Shape_correspondence::internal
 
 /// The flow collapses short edges in the order of a `std::set` of edges. In CGAL 5 that is the order of their
-/// addresses, which differs from run to run, and so does the skeleton. The flow numbers all halfedges before each
-/// collapse, in the order of its mesh; comparing numbers makes its result a function of the input. CGAL 6 compares
-/// numbers itself, which gives the same order.
+/// addresses, which makes the skeleton differ from run to run. The flow numbers all halfedges before each collapse, in
+/// the order of its mesh; comparing the numbers makes the result reproducible. CGAL 6 does so itself, in the same
+/// order.
 template <>
 struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
 {
@@ -38,7 +36,7 @@ struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
   bool operator()(const Edge& a, const Edge& b) const { return number(a) < number(b); }
 
 private:
-  // The two halfedges stand for one edge.
+  // The smaller index of the two halfedges of the edge.
   static std::size_t number(const Edge& edge)
   {
     return (std::min)(edge.halfedge()->id(), edge.halfedge()->opposite()->id());
@@ -47,19 +45,19 @@ private:
 
 namespace CGAL {
 
-/// The library's own weights of edges are rounded in another way in CGAL 5 than in CGAL 6.
+/// CGAL 5 and CGAL 6 round the weights of edges differently.
 template <>
 void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
                                          Shape_correspondence::internal::Flow_traits>::compute_edge_weight();
 
-/// The library's own poles are midpoints of intervals, known to five digits, which depend on how the machine rounds;
-/// the flow magnifies the difference. These are equal on all machines.
+/// CGAL's own poles are midpoints of intervals, known to five digits, that depend on the rounding of the machine; the
+/// flow magnifies the difference. These poles are equal on all machines.
 template <>
 void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
                                          Shape_correspondence::internal::Flow_traits>::compute_voronoi_pole();
 
-/// Where the vertex goes that splits an edge: to the foot of the apex's height; also gives it a pole. In CGAL 5, it is
-/// a copy of the first end, and so as fixed as that; in CGAL 6, it would not be fixed.
+/// The position of a vertex that splits an edge: the foot of the height from the apex; also gives the vertex a pole. In
+/// CGAL 5, it copies whether the first end is fixed; in CGAL 6, it would not be fixed.
 template <>
 auto Mean_curvature_flow_skeletonization<
     Shape_correspondence::internal::Halfedge_mesh,

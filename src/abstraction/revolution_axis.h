@@ -16,16 +16,15 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The axis of a body of revolution.
 struct Revolution_axis
 {
   Point centre;
   Point direction;
-  double height = 0;      ///< of most of the surface, without thin axles
-  double slenderness = 0; ///< the height over the diameter of most of the surface
-  double deviation = 0;   ///< how far turning carries the surface off itself, over the largest radius
+  double height = 0;      ///< height of most of the surface, without thin axles
+  double slenderness = 0; ///< height over the diameter of most of the surface
+  double deviation = 0;   ///< distance by which rotation moves the surface off itself, over the largest radius
 
-  /// The part of the axis that is inside the extents of points.
+  /// The part of the axis within the extent of the points.
   Curve curve(const Points& points, int control_points) const
   {
     const Eigen::RowVectorXd heights = direction.transpose() * (points.colwise() - centre);
@@ -45,8 +44,8 @@ inline double quantile(Eigen::RowVectorXd values, double fraction)
   return values[Eigen::Index(fraction * double(values.size() - 1))];
 }
 
-/// The directions that an axis of revolution can have: a coordinate axis, a principal axis, or, where those of a
-/// compact body mean nothing, that in which it is skew.
+/// Candidate directions of an axis of revolution: the coordinate axes, the principal axes and, since principal axes of
+/// a compact body may be arbitrary, the direction of its skewness.
 inline std::vector<Point> axis_candidates(const Points& centred)
 {
   std::vector<Point> result{Point::UnitY(), Point::UnitX(), Point::UnitZ()};
@@ -58,13 +57,14 @@ inline std::vector<Point> axis_candidates(const Points& centred)
   return result;
 }
 
-/// The axis about which turning a surface hardly changes it, if there is one. A hexagonal prism passes, a square one
-/// does not. \param surface its points, evenly spread \param spacing their distance
+/// The axis about which rotation hardly changes the surface; none if there is no such axis. A hexagonal prism passes, a
+/// square one does not. \param surface evenly spread points \param spacing their distance
 inline std::optional<Revolution_axis> revolution_axis(const Points& surface, double spacing)
 {
-  const double tolerance = 0.16; // how far turning carries points off the surface, over the largest radius
-  const double clearly = 0.02;   // the same of what makes a later axis better
-  const double gap = 0.6;        // between points spread over the same surface, over their spacing
+  // Largest distance by which rotation moves points off the surface, over the largest radius
+  const double tolerance = 0.16;
+  const double clearly = 0.02; // least difference of that by which a later axis is better
+  const double gap = 0.6;      // distance between two samplings of the same surface, over their spacing
   const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};
   const Point centre = surface.rowwise().mean();
   const Points centred = surface.colwise() - centre;
@@ -78,7 +78,7 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
     double deviation = 0;
     for (double turn : turns) {
       const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn, direction).toRotationMatrix();
-      // Ordered so that successive angles differ much: parts that are not round are rejected early
+      // Strides make successive angles differ much, so that parts that are not round are rejected early
       const Eigen::Index strides = 16;
       for (Eigen::Index first = 0; first < strides; ++first) {
         for (Eigen::Index i = first; i < centred.cols() && deviation <= most; i += strides)
@@ -87,7 +87,7 @@ inline std::optional<Revolution_axis> revolution_axis(const Points& surface, dou
     }
     if (deviation <= most) {
       least = std::max(0., deviation - gap * spacing) / radii.maxCoeff();
-      const double few = 0.1; // share of the points that are left out at either end
+      const double few = 0.1; // share of the points left out at either end
       const double height = quantile(heights, 1 - few) - quantile(heights, few);
       result = {centre, direction, height, height / (2 * quantile(radii, 1 - few)), least};
     }

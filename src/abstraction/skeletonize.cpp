@@ -40,7 +40,7 @@ public:
     deadline_->check();
     flow_.detect_degeneracies();
     if (num_vertices(flow_mesh()) < 4) throw Flow_failure("the flow collapses the part to a point");
-    // As in the library's own convergence test
+    // The value of CGAL's own convergence test
     const double smallest_change = 1e-4;
     const double last_area = area_;
     mesh_ = mesh_of_flow();
@@ -105,7 +105,7 @@ private:
   const Deadline* deadline_;
   Flow flow_;
   double original_area_, original_volume_;
-  Part_mesh mesh_; // what the flow has made of the mesh
+  Part_mesh mesh_; // the mesh contracted so far
   double area_, volume_;
   int iterations_ = 0;
   bool converged_ = false;

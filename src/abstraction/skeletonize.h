@@ -12,40 +12,39 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Weights of the flow: w_H keeps a vertex in place, w_P draws it to its pole. CGAL calls them
-/// `quality_speed_tradeoff()` and `medially_centered_speed_tradeoff()`; the larger, the slower the flow.
+/// Weights of the flow: w_H keeps a vertex in place, w_P pulls it to its pole. CGAL calls them
+/// `quality_speed_tradeoff()` and `medially_centered_speed_tradeoff()`; the larger they are, the slower is the flow.
 struct Flow_weights
 {
   double velocity = 0.1; ///< w_H
   double medial = 0.2;   ///< w_P
 };
 
-/// For the meso-skeleton: at CGAL's speed, a narrow sheet may become a curve in the first step.
+/// Weights for the meso-skeleton: with CGAL's, a narrow sheet may become a curve in the first step.
 constexpr Flow_weights slow_flow{0.3, 0.6};
 
-/// The mean curvature flow of one closed mesh (Tagliasacchi et al. 2012), run step by step:
-/// `CGAL::Mean_curvature_flow_skeletonization`, as it is.
+/// Mean curvature flow of a closed mesh (Tagliasacchi et al. 2012), run step by step: a wrapper of
+/// `CGAL::Mean_curvature_flow_skeletonization`.
 class Stepwise_flow
 {
 public:
-  /// \param iterations the flow fails that needs more
+  /// \param iterations number of iterations after which the flow fails
   Stepwise_flow(const Part_mesh& mesh, int iterations, const Deadline& deadline);
   ~Stepwise_flow();
   Stepwise_flow(const Stepwise_flow&) = delete;
   Stepwise_flow& operator=(const Stepwise_flow&) = delete;
 
-  /// Weights of the steps to come.
   void set_weights(const Flow_weights& weights);
-  /// Runs until the enclosed volume falls under a fraction of the original one, or until nothing changes any more.
+  /// Runs until the enclosed volume is below a fraction of the original one, or the mesh no longer changes.
   /// \throw Flow_failure
   void run_to_volume(double fraction);
-  /// Runs until nothing changes any more. \throw Flow_failure
+  /// Runs until the mesh no longer changes. \throw Flow_failure
   void run_to_convergence();
 
   int iterations() const;
   /// Area of the meso-skeleton over that of the mesh.
   double area_kept() const;
-  /// What the flow has made of the mesh so far.
+  /// The mesh contracted so far.
   Part_mesh meso_skeleton() const;
   /// \pre the flow has converged
   Spatial_graph curve_skeleton();

@@ -22,7 +22,7 @@ Spatial_graph edge_graph(const Part_mesh& closed)
   for (Eigen::Index t = 0; t < closed.triangles.cols(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int a = closed.triangles(k, t), b = closed.triangles((k + 1) % 3, t);
-      if (a < b) { // every edge has a halfedge of either direction
+      if (a < b) { // takes one of the two halfedges of every edge
         result.edges.emplace_back(a, b);
       }
     }
@@ -78,7 +78,7 @@ double Spatial_graph_view::total_length() const
 template <typename Length>
 Spatial_graph_view::Shortest_paths Spatial_graph_view::shortest_paths(int source, const Length& length_of) const
 {
-  // Of vertices equally far away the one of the lower index goes first: a distance is a length and the vertex's index
+  // (distance, vertex): of equally distant vertices, the one of lowest index comes first
   using Distance = std::pair<double, int>;
   const auto n = std::size_t(size());
   std::vector<Distance> distances(n);

@@ -15,14 +15,13 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A graph embedded in space: a curve skeleton, or a medial axis as far as a mesh's vertices and edges show it.
+/// A graph embedded in space: a curve skeleton, or a medial axis sampled by the vertices and edges of a mesh.
 struct Spatial_graph
 {
   Points points;
   std::vector<std::pair<int, int>> edges;
 };
 
-/// The vertices and edges of a closed mesh.
 Spatial_graph edge_graph(const Part_mesh& closed);
 
 /// Adjacency, distances and paths of a graph whose edges can be removed.
@@ -33,40 +32,40 @@ public:
 
   explicit Spatial_graph_view(const Spatial_graph& graph);
 
-  /// Joins all vertices that are nearer to each other than a radius. The two sides of a medial axis, as its poles show
-  /// it, are connected at its rim only; this makes them one layer.
+  /// Joins all pairs of vertices closer than a radius. The poles of a mesh sample a medial sheet twice, connected only
+  /// at its rim; this joins the two copies.
   void connect_near(double radius);
 
   int size() const { return int(boost::num_vertices(graph_)); }
   Points::ConstColXpr point(int v) const { return points_->col(v); }
-  /// A range of `int`, in the order in which edges were added.
+  /// The adjacent vertices, a range of `int` in the order in which edges were added.
   auto neighbours(int v) const { return boost::make_iterator_range(boost::adjacent_vertices(v, graph_)); }
   int degree(int v) const { return int(boost::out_degree(v, graph_)); }
   double length(int a, int b) const { return (point(a) - point(b)).norm(); }
 
   void remove_edge(int a, int b) { boost::remove_edge(a, b, graph_); }
 
-  /// Edges as pairs a < b, by a.
+  /// Edges as pairs a < b, ordered by a.
   std::vector<std::pair<int, int>> edges() const;
 
   double total_length() const;
 
-  /// Distances of all vertices along edges; infinite where there is no path.
+  /// Distances of all vertices along edges; infinite for unreachable ones.
   Eigen::VectorXd distances_from(int source) const;
 
   /// The vertex of the largest finite distance, the first of several.
   int farthest(const Eigen::VectorXd& distances) const;
 
-  /// The vertices of a shortest path; empty where there is none.
+  /// The vertices of a shortest path; empty if there is none.
   std::vector<int> path(int from, int to) const;
-  /// The same by other lengths of edges.
+  /// A shortest path by other lengths of edges.
   std::vector<int> path(int from, int to, const Edge_length& edge_length) const;
 
 private:
   struct Shortest_paths
   {
-    Eigen::VectorXd distances;     ///< infinite where there is no path
-    std::vector<int> predecessors; ///< the vertex itself at the source and where there is no path
+    Eigen::VectorXd distances;     ///< infinite for unreachable vertices
+    std::vector<int> predecessors; ///< the vertex itself for the source and for unreachable vertices
   };
 
   static std::vector<int> path(const Shortest_paths& paths, int from, int to);

@@ -13,7 +13,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A line in space.
 struct Line
 {
   Point centre;
@@ -26,7 +25,6 @@ struct Line
   }
 };
 
-/// The line that points lie along best.
 inline Line principal_line(const Points& points)
 {
   const Point centre = points.rowwise().mean();
@@ -35,12 +33,13 @@ inline Line principal_line(const Points& points)
 
 constexpr int sections_of_a_rod = 12;
 
-/// The medial axis of a rod, section by section along a line.
+/// The medial axis of a rod, divided into sections along a line.
 struct Rod_sections
 {
   Points centres = Points::Zero(3, sections_of_a_rod);
-  Eigen::ArrayXd radii = Eigen::ArrayXd::Zero(sections_of_a_rod);   ///< mean distances of the surface from the axis
-  Eigen::ArrayXd spreads = Eigen::ArrayXd::Zero(sections_of_a_rod); ///< root mean square distances from the centres
+  Eigen::ArrayXd radii = Eigen::ArrayXd::Zero(sections_of_a_rod); ///< mean distances of the surface from the axis
+  /// Root mean square distances of the axis from the sections' centres.
+  Eigen::ArrayXd spreads = Eigen::ArrayXd::Zero(sections_of_a_rod);
   Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(sections_of_a_rod);
 };
 
@@ -68,23 +67,23 @@ inline Rod_sections rod_sections(const Points& axis, const Points& surface, cons
   return result;
 }
 
-/// The curve of a part that is a straight rod, whatever its profile: the line through the middle of its medial axis, up
-/// to the surface. None where the part is bent, branches, or is wide for its thickness.
+/// The curve of a straight rod of any profile: the line through the centres of its medial axis, extended to the
+/// surface. None if the part is bent, branches, or is too wide for its thickness.
 /// \param axis the medial poles of the vertices of `solid`
-/// \param is_convex of the solid, which has no branches then: it may be wide for its thickness
+/// \param is_convex whether the solid is convex: it then has no branches, and may be wide for its thickness
 inline std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& solid, int control_points,
                                                   bool is_convex)
 {
-  // Over the distance of the surface from the axis there; of a convex part, which may be wide, and the spread
-  const double most_offset = 0.1; // of the middle of a section from the line
-  const double most_spread = 1;   // of the medial axis about it
-  const double fewest = 3;        // points of a section
+  // Relative to the distance of the surface from the axis there, for a convex part plus the spread
+  const double most_offset = 0.1; // distance of the centre of a section from the line
+  const double most_spread = 1;   // spread of the medial axis about it
+  const double fewest = 3;        // number of points in a section
   const Rod_sections sections = rod_sections(axis, solid.points, principal_line(axis));
   if (sections.counts.minCoeff() < fewest || !(is_convex || (sections.spreads <= most_spread * sections.radii).all()))
     return std::nullopt;
   const Line line = principal_line(sections.centres);
   const Eigen::ArrayXd offsets = line.offsets(sections.centres).colwise().norm().transpose();
-  // The samples of a wide section are uneven
+  // Centres of wide sections are uncertain, since samples are uneven
   const Eigen::ArrayXd sizes = is_convex ? Eigen::ArrayXd(sections.radii + sections.spreads) : sections.radii;
   if (!(offsets <= most_offset * sizes).all()) return std::nullopt;
   const Eigen::RowVectorXd heights = line.direction.transpose() * (sections.centres.colwise() - line.centre);

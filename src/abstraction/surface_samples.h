@@ -14,7 +14,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Areas of triangles, summed up to each of them.
+/// Prefix sums of the areas of triangles.
 inline std::vector<double> cumulative_areas(const Part_mesh& mesh)
 {
   std::vector<double> result;
@@ -30,7 +30,6 @@ inline double surface_area(const Part_mesh& mesh)
   return areas.empty() ? 0. : areas.back();
 }
 
-/// \pre the mesh is closed
 inline double enclosed_volume(const Part_mesh& mesh)
 {
   double result = 0;
@@ -42,10 +41,10 @@ inline double enclosed_volume(const Part_mesh& mesh)
   return std::abs(result);
 }
 
-/// Points by area, at a low-discrepancy sequence of parameters: no random numbers, no clumps.
+/// Points distributed by area with a low-discrepancy sequence: no random numbers, no clumps.
 inline Points points_by_area(const Part_mesh& mesh, std::size_t n)
 {
-  // Powers of the plastic number's inverse in three dimensions (Roberts 2018).
+  // Powers of the inverse of the generalized golden ratio in three dimensions (Roberts 2018).
   const double step[] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   const std::vector<double> areas = cumulative_areas(mesh);
   Points result(3, Eigen::Index(n));
@@ -64,7 +63,7 @@ inline Points points_by_area(const Part_mesh& mesh, std::size_t n)
   return result;
 }
 
-/// Vertices that a triangle uses, if they are no more than `limit`; none otherwise.
+/// The vertices used by triangles if they are at most `limit`; otherwise none.
 inline std::vector<Eigen::Index> used_vertices(const Part_mesh& mesh, std::size_t limit)
 {
   std::vector<char> used(std::size_t(mesh.points.cols()), 0);
@@ -79,13 +78,13 @@ inline std::vector<Eigen::Index> used_vertices(const Part_mesh& mesh, std::size_
   return result;
 }
 
-/// Picks `n` of some points, each the farthest from those before.
+/// Picks `n` of the points, each the farthest from those before.
 inline Points farthest_points(const Points& candidates, std::size_t n)
 {
-  // Noise must not decide between equally far points: the first one wins.
+  // Of nearly equally far points the first one wins, so that noise does not decide.
   const double nearly = 1 - 1e-4;
   using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
-  const Row x = candidates.row(0), y = candidates.row(1), z = candidates.row(2); // contiguous, for the speed
+  const Row x = candidates.row(0), y = candidates.row(1), z = candidates.row(2); // contiguous copies for speed
   const auto squared_distances = [&](const Point& p) {
     return (x - p.x()).square() + (y - p.y()).square() + (z - p.z()).square();
   };
@@ -106,8 +105,7 @@ inline Points farthest_points(const Points& candidates, std::size_t n)
   return result;
 }
 
-/// Points evenly spread over a surface. Vertices are candidates, too, where they are few, so that corners are among
-/// them.
+/// Points evenly spread over a surface. Few vertices are candidates as well, so that corners are included.
 inline Points even_surface_points(const Part_mesh& mesh, std::size_t n)
 {
   const std::size_t candidates_a_point = 8;

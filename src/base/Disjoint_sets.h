@@ -12,8 +12,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Disjoint sets of the numbers from 0 on, one in each at first. Unlike in Boost, a set is named by its smallest
-/// number, whatever the order in which sets were united.
+/// Disjoint sets of the numbers 0, 1, …, initially with one number each. Unlike in Boost, a set is identified by its
+/// smallest number, whatever the order of unions.
 class Disjoint_sets
 {
 public:
@@ -25,7 +25,7 @@ public:
   std::size_t size() const { return smallest_.size(); }
   std::size_t number_of_sets() const { return number_of_sets_; }
 
-  /// The set of a number. Not thread-safe: paths are compressed.
+  /// Smallest number of the set that contains i. Not thread-safe: paths are compressed.
   std::size_t operator[](std::size_t i) const { return smallest_[sets_.find_set(i)]; }
 
   /// Unites the sets of two numbers. \return whether they were different

@@ -21,13 +21,13 @@ public:
       : points_{points}, tree_(3, points_, nanoflann::KDTreeSingleIndexAdaptorParams(points_in_leaf))
   {}
 
-  /// Distance to the nearest point but the one of index `ignored`; infinite if there is none.
+  /// Distance of the nearest point other than `ignored`; infinite if there is none.
   double distance(const Point& query, Eigen::Index ignored = -1) const
   {
     return std::sqrt(nearest(query, std::numeric_limits<double>::infinity(), ignored).squared);
   }
 
-  /// Index of the nearest point but `ignored` of those nearer than a radius; -1 if there is none.
+  /// Index of the nearest point other than `ignored` within a radius; -1 if there is none.
   Eigen::Index nearest_within(const Point& query, double radius, Eigen::Index ignored = -1) const
   {
     return nearest(query, radius * radius, ignored).index;
@@ -35,9 +35,9 @@ public:
 
 private:
   static constexpr std::size_t points_in_leaf = 8;
-  static constexpr double rounding = 1e-12; // more than the relative error of a squared distance
+  static constexpr double rounding = 1e-12; // greater than the relative error of a squared distance
 
-  // What nanoflann takes: the data, a metric and a collector of results
+  // Types required by nanoflann: data, metric and result set
 
   struct Data
   {
@@ -48,11 +48,11 @@ private:
     template <typename Box>
     bool kdtree_get_bbox(Box&) const
     {
-      return false; // let the tree find it
+      return false; // nanoflann computes it
     }
   };
 
-  /// The Euclidean metric to the bits of Eigen's norm; nanoflann's own adds squares in another order.
+  /// The Euclidean metric, bitwise equal to Eigen's norm; nanoflann's own adds squares in another order.
   struct Metric
   {
     using ElementType = double;
@@ -68,18 +68,18 @@ private:
     const Data& data;
   };
 
-  /// The nearest point, of several the one of the least index, whatever the order of the tree.
+  /// Result set for the nearest point; of equally near ones the one of lowest index, for any order of the tree.
   struct Nearest
   {
-    using DistanceType = double; // asked for by nanoflann 1.6
+    using DistanceType = double; // required by nanoflann 1.6
     using IndexType = std::size_t;
 
-    double squared; ///< of the distance; points that are not nearer do not count
+    double squared; ///< squared distance; initially the limit
     Eigen::Index ignored, index = -1;
 
     std::size_t size() const { return index >= 0; }
     bool full() const { return true; }
-    /// A little more than that, so that no branch and no point is left out that is as near.
+    /// A slightly greater distance, so that branches and points at equal distance are not skipped.
     double worstDist() const { return squared * (1 + rounding) + std::numeric_limits<double>::min(); }
     bool addPoint(double candidate, std::size_t place)
     {
@@ -88,7 +88,7 @@ private:
       if (is_nearer && i != ignored) squared = candidate, index = i;
       return true;
     }
-    void sort() const {} // asked for by nanoflann 1.5
+    void sort() const {} // required by nanoflann 1.5
   };
 
   Nearest nearest(const Point& query, double squared, Eigen::Index ignored) const

@@ -8,8 +8,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Does work once, whichever thread asks first; the others wait. Kept beside `std::call_once()`, which makes a system
-/// call after every first time: as slow as the rods of a contact, one of which is made at a time.
+/// Runs work once, in the first thread that asks; others wait. Unlike `std::call_once()`, it makes no system call for
+/// the first run, which would take as long as computing the rods of a contact.
 class Once
 {
 public:

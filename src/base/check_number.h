@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Numbers that callers of the library give are checked once, where they come in. NaN is in no range.
+// Checks of numbers from callers of the library, made once where they come in. NaN is out of every range.
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
@@ -40,7 +40,7 @@ inline void check_positive(const std::string& name, double value)
   if (!(value > 0 && value < no_limit)) refuse_number(name, value, "more than 0 and finite");
 }
 
-/// \param what that the index is of, "shape" \throw Invalid_input unless there are more than `index`
+/// \param what kind of the index, for example "shape" \throw Invalid_input unless index < count
 inline void check_index(const std::string& function, const std::string& what, std::size_t index, std::size_t count)
 {
   if (index >= count)

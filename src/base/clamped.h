@@ -7,13 +7,13 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Unlike `std::clamp()` these have a result for NaN, too, so that it becomes no index.
+// Unlike `std::clamp()` these also have a result for NaN, so that it never becomes an index.
 
 /// A number clamped to [0, 1]; 0 for NaN.
 inline double clamped_to_unit(double x) { return x > 0 ? std::min(x, 1.) : 0; }
 
-/// The cell of a position among cells of width 1, from 0 to `last`; 0 for NaN. Clamped before it becomes an `int`,
-/// since a larger number cannot.
+/// Index, from 0 to `last`, of the cell of width 1 that contains x; 0 for NaN. Clamps before the conversion to `int`,
+/// which is undefined for large numbers.
 inline int clamped_cell(double x, int last) { return x > 0 ? int(std::min(x, double(last))) : 0; }
 
 } // namespace CGAL::Shape_correspondence::internal

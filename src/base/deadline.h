@@ -11,7 +11,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A time limit was reached. Whoever sets the limit takes a cheaper way.
+/// Thrown when a time limit is reached. The code that set the limit takes a cheaper way.
 class Out_of_time : public std::runtime_error
 {
 public:
@@ -23,7 +23,7 @@ class Stop_watch
 public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-  /// Milliseconds since the last call, or the start.
+  /// Milliseconds since the last call, or since the start.
   double lap()
   {
     const Clock::time_point now = Clock::now();
@@ -39,11 +39,11 @@ private:
   Clock::time_point last_ = start_;
 };
 
-/// The time that work may take, where the caller sets one. Without, all steps are bounded by the size of their input.
+/// A limit for the time of work. Without one, all steps are bounded by the size of their input.
 class Deadline
 {
 public:
-  /// Seconds that have passed.
+  /// Returns the seconds that have passed.
   using Clock = std::function<double()>;
 
   static constexpr double never = std::numeric_limits<double>::infinity();
@@ -51,7 +51,7 @@ public:
   explicit Deadline(double seconds = never) : Deadline(seconds, [watch = Stop_watch()] { return watch.seconds(); }) {}
   Deadline(double seconds, Clock clock) : seconds_(seconds), clock_(std::move(clock)) {}
 
-  /// Seconds; `never` without a limit.
+  /// Seconds left; `never` without a limit.
   double left() const { return seconds_ < never ? seconds_ - clock_() : never; }
   bool is_over() const { return left() <= 0; }
 

@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A unit vector across a unit direction: towards y as far as it can, or towards x if the direction is near to y.
+/// A unit vector perpendicular to a unit direction, as close to y as possible, or to x if the direction is near y.
 /// Unlike Eigen's `unitOrthogonal()` it does not depend on the last digits of a direction along a coordinate axis.
 inline Point some_normal(const Point& direction)
 {
@@ -21,7 +21,7 @@ inline Point some_normal(const Point& direction)
   return (towards - direction.dot(towards) * direction).normalized();
 }
 
-/// A unit vector or its opposite: the one whose y is positive, or x or z, the first of them that is not small.
+/// The unit vector or its opposite, such that the first of y, x and z that is not small is positive.
 inline Point with_fixed_sign(const Point& direction)
 {
   const double small = 0.1;
@@ -30,11 +30,11 @@ inline Point with_fixed_sign(const Point& direction)
   return direction;
 }
 
-/// The rotation by the least angle that turns one direction to another. For opposite ones it is the half turn about
-/// what the Householder reflection that maps `from` to the x axis maps the z axis to.
+/// The rotation by the least angle from one direction to another. For opposite directions it is the half turn about the
+/// image of the z axis under the Householder reflection that maps `from` to the x axis.
 ///
-/// To the bits of Eigen::Quaterniond::FromTwoVectors(), but for opposite directions, for which that instantiates a
-/// singular value decomposition in every file.
+/// Bitwise equal to Eigen::Quaterniond::FromTwoVectors() except for opposite directions, for which that function would
+/// instantiate a singular value decomposition in every file.
 inline Eigen::Quaterniond least_rotation(const Point& from, const Point& to)
 {
   constexpr double opposite = -1 + 1e-12; // cosine
@@ -42,7 +42,7 @@ inline Eigen::Quaterniond least_rotation(const Point& from, const Point& to)
   const double cosine = b.dot(a);
   Eigen::Quaterniond result;
   if (cosine < opposite) {
-    const Point normal = a + std::copysign(1., a.x()) * Point::UnitX(); // of the reflection
+    const Point normal = a + std::copysign(1., a.x()) * Point::UnitX(); // normal of the reflection plane
     result.w() = 0;
     result.vec() = Point::UnitZ() - normal * (a.z() / (1 + std::abs(a.x())));
     return result;

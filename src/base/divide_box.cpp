@@ -13,13 +13,13 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double apart = 0.25;        // least spread along an axis to divide by, over the largest extent of a share
+constexpr double apart = 0.25;        // least spread along an axis for a division, over the largest extent of a share
 constexpr double one_place = 0.15;    // extent of a cluster of centres, over the spread
-constexpr double least_extent = 1e-4; // of a share: a flat one gets a box with volume
+constexpr double least_extent = 1e-4; // lower bound for shares, so that a flat one gets a box with volume
 
 using Indices = std::vector<std::size_t>;
 
-/// The axis of the largest spread of the centres; -1 if the shares are concentric.
+/// The axis along which the centres are spread most; -1 if the shares are concentric.
 int axis_of_spread(const std::vector<Share>& shares, const Indices& of, double& spread)
 {
   int axis = -1;

@@ -11,15 +11,15 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Centre and half extents of something that is to get a part of a box, along the axes of the box, in any unit.
+/// Centre and half extents, along the axes of a box, of an object that is to get a part of the box; in any unit.
 struct Share
 {
   Point middle, half;
 };
 
-/// Divides a box as shares are arranged: along the axis of their largest spread, in proportion to their extents, and
-/// recursively among those at one place along it. Concentric shares get the same box.
-/// \return by share, its part of the box
+/// Divides a box as the shares are arranged: along the axis of their largest spread, in proportion to their extents,
+/// and recursively among shares at the same position along it. Concentric shares get the same box.
+/// \return the box of every share
 std::vector<Eigen::AlignedBox3d> divide_box(const Eigen::AlignedBox3d& box, const std::vector<Share>& shares);
 
 } // namespace CGAL::Shape_correspondence::internal

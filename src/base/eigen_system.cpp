@@ -20,7 +20,7 @@ Eigen::Matrix2d eigenvectors(const Eigen::Matrix2d& symmetric)
 
 Eigen::Matrix3d scatter_matrix(const Points& points)
 {
-  constexpr Eigen::Index fewest = 14; // from where on Eigen adds up point by point
+  constexpr Eigen::Index fewest = 14; // number of points from which on Eigen adds them up in blocks
   if (points.cols() < fewest) return points * points.transpose();
   Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
   for (Eigen::Index k = 0; k < points.cols(); ++k)

@@ -3,7 +3,7 @@
 
 #include "base/for_each_index.h"
 
-// The thread sanitizer does not see how tasks of TBB wait for each other, since its library is compiled without it
+// TBB is compiled without the thread sanitizer, which therefore does not see how its tasks wait for each other
 #if defined(__SANITIZE_THREAD__)
 #define SHAPE_CORRESPONDENCE_PLAIN_THREADS
 #elif defined(__has_feature)
@@ -32,7 +32,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Of all failures, the one that a sequential loop meets first.
+/// Of all exceptions, the one that a sequential loop would meet first.
 class First_failure
 {
 public:
@@ -66,7 +66,7 @@ void run_in_parallel(std::size_t n, const Work& work)
   constexpr std::size_t number_of_threads = 4;
   std::vector<std::thread> threads;
   for (std::size_t first = 0; first < number_of_threads; ++first)
-    threads.emplace_back([&, first] { // every thread has its share, however soon another ends
+    threads.emplace_back([&, first] { // each thread has a fixed share, even if others end early
       for (std::size_t i = first; i < n; i += number_of_threads)
         work(i);
     });
@@ -74,14 +74,13 @@ void run_in_parallel(std::size_t n, const Work& work)
     thread.join();
 }
 #elif defined(CGAL_LINKED_WITH_TBB)
-/// Whether no other thread may work: TBB would start one all the same, and ends the program where it cannot.
+/// Whether only the caller may work: TBB would start a thread nevertheless, and terminates the program if it cannot.
 bool is_caller_alone() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2; }
 
 template <typename Work>
 void run_in_parallel(std::size_t n, const Work& work)
 {
-  // Isolated: in the group of an enclosing loop, the calls of this one would be left out without a word when that is
-  // cancelled
+  // An isolated context: an enclosing loop's would silently skip calls of this loop when it is cancelled
   tbb::task_group_context group(tbb::task_group_context::isolated);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, n, 1),
@@ -93,15 +92,15 @@ void run_in_parallel(std::size_t n, const Work& work)
   if (group.is_group_execution_cancelled()) throw std::runtime_error("a parallel loop was cancelled");
 }
 #else
-/// All threads that may work, and those that no loop has. Where none can be made, as in a browser, the first attempt
-/// leaves none.
+/// The number of threads that may work, and of those not in use. If no thread can be created, as in a browser, the
+/// first attempt leaves no idle ones.
 std::atomic<int> working_threads{std::max(1, int(std::thread::hardware_concurrency()))},
     idle_threads{working_threads - 1};
 
-constexpr std::size_t most_taken = 1024;           // by a loop
+constexpr std::size_t most_taken = 1024;           // limit for one loop
 constexpr bool is_caller_alone() { return false; } // a loop that finds no idle thread starts none
 
-/// \return how many, up to `most`
+/// \return the number of threads taken, at most `most`
 int take_idle_threads(int most)
 {
   int idle = idle_threads, taken = 0;
@@ -111,7 +110,7 @@ int take_idle_threads(int most)
   return taken;
 }
 
-/// The caller works, too, so that a loop in a loop that finds no thread idle goes on.
+/// The caller works as well, so that a nested loop proceeds even if no thread is idle.
 template <typename Work>
 void run_in_parallel(std::size_t n, const Work& work)
 {
@@ -144,7 +143,7 @@ void for_each_index(std::size_t n, bool parallel, const std::function<void(std::
       work(i);
     return;
   }
-  First_failure failure; // kept here, since an exception that leaves a task cancels the loops that the others are in
+  First_failure failure; // caught here, since an exception that leaves a task would cancel enclosing loops
   run_in_parallel(n, [&](std::size_t i) {
     if (failure.is_before(i)) return;
     try {

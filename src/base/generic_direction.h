@@ -7,8 +7,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A direction with no simple relation to the axes, nearest to y: along it, hardly ever are two places the same but for
-/// rounding.
+/// A direction near y, unrelated to the axes, so that positions along it are hardly ever equal up to rounding.
 inline Point generic_direction() { return Point(0.6, 1, 0.36).normalized(); }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -10,7 +10,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The name of the library calls that a test lets fail; empty: none.
+/// The name of the library calls that a test makes fail; empty: none.
 inline std::string failing_library_call;
 
 inline void check_library_call(const char* name)
@@ -18,9 +18,9 @@ inline void check_library_call(const char* name)
   if (failing_library_call == name) throw std::runtime_error("a failure that a test asked for");
 }
 
-/// What `call` returns or, if it throws, what `otherwise` returns. Other libraries, CGAL above all, throw on surfaces
-/// that they cannot treat; the caller knows the part, and what takes the place of the result.
-/// \param name of the call, for tests that let it fail
+/// The result of `call` or, if it throws, of `otherwise`. Other libraries, CGAL above all, throw on surfaces that they
+/// cannot treat; the caller knows the part and a replacement for the result.
+/// \param name name of the call, by which tests make it fail
 template <typename Call, typename Fallback>
 auto library_call(const char* name, const Call& call, const Fallback& otherwise) -> decltype(call())
 {

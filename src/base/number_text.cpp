@@ -12,13 +12,13 @@ namespace CGAL::Shape_correspondence {
 std::from_chars_result internal::real_of_text(const char* begin, const char* end, double& number)
 {
   const std::string_view all(begin, std::size_t(end - begin));
-  // These begin what `std::strtod()` reads and `std::from_chars()` does not: hexadecimal digits, blanks, a plus sign
+  // `std::strtod()` reads, but `std::from_chars()` does not read, hexadecimal digits, blanks and a plus sign
   const std::string text(all.substr(0, all.find_first_of("xX \t\r\n\v\f")));
   char* last = nullptr;
   const double read = text.empty() || text[0] == '+' ? 0 : std::strtod(text.c_str(), &last);
   if (!last || last == text.c_str()) return {begin, std::errc::invalid_argument};
   const char* const stop = begin + (last - text.c_str());
-  const bool is_word = text.find_first_of("iInN") != std::string::npos; // an infinity, or no number
+  const bool is_word = text.find_first_of("iInN") != std::string::npos; // an infinity or NaN
   if (!is_word && (std::isinf(read) || (read == 0 && text.find_first_of("123456789") < text.find_first_of("eE"))))
     return {stop, std::errc::result_out_of_range};
   number = read;

@@ -10,12 +10,12 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// What `std::from_chars()` and `std::to_chars()` do with numbers that are no integers, for standard libraries that
-/// have these functions for integers only. The locale must be that of C.
+/// `std::from_chars()` and `std::to_chars()` for floating-point numbers, for standard libraries that have these
+/// functions for integers only. The locale must be "C".
 std::from_chars_result real_of_text(const char* begin, const char* end, double& number);
 std::string text_of_real(double number, bool is_single);
 
-/// Reads the number that `text` begins with, in any locale, as `std::from_chars()` does.
+/// Reads the number at the beginning of `text`, in any locale, as `std::from_chars()` does.
 template <typename Number>
 std::from_chars_result read_number(std::string_view text, Number& number)
 {
@@ -31,7 +31,7 @@ std::from_chars_result read_number(std::string_view text, Number& number)
     return std::from_chars(begin, end, number);
 }
 
-/// A number with as many digits as it takes to read the same one again.
+/// The shortest text that reads as the same number.
 template <typename Number>
 std::string number_text(Number number)
 {

@@ -11,13 +11,13 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Minimum-cost assignment of every row to a column of its own, by shortest augmenting paths (Jonker and Volgenant
-/// 1987), O(rows² cols). Among equal costs lower columns win. \return by row, its column \pre rows <= cols
+/// Minimum-cost assignment of every row to a distinct column, by shortest augmenting paths (Jonker and Volgenant 1987),
+/// O(rows² cols). Of equal costs, lower columns win. \return the column of every row \pre rows <= cols
 inline std::vector<std::size_t> optimal_assignment(const Eigen::MatrixXd& cost)
 {
   const int rows = int(cost.rows()), cols = int(cost.cols());
   std::vector<double> row_price(rows + 1, 0), col_price(cols + 1, 0);
-  std::vector<int> row_of(cols + 1, 0), previous(cols + 1, 0); // 1-based, 0: none
+  std::vector<int> row_of(cols + 1, 0), previous(cols + 1, 0); // 1-based; 0: none
   std::vector<double> slack(cols + 1);
   std::vector<char> visited(cols + 1);
   for (int row = 1; row <= rows; ++row) {

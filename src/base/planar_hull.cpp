@@ -11,11 +11,11 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double relative_noise = 1e-9; // of the area of a triangle, over the square of the points' extent
-constexpr double equal_areas = 1e-6;    // relative difference of areas that are taken to be equal
-constexpr double equal_sines = 1e-6;    // difference of sines of angles that are taken to be equal
+constexpr double relative_noise = 1e-9; // area of a triangle, over the squared extent of the points
+constexpr double equal_areas = 1e-6;    // relative difference of areas that count as equal
+constexpr double equal_sines = 1e-6;    // difference of sines of angles that count as equal
 
-/// The side of a rectangle, of which one is given, whose angle from the x axis is in (-45°, 45°].
+/// Of the sides of a rectangle, given one of them, the direction whose angle from the x axis is in (-45°, 45°].
 Eigen::Vector2d side_along_x(Eigen::Vector2d side)
 {
   const auto is_along_x = [&] { return side.y() > equal_sines - side.x() && side.y() < side.x() + equal_sines; };
@@ -24,7 +24,7 @@ Eigen::Vector2d side_along_x(Eigen::Vector2d side)
   return side;
 }
 
-/// Whether a side is turned less from the x axis than another; of those turned as much, the one turned to the left is.
+/// Whether a side is turned less from the x axis than another; of equal angles, the one to the left counts as less.
 bool is_turned_less(const Eigen::Vector2d& side, const Eigen::Vector2d& other)
 {
   const double more = std::abs(side.y()) - std::abs(other.y());

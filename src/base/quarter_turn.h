@@ -7,10 +7,9 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The equivalent number of quarter turns from 0 to 3.
 inline int within_a_turn(int quarter_turns) { return (quarter_turns % 4 + 4) % 4; }
 
-/// Rotation about y by quarter turns, exact, so that a self-match costs exactly 0.
+/// Rotation about y by quarter turns, exact, so that matching a shape with itself costs exactly 0.
 inline Eigen::Matrix3d quarter_turn(int turns)
 {
   static constexpr int cosine[] = {1, 0, -1, 0};

@@ -9,7 +9,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Linear light of an sRGB channel (IEC 61966-2-1), clamped to [0, 1], and back.
+/// The conversion of an sRGB channel to linear light, clamped to [0, 1], and its inverse (IEC 61966-2-1).
 inline double linear_of_srgb(double srgb)
 {
   const double x = clamped_to_unit(srgb);

@@ -20,23 +20,24 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Whether a map does not do: the surfaces are not alike, or one is torn on the way.
+/// Whether a map is unusable: the surfaces do not coincide closely enough, or one is torn on the way.
 bool is_torn(const Part_morph& morph)
 {
-  constexpr double most_torn = 0.04;          // share of the surface
-  constexpr double most_jump = 0.08;          // where the second surface takes over
-  constexpr double most_misfit_of_open = 0.1; // of surfaces with rims, which are seen to gape
+  constexpr double most_torn = 0.04;          // share of the surface's area
+  constexpr double most_jump = 0.08;          // misfit at the change from one surface to the other
+  constexpr double most_misfit_of_open = 0.1; // misfit of surfaces with borders, where gaps are visible
   bool are_closed = true;
   for (int surface : {0, 1}) {
     const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
-    const Points points = morph.points(surface, Part_morph::change); // where it is farthest from what it was
+    // At the change the surface differs most from its rest shape
+    const Points points = morph.points(surface, Part_morph::change);
     if (rest.torn_area(points) > most_torn * rest.area(points)) return true;
     are_closed = are_closed && rest.is_closed();
   }
   return (!are_closed && morph.misfit(false) > most_misfit_of_open) || morph.misfit(true) > most_jump;
 }
 
-/// What becomes of one of all pairs. \param corresponds or its parts are exchanged
+/// The task of one of the pairs. \param corresponds whether the parts correspond; otherwise they are exchanged
 Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, bool corresponds)
 {
   const auto uses = [&](std::size_t Piece_pair::*part) {
@@ -49,7 +50,7 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
   return {type, pair.source, pair.target};
 }
 
-/// The part that a pair becomes; without a morph if its surfaces, or pieces of theirs, have no map.
+/// The part for a pair; without a morph if there is no map between its surfaces or pieces of them.
 Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
 {
   Blend_part result;
@@ -65,7 +66,6 @@ Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
   return result;
 }
 
-/// The parts that are matched.
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
                                       Unlike_pairs& unlike)
 {
@@ -87,7 +87,7 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
     }
     if (torn.empty()) return result;
     stage.add_mirrored(torn);
-    unlike.torn.insert(torn.begin(), torn.end()); // with them go all other pairs of their parts
+    unlike.torn.insert(torn.begin(), torn.end()); // like_pairs() then drops all other pairs of their parts
   }
 }
 

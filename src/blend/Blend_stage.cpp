@@ -22,10 +22,10 @@ bool is_mirrored_in_x(const Blend_input& input)
   return input.quarter_turns % 2 == 0 ? frame.mirror_x : frame.mirror_z;
 }
 
-/// The frame of the stage: the surface itself, not samples of it, is what stands, is in the middle and has a height.
+/// The frame of the stage, in which the surface itself, not its samples, stands on the ground, centred, with height 1.
 Shape_frame staged_frame(const Blend_input& input)
 {
-  constexpr double upright = 0.5; // a shape that is flatter keeps the height that its frame says
+  constexpr double upright = 0.5; // height, in the given frame, below which a flat shape keeps the height of that frame
   Shape_frame frame = structure(input.graph).frame;
   contacts::Box box;
   for (const Shape_part& part : input.shape.parts())
@@ -36,7 +36,7 @@ Shape_frame staged_frame(const Blend_input& input)
   return frame;
 }
 
-/// Whether the mirror image of a box is near to another box.
+/// Whether the mirror image of a box nearly equals another box.
 bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, double tolerance)
 {
   const contacts::Box image = contacts::Box(mirrored(box.min())).extend(mirrored(box.max()));
@@ -44,10 +44,10 @@ bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, dou
          (image.max() - other.max()).cwiseAbs().maxCoeff() <= tolerance;
 }
 
-/// Pairs of parts nearest to being mirror images of each other come first.
+/// Pairs up parts that mirror each other, the pairs with the least residual first.
 Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::vector<contacts::Triangle_tree>& trees)
 {
-  constexpr double tolerance = 0.05; // of the height: how far a part is from the mirror image of another at most
+  constexpr double tolerance = 0.05; // largest distance between a part and the mirror image of another, over the height
   std::vector<std::tuple<Steps, std::size_t, std::size_t>> likely;
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i; j < parts.size(); ++j) {
@@ -67,10 +67,10 @@ Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::
 
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees)
 {
-  constexpr Eigen::Index samples = 24; // of a surface
+  constexpr Eigen::Index samples = 24; // number of points of a surface
   double sum = 0;
   Eigen::Index count = 0;
-  std::size_t last = 0; // what is nearest to a point is likely to be that to the next one, too
+  std::size_t last = 0; // tried first, since the surface nearest to a point is probably nearest to the next one
   for (const Points* points : surfaces) {
     const Eigen::Index n = std::min(points->cols(), samples);
     count += n;
@@ -110,13 +110,13 @@ Blend_stage::Blend_stage(const std::array<Blend_input, 2>& inputs, Blend_size si
   }
 }
 
-/// As it is given, but in the world at its height, in the axes of the source.
+/// The shape as given, scaled to its height in the world and rotated to the axes of the source.
 Segmented_shape Blend_stage::moved(const Blend_input& input, const Point& up, std::size_t end) const
 {
   const Shape_frame& frame = structure(graphs[end]).frame;
   const Eigen::Matrix3d rotation =
       structure(graphs[0]).frame.axes * quarter_turn(input.quarter_turns) * frame.axes.transpose();
-  const bool is_turned = end == 1 && !rotation.isIdentity(1e-12); // otherwise, not by rounding either
+  const bool is_turned = end == 1 && !rotation.isIdentity(1e-12); // otherwise coordinates stay exact
   const double scale = heights[end] / frame.height;
   Segmented_shape result(input.shape.name(), up);
   for (const Shape_part& part : input.shape.parts()) {

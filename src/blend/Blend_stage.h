@@ -15,7 +15,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A shape that is blended, as it is given.
+/// A shape to be blended, as it was given.
 struct Blend_input
 {
   const Structural_graph& graph;
@@ -25,36 +25,34 @@ struct Blend_input
 
 inline Point mirrored(const Point& p) { return {-p.x(), p.y(), p.z()}; }
 
-/// Root mean square distance of some points of surfaces, mirrored in x = 0, from surfaces.
+/// Root mean square distance between points of some surfaces, mirrored in x = 0, and other surfaces.
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees);
 
-/// By part, its mirror image in x = 0, if it has one: a part that is its own image has itself.
+/// For each part, its mirror image in x = 0, if it has one; a symmetric part is its own image.
 using Mirror_images = std::vector<std::optional<std::size_t>>;
 
-/// Both shapes on one stage, by end, 0 the source and 1 the target: they stand on the ground, y = 0, the middles of
-/// their boxes above the origin, of height 1, turned so that they look alike. A shape with a mirror plane has it at
-/// x = 0.
+/// The source and the target (ends 0 and 1) in a common frame: both stand on the ground, y = 0, their bounding boxes
+/// centred above the origin, with height 1, turned to their alignment. A shape with a mirror plane has it at x = 0.
 struct Blend_stage
 {
   Blend_stage(const std::array<Blend_input, 2>& inputs, Blend_size size);
   Blend_stage(const Blend_stage&) = delete;
   Blend_stage& operator=(const Blend_stage&) = delete;
 
-  bool are_symmetric;                     ///< both have the mirror plane x = 0
-  std::array<Structural_graph, 2> graphs; ///< with the frames of the stage
+  bool are_symmetric;                     ///< whether both have the mirror plane x = 0
+  std::array<Structural_graph, 2> graphs; ///< the structural graphs, with the frames of the stage
   std::array<std::vector<Part_mesh>, 2> meshes;
   std::array<Charted_shape, 2> charted;
-  std::array<Mirror_images, 2> images; ///< none if the ends are not symmetric
-  std::array<contacts::Box, 2> boxes;  ///< of the shapes
-  std::array<double, 2> widest_gap;    ///< that it takes to join all parts
-  std::array<double, 2> heights;       ///< of the shapes in the world
-  /// As they are given, but in the world at these heights, in the axes of the source.
+  std::array<Mirror_images, 2> images; ///< empty unless both ends are symmetric
+  std::array<contacts::Box, 2> boxes;  ///< bounding boxes of the shapes
+  std::array<double, 2> widest_gap;    ///< largest gap that has to be bridged to join all parts, see `widest_gap()`
+  std::array<double, 2> heights;       ///< heights of the shapes in the world
+  /// The shapes as given, but scaled to these heights and rotated to the axes of the source.
   std::array<Segmented_shape, 2> shapes;
 
-  /// Adds the mirror image of every pair that has one: what a part becomes, its image becomes the image of.
+  /// Adds the pair of mirror images of every pair whose two parts have mirror images.
   void add_mirrored(Part_pairs& pairs) const;
-  /// From the stage to the world when a share of the change of size is done: sizes change by equal factors in equal
-  /// times.
+  /// Maps points from the stage to the world, at a share `done` of the change of size on a logarithmic scale.
   Points to_world(const Points& points, double done) const;
 
 private:

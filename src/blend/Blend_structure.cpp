@@ -14,7 +14,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// What touches, as the graphs have it: of pieces of a part, those that are near.
+/// The pairs of parts whose given parts are in contact according to the graphs; of pieces, only those that are near.
 std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
 {
   std::set<Touch> found; // the smaller index first
@@ -31,22 +31,24 @@ std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_
   return {found.begin(), found.end()};
 }
 
-/// By part, what it shrinks to and grows from if it is not matched: the middle of the places where matched parts hold
-/// it and the unmatched parts that hang together with it, or the foot of these if nothing holds them.
+/// For each unmatched part, the point to which it shrinks or from which it grows: for a set of unmatched parts that
+/// touch each other, the mean of the places where matched parts touch it, or the foot of the set if there are none.
 std::vector<Point> roots_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
 {
-  Disjoint_sets sets(parts.size()); // of unmatched parts that touch each other
+  Disjoint_sets sets(parts.size()); // connected sets of unmatched parts
   for (const Touch& touch : touches)
     if (!parts[touch[0]].is_matched() && !parts[touch[1]].is_matched()) sets.unite(touch[0], touch[1]);
-  std::vector<contacts::Box> boxes(parts.size());                    // by set
-  Eigen::Matrix4Xd places = Eigen::Matrix4Xd::Zero(4, parts.size()); // by set: those that hold it, summed, and how many
+  std::vector<contacts::Box> boxes(parts.size()); // bounding boxes of the sets
+  // For each set, homogeneous sum of the places where matched parts touch it
+  Eigen::Matrix4Xd places = Eigen::Matrix4Xd::Zero(4, parts.size());
   for (std::size_t part = 0; part < parts.size(); ++part)
     boxes[sets[part]].extend(parts[part].trees[0].box());
   for (const Touch& touch : touches)
     for (std::size_t i : {0u, 1u}) {
       const Blend_part &part = parts[touch[i]], &holder = parts[touch[1 - i]];
       if (part.is_matched() || !holder.is_matched()) continue;
-      const contacts::Box touched = part.trees[0].box().intersection(holder.end_tree(part.end()).box()); // or the gap
+      // The overlap of the boxes, or the gap between them
+      const contacts::Box touched = part.trees[0].box().intersection(holder.end_tree(part.end()).box());
       places.col(Eigen::Index(sets[touch[i]])) += touched.center().homogeneous();
     }
   std::vector<Point> result;

@@ -14,11 +14,11 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Two parts of a blend that touch at an end, or at both.
+/// Two parts of a blend that touch at one of the ends or at both.
 using Touch = std::array<std::size_t, 2>;
 
-/// What a blend is made of: its parts, which of them touch and go together, and what both shapes have at large. Lengths
-/// are over the height, on the stage; arrays are by end.
+/// The structure of a blend: its parts, which of them touch, and properties of both shapes. Lengths are relative to the
+/// height, on the stage; arrays are indexed by end.
 class Blend_structure
 {
 public:
@@ -26,14 +26,14 @@ public:
                   const Blend_options& options);
 
   Blend_stage stage;
-  std::vector<Blend_part> parts; ///< those that are matched come first
+  std::vector<Blend_part> parts; ///< the matched parts come first
   Part_pairs unlike;             ///< pairs of the given parts that correspond but do not morph
   std::vector<Touch> touches;
-  std::vector<Point> roots;                       ///< by part, if it is not matched: what it shrinks to
-  std::array<std::optional<Space_warp>, 2> warps; ///< where there are unmatched parts
-  std::array<double, 2> supports;                 ///< number of parts on the ground
+  std::vector<Point> roots;                       ///< for each part, the point that it shrinks to if it is unmatched
+  std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts
+  std::array<double, 2> supports;                 ///< numbers of parts on the ground
 
-  /// The points of an unmatched part when a share of it remains, in [0, 1].
+  /// The points of an unmatched part scaled about its root by `remaining`, in [0, 1].
   Points shrunk(std::size_t part, double remaining) const
   {
     return (remaining * (parts[part].mesh.points.colwise() - roots[part])).colwise() + roots[part];

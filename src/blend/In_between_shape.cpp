@@ -38,7 +38,7 @@ std::vector<Seen_surface> In_between_shape::seen() const
 
 Blend_quality In_between_shape::quality() const
 {
-  constexpr double touching = 0.005; // wider than at the ends, over the height
+  constexpr double touching = 0.005; // tolerance for gaps wider than at the ends, over the height
   const std::vector<Seen_surface> surfaces = seen();
   const double due = (1 - time) * blend.supports[0] + time * blend.supports[1];
   Blend_quality result;
@@ -52,20 +52,20 @@ Blend_quality In_between_shape::quality() const
   return result;
 }
 
-/// Places unmatched parts, as much of them as remains, where space moves.
+/// Places unmatched parts, scaled by the remaining share, by the warps of space.
 void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
 {
-  constexpr double least_remaining = 1e-6; // in one direction: a surface with less of it has no area
+  constexpr double least_remaining = 1e-6; // scale below which a part counts as gone, since its surface has no area
   for (int end : {0, 1}) {
     const auto& warp = blend.warps[std::size_t(end)];
     if (!warp) continue;
-    std::vector<Points> at_end = points; // the surfaces of the end, where they are
+    std::vector<Points> at_end = points; // the surfaces of this end at this time
     for (std::size_t i = 0; i < at_end.size(); ++i)
       if (blend.parts[i].is_matched() && surfaces[i] != end) at_end[i] = blend.parts[i].points(end, time);
-    const Points ways = warp->ways(blend.parts, at_end, time); // of the nodes of the warp
+    const Points ways = warp->ways(blend.parts, at_end, time); // displacements of the warp's nodes
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (blend.parts[i].is_matched() || blend.parts[i].end() != end) continue;
-      double done = end; // old parts have not begun, new ones have ended
+      double done = end; // old parts have not begun to shrink, new ones have finished growing
       if (!tasks.empty()) done = std::clamp((time - tasks[i].begin) / (tasks[i].end - tasks[i].begin), 0., 1.);
       const double remaining = end == 0 ? 1 - done : done;
       if (remaining > least_remaining) surfaces[i] = 0;
@@ -74,11 +74,11 @@ void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
   }
 }
 
-/// Stretches the whole so that it stands and is as high as is due.
+/// Stretches the shape vertically so that it stands on the ground and has the interpolated height.
 void In_between_shape::fill_the_height()
 {
-  constexpr double most = 2;     // times as high: there is less only while half of the old and half of the new is there
-  constexpr double least = 1e-6; // of the height: what is lower is not stretched
+  constexpr double most = 2;     // largest factor; more would be needed only while both old and new parts are half gone
+  constexpr double least = 1e-6; // height below which the shape is not stretched
   contacts::Box all;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (is_there(i)) all.extend(box_of(points[i]));

@@ -10,30 +10,29 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are named by index.
+/// The surfaces of the parts of a blend at a time strictly between its ends. Parts and surfaces are given by index.
 ///
-/// *Layout*: matched parts go straight and evenly from where they are at the one end to where they are at the other.
-/// Unmatched ones ride on the warps of the ends. Then the whole is stretched so that it stands and is as high as is
-/// due.
+/// *Layout*: matched parts move linearly from their places at one end to those at the other. Unmatched parts follow the
+/// warps of the ends. Then the whole is stretched vertically to stand with the interpolated height.
 struct In_between_shape
 {
-  /// \param tasks none: all parts of both ends are there as a whole
+  /// \param tasks empty: all parts of both ends are present in full size
   In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t);
 
   const Blend_structure& blend;
   double time;
-  std::vector<int> surfaces;  ///< by part, the one of its surfaces that there is, or -1
-  std::vector<Points> points; ///< by part, of that surface
+  std::vector<int> surfaces;  ///< for each part, the index of its present surface, or -1
+  std::vector<Points> points; ///< for each part, the points of its present surface
 
   bool is_there(std::size_t part) const { return surfaces[part] >= 0; }
-  /// The height that the whole is to fill, from the ground.
+  /// The interpolated height of the whole.
   double due_height() const
   {
     return (1 - time) * blend.stage.boxes[0].max().y() + time * blend.stage.boxes[1].max().y();
   }
-  /// The points of a surface of a part, also where it is at this time if it is not the one that there is.
+  /// The points of a surface of a part at this time, even if it is not the present one.
   Points points_of(std::size_t part, int surface) const;
-  /// The parts that are there.
+  /// The parts that are present.
   std::vector<Seen_surface> seen() const;
   Blend_quality quality() const;
 
@@ -42,7 +41,7 @@ private:
   void fill_the_height();
   void stretch(Points& surface) const { surface.row(1) = (scale_ * surface.row(1)).array() + shift_; }
 
-  double scale_ = 1, shift_ = 0; ///< by which the whole is stretched
+  double scale_ = 1, shift_ = 0; ///< scale and offset of the vertical stretch
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -25,10 +25,10 @@ Point extents_along(const Points& surface, const Eigen::Matrix3d& axes)
   return local.rowwise().maxCoeff() - local.rowwise().minCoeff();
 }
 
-/// Those of the world, or the surface's own ones if the box along them is much smaller.
+/// The axes of the world, or the surface's own axes if its box along these is much smaller.
 Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
 {
-  constexpr double much = 0.45; // a square that is turned by 45 degrees needs none
+  constexpr double much = 0.45; // ratio of volumes; a square turned by 45 degrees is above it
   const auto volume = [&](const Eigen::Matrix3d& axes) {
     return extents_along(surface, axes).cwiseMax(2 * Part_chart::least_half_extent).prod();
   };
@@ -38,18 +38,18 @@ Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
 
 double angle_of(const Eigen::Matrix3d& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.)); }
 
-/// Charts with the longest axis of both boxes as the first and the shortest as the last one; but those of round things
-/// that are no plates, such as shades of lamps, along the axis that they turn about.
+/// Charts with the longest axis of the boxes as the first and the shortest as the last one. For round parts that are
+/// not plates, such as lampshades, the first axis is the axis of revolution.
 Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, std::array<Eigen::Matrix3d, 2> axes)
 {
-  constexpr double flat = 0.3;   // the shortest extent over the middle one
-  constexpr double alike = 1.15; // of extents: how many times as long, at most
+  constexpr double flat = 0.3;   // shortest extent of a plate, over the middle one
+  constexpr double alike = 1.15; // largest ratio of extents that count as equal
   const std::array<Point, 2> extents = {extents_along(*surfaces[0], axes[0]), extents_along(*surfaces[1], axes[1])};
   const Point sum = extents[0] + extents[1];
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return quantized(sum[a]) > quantized(sum[b]); });
   const bool are_plates = sum[order[2]] < flat * sum[order[1]];
-  const auto may_be_round = [&](const Point& e) { // it is as long along both axes
+  const auto may_be_round = [&](const Point& e) { // the two longest extents agree
     return e[order[0]] < alike * e[order[1]] && e[order[1]] < alike * e[order[0]];
   };
   if (!are_plates && std::all_of(extents.begin(), extents.end(), may_be_round))
@@ -85,7 +85,7 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
     : charts_{charts.source, charts.target}
 {
-  constexpr double longest_edge = 0.3; // in coordinates, of 2 from end to end
+  constexpr double longest_edge = 0.3; // in chart coordinates, which range from -1 to 1
   for (std::size_t end : {0u, 1u}) {
     Charted_mesh mesh = finely_charted(end == 0 ? source : target, charts_[end], longest_edge);
     outlines_[end] = Chart_outline(charts_[end].is_sheet(), mesh.coordinates);
@@ -136,7 +136,8 @@ Points Part_morph::points(int surface, double t) const
 
 void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto)
 {
-  constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15}; // in coordinates: first at large, then in detail
+  // In chart coordinates: large-scale motion first, then details
+  constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15};
   const Points &places = onto.coordinates[1], given = coordinates[when];
   const Place_finder finder(places, onto.triangles, onto.normals);
   const auto place = [&](Eigen::Index i) { return finder(coordinates[when].col(i), normals.col(i)); };

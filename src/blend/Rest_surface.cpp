@@ -16,7 +16,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Normals with the doubled areas as lengths, by triangle.
+/// Normals of triangles, of length twice the area.
 Points doubled_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   Points result(3, triangles.cols());
@@ -31,10 +31,10 @@ double squared_longest_edge(const contacts::Triangle& corners)
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
-/// Of the box around points.
+/// Extents of the bounding box of points, at least `least`.
 Point sizes_of(const Points& points)
 {
-  constexpr double least = 1e-4; // of the shape's height
+  constexpr double least = 1e-4; // ratio to the shape's height
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).cwiseMax(least);
 }
 
@@ -43,14 +43,14 @@ Point sizes_of(const Points& points)
 Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
     : triangles_(triangles), sizes_(sizes_of(points)), longest_(triangles.cols())
 {
-  constexpr double smooth = 0.5; // cosine of the angle between normals
-  constexpr double least_thickness =
-      1e-9; // volume over area, in square roots of areas: with less, both sides are in one place
+  constexpr double smooth = 0.5;           // cosine of the angle between normals
+  constexpr double least_thickness = 1e-9; // volume over area^1.5, below which both sides of the surface coincide
   constexpr int samples = 24;
   const Points normals = doubled_normals(points, triangles_);
   const Eigen::VectorXd areas = normals.colwise().norm();
   const std::vector<int> places = first_in_place(points);
-  std::map<std::pair<int, int>, std::vector<int>> sides; // of edges: by the places of their ends, the triangles there
+  std::map<std::pair<int, int>, std::vector<int>>
+      sides; // triangles at each edge, by the vertices of the edge, with coincident vertices merged
   double passed = 0, next = 0;
   for (int t = 0; t < int(triangles_.cols()); ++t) {
     longest_[t] = squared_longest_edge(triangle_of(points, triangles_, t));
@@ -62,7 +62,7 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
     }
   }
   const Point middle = points.rowwise().mean();
-  double volume = 0; // signed
+  double volume = 0; // signed volume
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
     volume += normals.col(t).dot(contacts::centre(triangle_of(points, triangles_, t)) - middle) / 6;
   is_closed_ = std::abs(volume) > least_thickness * std::pow(area(points), 1.5);
@@ -76,7 +76,7 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
 
 double Rest_surface::area(const Points& points) const
 {
-  double result = 0; // one after the other: Eigen's order depends on the processor
+  double result = 0; // summed one by one: the order of Eigen's sum depends on the processor
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
     result += contacts::area_vector(triangle_of(points, triangles_, t)).norm() / 2;
   return result;
@@ -85,9 +85,9 @@ double Rest_surface::area(const Points& points) const
 double Rest_surface::torn_area(const Points& points) const
 {
   constexpr double folded = -0.5;    // cosine of the angle between normals
-  constexpr double most_stretch = 3; // of an edge, over that of the whole surface
+  constexpr double most_stretch = 3; // stretch of an edge, over that of the whole surface
   const Points normals = doubled_normals(points, triangles_);
-  const Eigen::VectorXd areas = normals.colwise().norm(); // doubled
+  const Eigen::VectorXd areas = normals.colwise().norm(); // twice the areas
   std::vector<char> is_torn(std::size_t(triangles_.cols()), 0);
   for (const auto& [a, b] : smooth_)
     if (normals.col(a).dot(normals.col(b)) < folded * areas[a] * areas[b])

@@ -10,30 +10,30 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A surface of a part of a blend as it is at its end of the blend, which it is compared with on the way.
+/// A surface of a part at its end of the blend, as a reference for its deformations.
 class Rest_surface
 {
 public:
   Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles);
 
   bool is_closed() const { return is_closed_; }
-  /// Of the surface where its points are elsewhere.
+  /// The area of the surface with deformed points.
   double area(const Points& points) const;
 
-  /// The area of the triangles that are folded back onto a neighbour that they continue at rest, or much longer than
-  /// at rest where the whole surface is not.
+  /// The area, with deformed points, of the triangles that are folded back onto a neighbour that they smoothly continue
+  /// at rest, or that are stretched much more than the whole surface.
   double torn_area(const Points& points) const;
 
-  /// Some points evenly over the area, at rest.
+  /// Some deformed points that are evenly distributed by area at rest.
   Points samples(const Points& points) const;
 
 private:
   Eigen::Matrix3Xi triangles_;
   bool is_closed_;
-  Point sizes_;                            ///< of the box around it, not quite 0
-  std::vector<std::array<int, 2>> smooth_; ///< neighbouring triangles that continue each other
-  Eigen::VectorXd longest_;                ///< by triangle, its longest edge, squared
-  std::vector<Eigen::Index> chosen_;       ///< triangles
+  Point sizes_;                            ///< extents of its bounding box, bounded away from 0
+  std::vector<std::array<int, 2>> smooth_; ///< pairs of adjacent triangles that smoothly continue each other
+  Eigen::VectorXd longest_;                ///< for each triangle, the square of its longest edge
+  std::vector<Eigen::Index> chosen_;       ///< triangles of the samples
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,13 +18,13 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Whether rays from a point in most directions leave a surface, which may have holes.
+/// Whether most rays from a point, along three axes, cross a surface, which may have holes, an odd number of times.
 bool is_inside(const Point& p, const contacts::Triangle_tree& surface)
 {
   static const std::array<Point, 3> along = {Point(1, 0.0123, 0.0217), Point(0.0171, 1, 0.0119),
-                                             Point(0.0223, 0.0137, 1)}; // not quite the axes, which edges may follow
-  constexpr double least_depth = 0.005;                                 // of the height: what is nearer is on it
-  constexpr int most = 5;                                               // of six
+                                             Point(0.0223, 0.0137, 1)}; // oblique, since edges may follow the axes
+  constexpr double least_depth = 0.005; // distance, over the height, below which a point is on the surface
+  constexpr int most = 5;               // number of rays, of six
   if (!surface.box().contains(p)) return false;
   int votes = 0;
   for (const Point& way : along)
@@ -53,7 +53,8 @@ Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
 
 double widest_gap(const Tree_pointers& surfaces, double enough)
 {
-  using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>; // whether its length is a bound
+  // (quantized length, whether it is a bound, the two surfaces, length)
+  using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
   Disjoint_sets components(surfaces.size());
   double result = 0;

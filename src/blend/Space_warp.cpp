@@ -17,14 +17,14 @@ namespace {
 
 Eigen::Array3i lattice_cells(const contacts::Box& box)
 {
-  constexpr double least_side = 0.06; // of a cell, over the height
+  constexpr double least_side = 0.06; // side of a cell, over the height
   constexpr double most_cells = 4000;
   const Point sizes = box.sizes().cwiseMax(least_side);
   const double side = std::max(least_side, std::cbrt(sizes.prod() / most_cells));
   return (sizes.array() / side).ceil().cast<int>();
 }
 
-/// The nodes of a lattice over a box, those along the last axis first.
+/// The nodes of a lattice over a box; the last axis runs fastest.
 Points lattice_nodes(const contacts::Box& box, const Eigen::Array3i& cells)
 {
   Points result(3, (cells + 1).prod());
@@ -36,15 +36,15 @@ Points lattice_nodes(const contacts::Box& box, const Eigen::Array3i& cells)
   return result;
 }
 
-/// A flat box made thicker to both sides, as points in a plane define no motion of space.
+/// The box with a minimum thickness, since points in a plane do not determine a motion of space.
 contacts::Box thickened(const contacts::Box& box)
 {
-  constexpr double thin = 0.01; // of the height
+  constexpr double thin = 0.01; // ratio to the shape's height
   const Point half = box.sizes().cwiseMax(thin) / 2;
   return {box.center() - half, box.center() + half};
 }
 
-/// Points of a surface, each as far as can be from those before.
+/// Points of a surface, each the farthest from those before.
 Points spread_points(const Points& surface, Eigen::Index count)
 {
   Points result(3, std::min(count, surface.cols()));
@@ -75,10 +75,11 @@ Part_chart chart_of(const contacts::Box& box)
   return Part_chart::box(corners, Eigen::Matrix3d::Identity());
 }
 
-/// A row for each point: how it moves along an axis with each coefficient of a motion that has controls there.
+/// The matrix from the coefficients of a motion to displacements along an axis: one row for each point, one column for
+/// each control, and four for an affine map.
 Eigen::MatrixXd kernels(const Points& points, const Points& controls, std::size_t axis)
 {
-  constexpr double across = 0.35; // how much distances along the other axes count
+  constexpr double across = 0.35; // weight of distances along the other two axes
   Point metric = Point::Constant(across);
   metric[axis] = 1;
   const Points scaled = metric.asDiagonal() * points, scaled_controls = metric.asDiagonal() * controls;
@@ -97,8 +98,9 @@ Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& 
                        int end)
     : end_(end), box_(stage.boxes[std::size_t(end)]), cells_(lattice_cells(box_))
 {
-  constexpr double on_ground = 0.02, elsewhere = 0.3;  // of the height: the ground is held firmly, all else softly
-  add_box(stage.boxes, 2, Point::Constant(elsewhere)); // the ground is held in its middle, too
+  // Smoothing over the height: the ground is held firmly, the rest softly
+  constexpr double on_ground = 0.02, elsewhere = 0.3;
+  add_box(stage.boxes, 2, Point::Constant(elsewhere)); // includes the centre of the ground
   for (Control& control : controls_)
     if (control.at.y() <= box_.min().y()) control.smoothing[1] = on_ground;
   add_surfaces(stage, parts);
@@ -120,7 +122,7 @@ Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& 
   }
 }
 
-/// Adds the corners of a box, or more points evenly in its upper and lower face.
+/// Adds points of the upper and lower face of a box: a grid of `cells` × `cells` cells.
 void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, const Point& smoothing)
 {
   const auto points = [&](int end) { return lattice_nodes(thickened(boxes[std::size_t(end)]), {cells, 1, cells}); };
@@ -132,7 +134,7 @@ void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, c
 /// Adds a point on a matched part, or on the nearest of its pieces.
 void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near)
 {
-  constexpr double smoothing = 0.005; // of the height
+  constexpr double smoothing = 0.005; // ratio to the shape's height
   Control control;
   Steps least = std::numeric_limits<Steps>::max();
   for (std::size_t part : parts_of(parts, end_, given)) {
@@ -145,10 +147,11 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
   controls_.push_back(control);
 }
 
-/// Points of matched parts and, so that the warp between symmetric shapes is symmetric, of their mirror images.
+/// Adds points of matched parts and, so that the warp between symmetric shapes is symmetric, their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000; // so that hundreds of parts take no longer
+  // Numbers of points: their limits bound the time for hundreds of parts
+  constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000;
   const auto end = std::size_t(end_);
   const Eigen::Index matched =
       std::max<Eigen::Index>(1, std::count_if(parts.begin(), parts.end(), std::mem_fn(&Blend_part::is_matched)));
@@ -167,7 +170,7 @@ void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_
   }
 }
 
-/// Adds the boxes of parts that correspond but do not morph.
+/// Adds the boxes of sets of parts that correspond but do not morph.
 void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
 {
   const Point alike(0.05, 0.3, 0.05), other(0.1, 0.5, 0.1); // smoothing, over the height
@@ -200,7 +203,7 @@ Points Space_warp::ways(const std::vector<Blend_part>& parts, const std::vector<
 
 Points Space_warp::moved(const Points& points, const Points& ways) const
 {
-  constexpr double flat = 1e-6; // of the height: what is thinner is in the first layer of nodes
+  constexpr double flat = 1e-6; // thickness, over the height, up to which all points are in the first layer of cells
   const Eigen::Array3d sizes = box_.sizes().array().max(flat), cells = cells_.cast<double>();
   Points result = points;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {

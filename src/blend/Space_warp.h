@@ -16,33 +16,33 @@ namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-/// How the space around one of the shapes moves on the way to the other one: with the surfaces of matched parts, with
-/// the boxes around parts that correspond but do not morph, with the box around the whole, and smoothly between these.
-/// Unmatched parts ride on it, so that they hold on to what they touch.
+/// The motion of the space around one of the shapes on the way to the other: it follows the surfaces of matched parts,
+/// the boxes around parts that correspond but do not morph, and the box around the whole shape, and is smooth in
+/// between. Unmatched parts follow it, so that they stay in contact with their neighbours.
 ///
-/// Along each axis the motion is a smoothing spline with the kernel -|r|, the smoothest in space, through *controls*.
-/// Distances along the two other axes count less, so that what is straight along an axis stays so. It is evaluated at
-/// the nodes of a lattice, between which motions are trilinear.
+/// Along each axis the motion is a smoothing spline with the kernel -|r|, biharmonic in space, through *control
+/// points*. Distances along the two other axes count less, so that lines along an axis stay straight. It is evaluated
+/// at the nodes of a lattice and interpolated trilinearly between them.
 class Space_warp
 {
 public:
-  /// \param unlike pairs that correspond but do not morph
+  /// \param unlike pairs of parts that correspond but do not morph
   Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& parts, const Part_pairs& unlike, int end);
 
-  /// How the nodes have moved at `t`.
-  /// \param surfaces of this end, by part, where they are at `t`; those of unmatched parts are not read
+  /// The displacements of the nodes at time `t`.
+  /// \param surfaces surfaces of this end, by part, at time `t`; those of unmatched parts are not read
   Points ways(const std::vector<Blend_part>& parts, const std::vector<Points>& surfaces, double t) const;
-  /// Points of the shape when the nodes have moved.
+  /// Points of the shape, displaced by the interpolated displacements of the nodes.
   Points moved(const Points& points, const Points& ways) const;
 
 private:
-  /// A point that moves to a known place, as nearly as the smoothing allows.
+  /// A point whose motion is known, approximated to within the smoothing.
   struct Control
   {
-    Point at, at_other_end;                 ///< the latter of a point of a box
-    Point smoothing;                        ///< by axis, over the height
-    std::size_t part = Blend_task::no_part; ///< matched, if it is on one
-    Mesh_place place = {};                  ///< on its surface of this end
+    Point at, at_other_end;                 ///< `at_other_end` is defined for points of boxes
+    Point smoothing;                        ///< length along each axis, relative to the shape's height
+    std::size_t part = Blend_task::no_part; ///< the matched part that it is on, if any
+    Mesh_place place = {};                  ///< location on the part's surface at this end
   };
 
   void add_box(const std::array<contacts::Box, 2>& boxes, int cells, const Point& smoothing);
@@ -51,11 +51,11 @@ private:
   void add_sets(const Blend_stage& stage, const Part_pairs& unlike);
 
   int end_;
-  contacts::Box box_;    ///< around the shape
-  Eigen::Array3i cells_; ///< of the lattice, by axis
+  contacts::Box box_;    ///< bounding box of the shape
+  Eigen::Array3i cells_; ///< number of cells of the lattice, by axis
   std::vector<Control> controls_;
-  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< by axis
-  std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< by axis
+  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< indexed by axis
+  std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< indexed by axis
 };
 
 } // namespace CGAL::Shape_correspondence::internal

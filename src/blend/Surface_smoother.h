@@ -17,40 +17,39 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Smooths vectors at the points of a surface, by linear elements. Separate components are smoothed each by itself.
+/// Smooths vectors at the points of a surface with linear finite elements. Connected components are independent.
 class Surface_smoother
 {
 public:
   Surface_smoother(const Points& surface, const Eigen::Matrix3Xi& triangles);
 
-  /// Vectors smoothed over about a length: w that minimises the integral of |w - given|² + length² |grad w|² over the
-  /// surface.
+  /// The smoothed vectors w, which minimize the integral of |w - given|² + length² |grad w|² over the surface.
   Points operator()(const Points& given, double length) const;
 
 private:
-  std::vector<int> places_; ///< `first_in_place()`
-  Eigen::VectorXd areas_;   ///< by point
+  std::vector<int> places_; ///< result of `first_in_place()`
+  Eigen::VectorXd areas_;   ///< indexed by point
   Eigen::SparseMatrix<double> stiffness_;
 };
 
 inline Surface_smoother::Surface_smoother(const Points& surface, const Eigen::Matrix3Xi& triangles)
     : places_(first_in_place(surface)), areas_(surface.cols()), stiffness_(surface.cols(), surface.cols())
 {
-  constexpr double least_area = 1e-9; // so that points of no triangle keep their vectors
-  constexpr double flattest = 1e-4;   // height over base of a triangle: others count as that
+  constexpr double least_area = 1e-9; // lets points without triangles keep their vectors
+  constexpr double flattest = 1e-4;   // least height over base of a triangle; flatter triangles count as that
   areas_.setConstant(least_area);
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < int(surface.cols()); ++i)
-    entries.emplace_back(i, i, 0); // there is a diagonal everywhere
+    entries.emplace_back(i, i, 0); // makes every diagonal entry exist
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     const auto place = [&](int corner) { return places_[std::size_t(triangles(corner % 3, t))]; };
     const auto side = [&](int from) -> Point { return surface.col(place(from + 1)) - surface.col(place(from)); };
     const double longest = std::max({side(0).squaredNorm(), side(1).squaredNorm(), side(2).squaredNorm()});
-    if (!(longest > 0)) continue; // a point
+    if (!(longest > 0)) continue; // the triangle is a point
     const double doubled_area = std::max(side(0).cross(side(1)).norm(), flattest * longest);
     for (int corner = 0; corner < 3; ++corner) {
       const int a = place(corner + 1), b = place(corner + 2);
-      const double weight = -side(corner).dot(side(corner + 2)) / doubled_area / 2; // half the cotangent
+      const double weight = -side(corner).dot(side(corner + 2)) / doubled_area / 2; // half of the cotangent
       areas_[place(corner)] += doubled_area / 6;
       entries.insert(entries.end(), {{a, a, weight}, {b, b, weight}, {a, b, -weight}, {b, a, -weight}});
     }
@@ -64,7 +63,7 @@ inline Points Surface_smoother::operator()(const Points& given, double length) c
   system.diagonal() += areas_;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
   CGAL_assertion(solver.info() == Eigen::Success); // the system is positive definite
-  // Solved for what changes, by differences: constants stay exactly, on slivers, too
+  // Solves for the change, from differences: constants are kept exactly, even on slivers
   Eigen::MatrixX3d due = Eigen::MatrixX3d::Zero(given.cols(), 3);
   for (int i = 0; i < int(given.cols()); ++i)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness_, i); entry; ++entry)

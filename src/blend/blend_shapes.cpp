@@ -69,7 +69,8 @@ std::vector<Shape_blend> Shape_blend::different_blends() const
 {
   std::vector<Shape_blend> result;
   for (const Blend_schedule& schedule : schedules_) {
-    if (!result.empty() && have_same_times(schedule.tasks, schedules_[0].tasks)) continue; // there are two at most
+    // There are at most two distinct schedules
+    if (!result.empty() && have_same_times(schedule.tasks, schedules_[0].tasks)) continue;
     result.push_back(*this);
     result.back().schedules_ = {schedule};
   }

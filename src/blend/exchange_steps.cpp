@@ -27,11 +27,11 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
-/// The cells whose middles a surface is near, in order. Those beside its box are looked at, too, so that rounding of
-/// the box does not matter.
+/// The cells whose centres are near a surface, in lexicographic order. Cells beside its box are tested as well, so that
+/// rounding of the box does not matter.
 std::vector<Cell> cells_of(const contacts::Triangle_tree& tree, double side)
 {
-  const double squared_radius = 0.7 * side * side; // of a sphere around a cell, not quite to its corners
+  const double squared_radius = 0.7 * side * side; // a sphere slightly smaller than that through a cell's corners
   const Eigen::Array3i low = (tree.box().min() / side).array().floor().cast<int>() - 1,
                        high = (tree.box().max() / side).array().floor().cast<int>() + 1;
   std::vector<Cell> result;
@@ -42,10 +42,10 @@ std::vector<Cell> cells_of(const contacts::Triangle_tree& tree, double side)
   return result;
 }
 
-/// How much two surfaces share their cells, from 0 to 1.
+/// The overlap of two surfaces by their cells, in [0, 1].
 double shared_cells(const std::vector<Cell>& a, const std::vector<Cell>& b)
 {
-  constexpr double beside = 0.4; // of the cells of the smaller one: what shares no more is beside the other one
+  constexpr double beside = 0.4; // share of the smaller surface's cells up to which the surfaces count as side by side
   std::vector<Cell> shared;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
   if (shared.empty()) return 0;
@@ -53,7 +53,7 @@ double shared_cells(const std::vector<Cell>& a, const std::vector<Cell>& b)
   return std::max(0., (share - beside) / (1 - beside));
 }
 
-/// How much of a surface cannot be seen, as it is inside another one, if that is most of it.
+/// The share of a surface that is hidden inside another one; 0 unless that is most of it.
 double hidden(const Seen_surface& a, const Seen_surface& b)
 {
   constexpr double most = 0.65;
@@ -61,26 +61,26 @@ double hidden(const Seen_surface& a, const Seen_surface& b)
   return share > most ? share : 0;
 }
 
-/// Over the height: what is farther from all else, where something held it, has come off.
+/// Distance, over the height, at which a part that was in contact counts as fully detached.
 constexpr double off = 0.04;
 
-/// An old part and a new one that are in one place.
+/// An old part and a new part that occupy the same place.
 struct Rivals
 {
   std::size_t old_part, new_part;
-  double size; ///< as much of the smaller one as is in the place
+  double size; ///< size of the smaller part times the overlap
 };
 
-/// Where an unmatched part touches another one.
+/// A contact of an unmatched part with another part.
 struct Hold
 {
   std::size_t part, holder;
-  double size; ///< of the part, its share of all that it touches
+  double size; ///< size of the part over the number of its contacts
   Point place;
-  std::vector<std::pair<std::size_t, double>> near; ///< others and their distances from the place
+  std::vector<std::pair<std::size_t, double>> near; ///< other parts and their distances from the place
 };
 
-/// Finds out what to exchange first.
+/// Assigns exchanged parts to the first or the second step.
 class Exchange_search
 {
 public:
@@ -110,12 +110,11 @@ public:
   }
 
 private:
-  using Parts = boost::dynamic_bitset<>; ///< by part, whether it is one of them
+  using Parts = boost::dynamic_bitset<>; ///< a set of parts
 
   bool is_matched(std::size_t part) const { return blend_.parts[part].is_matched(); }
-  /// The end of an unmatched part.
   std::size_t end(std::size_t part) const { return std::size_t(blend_.parts[part].end()); }
-  /// How much of the shape a part is: its diagonal, as a thin part is seen as well as a solid one.
+  /// The size of a part: its diagonal, since a thin part is as visible as a solid one.
   double size(std::size_t part) const { return blend_.parts[part].size; }
   double distance(const Point& place, std::size_t part) const
   {
@@ -123,7 +122,7 @@ private:
     return (seen_[part].tree.nearest(place, triangle) - place).norm();
   }
   bool is_exchanged(std::size_t part) const { return ends_[places_[part]].all(); }
-  /// By set, the ends that have unmatched parts of it.
+  /// For each set, the ends of its unmatched parts.
   std::vector<std::bitset<2>> ends_of(const Disjoint_sets& sets) const
   {
     std::vector<std::bitset<2>> result(sets.size());
@@ -133,12 +132,12 @@ private:
   }
   void unite(Disjoint_sets& sets, std::size_t a, std::size_t b) const
   {
-    if (!is_matched(a) && !is_matched(b)) sets.unite(a, b); // parts that morph change by themselves
+    if (!is_matched(a) && !is_matched(b)) sets.unite(a, b); // matched parts change by themselves
   }
 
   void find_holds()
   {
-    std::vector<int> count(seen_.size(), 0); // of touches
+    std::vector<int> count(seen_.size(), 0); // number of contacts, by part
     for (const Touch& touch : blend_.touches)
       for (std::size_t part : touch)
         ++count[part];
@@ -172,10 +171,10 @@ private:
     }
   }
 
-  /// Unites old and new parts without counterpart that hold on to one place: a cactus and leaves in a pot.
+  /// Unites old and new parts without counterpart that are attached to the same place, as a cactus and leaves in a pot.
   void unite_what_is_held_alike()
   {
-    constexpr double near = 0.1; // over the height
+    constexpr double near = 0.1; // ratio to the shape's height
     const Disjoint_sets groups = groups_;
     const std::vector<std::bitset<2>> ends = ends_of(groups);
     const auto is_alone = [&](const Hold& hold) { return !ends[groups[hold.part]].all(); };
@@ -189,10 +188,9 @@ private:
           groups_.unite(a.part, b.part);
   }
 
-  /// By part, its cells.
   std::vector<std::vector<Cell>> cells() const
   {
-    constexpr double least_side = 0.06, most_cells = 64; // over the height; along an axis
+    constexpr double least_side = 0.06, most_cells = 64; // ratio to the shape's height; number of cells along an axis
     const contacts::Box whole = blend_.stage.boxes[0].merged(blend_.stage.boxes[1]);
     const double side = std::max(least_side, whole.sizes().maxCoeff() / most_cells);
     std::vector<std::vector<Cell>> result;
@@ -208,7 +206,8 @@ private:
         if (is_matched(a) || is_matched(b) || end(a) == end(b)) continue;
         const double shared =
             std::max({shared_cells(cells[a], cells[b]), hidden(seen_[a], seen_[b]), hidden(seen_[b], seen_[a])});
-        if (shared > 0) rivals_.push_back({a, b, shared * std::min(size(a), size(b))}); // old ones come first
+        // Parts of the source have lower indices
+        if (shared > 0) rivals_.push_back({a, b, shared * std::min(size(a), size(b))});
       }
   }
 
@@ -234,7 +233,7 @@ private:
     }
   }
 
-  /// Finds the groups that are exchanged, from the ground up.
+  /// Finds the groups that are exchanged, sorted from the ground up.
   void find_exchanged()
   {
     places_ = groups_;
@@ -243,7 +242,7 @@ private:
     for (const Rivals& rivals : rivals_)
       places_.unite(rivals.old_part, rivals.new_part);
     ends_ = ends_of(places_);
-    std::map<std::size_t, Parts> exchanged; // by set
+    std::map<std::size_t, Parts> exchanged; // indexed by the smallest part of the group
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       old_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 0));
       new_.push_back(is_matched(i) || (is_exchanged(i) && end(i) == 1));
@@ -254,7 +253,7 @@ private:
     for (const auto& [number, group] : exchanged)
       exchanged_.push_back(group);
     const auto key = [&](const Parts& group) {
-      Eigen::Vector4d sum = Eigen::Vector4d::Zero(); // of middles times sizes, and of sizes
+      Eigen::Vector4d sum = Eigen::Vector4d::Zero(); // homogeneous sum of centres, weighted by size
       for (std::size_t i = group.find_first(); i != Parts::npos; i = group.find_next(i))
         sum += size(i) * seen_[i].tree.box().center().homogeneous();
       const Point place = sum.hnormalized();
@@ -266,21 +265,21 @@ private:
 
   void find_joined()
   {
-    constexpr double near = 0.02; // over the height
+    constexpr double near = 0.02; // ratio to the shape's height
     const auto join = [&](std::size_t a, std::size_t b) {
       if (is_matched(a) && is_matched(b))
         always_joined_.unite(a, b);
       else
         joined_.push_back({a, b});
     };
-    for (const Touch& touch : blend_.touches) // at an end
+    for (const Touch& touch : blend_.touches) // contacts at the ends
       join(touch[0], touch[1]);
     for (std::size_t a = 0; a < seen_.size(); ++a)
       for (std::size_t b = a + 1; b < seen_.size(); ++b)
         if (seen_[a].tree.is_within(seen_[b].tree, near * near)) join(a, b);
   }
 
-  /// Sizes of what is in one place with something else, and of places where there is nothing any more.
+  /// Total size of the rivals that are both present or both absent.
   double rivalry(const Parts& is_there) const
   {
     double result = 0;
@@ -289,7 +288,7 @@ private:
     return result;
   }
 
-  /// The share of holes among the cells that both shapes fill.
+  /// The share of empty cells among those that both shapes fill.
   double holes(const Parts& is_there) const
   {
     double empty = 0, covered = 0;
@@ -299,7 +298,7 @@ private:
     return empty > 0 ? empty / (covered + empty) : 0;
   }
 
-  /// Sizes of what has come off what it touched, as far as nothing else is in its place.
+  /// Total size of parts that are detached from what they touched, unless another part is close to the place.
   double come_off(const Parts& is_there) const
   {
     double result = 0;
@@ -313,7 +312,7 @@ private:
     return result;
   }
 
-  /// Sizes of all that does not hang together with the largest part of the shape.
+  /// Total size of the parts that are not connected to the largest component.
   double hanging(const Parts& is_there) const
   {
     Disjoint_sets components = always_joined_;
@@ -325,18 +324,18 @@ private:
     return std::accumulate(sizes.begin(), sizes.end(), 0.) - *std::max_element(sizes.begin(), sizes.end());
   }
 
-  /// \param limit a cost that is not less need not be exact: the terms that take long are left out then
+  /// The cost of a mixed shape. \param limit a cost that reaches it may be inexact: the expensive terms are left out
   double cost(const Parts& is_there, double limit = std::numeric_limits<double>::infinity()) const
   {
-    constexpr double of_rivals = 2, of_holes = 3; // weights; the others have 1
-    constexpr double worth = 0.3;                 // of the share that changes in the lesser step
-    constexpr double least = 0.15;                // such a share
-    constexpr double too_little = 1000;           // a cost above all others
-    double first = 0;                             // size of what changes first
+    constexpr double of_rivals = 2, of_holes = 3; // weights of rivalry and holes; the others have weight 1
+    constexpr double worth = 0.3;                 // gain for the share that changes in the smaller step
+    constexpr double least = 0.15;                // least share of the smaller step
+    constexpr double too_little = 1000;           // cost above all others, of steps below this share
+    double first = 0;                             // size of what changes in the first step
     for (std::size_t i = 0; i < seen_.size(); ++i)
       if (is_there[i] != old_[i]) first += size(i);
-    const double lesser = std::min(first, size_ - first) / size_; // 0 if all changes at one time
-    // The worse the less it is, so that the search finds out of there
+    const double lesser = std::min(first, size_ - first) / size_; // 0 if everything changes at once
+    // The cost falls with the share, so that the search leaves this region
     if (lesser > 0 && quantized(lesser) < quantized(least)) return too_little - lesser;
     double result = of_rivals * rivalry(is_there) / size_ - worth * lesser;
     if (result < limit) result += come_off(is_there) / size_;
@@ -345,7 +344,7 @@ private:
     return result;
   }
 
-  /// Moves groups to the other step, as long as that is better. \return the cost
+  /// Moves groups to the other step as long as the cost falls. \return the cost
   double improve(Parts& is_there) const
   {
     double least = cost(is_there);
@@ -363,18 +362,19 @@ private:
     return least;
   }
 
-  /// The best mixed shape, or `old_` if there is none that is better.
+  /// The best mixed shape, or `old_` if none is better than both ends.
   Parts best(const std::function<bool(double)>& progress) const
   {
-    constexpr std::size_t starts = 8; // of the search, from an end
+    constexpr std::size_t starts = 8; // number of starts of the search, from either end
     const std::size_t count = exchanged_.size();
     if (count < 2) return old_;
     Parts result = old_;
-    double least = std::min(cost(old_), cost(new_)); // of no mixed shape
-    for (std::size_t from : {0u, 1u})                // old and new
+    double least = std::min(cost(old_), cost(new_)); // least cost without a mixed shape
+    for (std::size_t from : {0u, 1u})                // starts from the old and from the new shape
       for (std::size_t i = 1; i < starts; ++i) {
         if (!progress(double(from * starts + i) / double(2 * starts))) return result;
-        const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1); // from the ground up
+        // Number of groups moved, from the ground up
+        const std::size_t moved = std::clamp(i * count / starts, std::size_t(1), count - 1);
         Parts is_there = from == 0 ? old_ : new_;
         for (std::size_t k = 0; k < moved; ++k)
           is_there ^= exchanged_[k];
@@ -385,19 +385,19 @@ private:
   }
 
   const Blend_structure& blend_;
-  const std::vector<Seen_surface> seen_; ///< all parts, where they are when surfaces of matched parts change
+  const std::vector<Seen_surface> seen_; ///< all parts, at the time when the surfaces of matched parts change
   std::vector<Hold> holds_;
   Disjoint_sets groups_;
   std::vector<Rivals> rivals_;
-  /// Numbers of cells that both shapes fill, by the parts there or beside them.
+  /// Numbers of cells filled by both shapes, by the set of parts in the cell or beside it.
   std::map<std::vector<std::size_t>, int> filled_cells_;
-  Disjoint_sets places_;                           ///< what groups, touches and rivals join
-  std::vector<std::bitset<2>> ends_;               ///< of these
-  std::vector<Parts> exchanged_;                   ///< the groups that are, from the ground up
-  Parts old_, new_;                                ///< the mixed shape when nothing is exchanged, and when all is
-  double size_ = 0;                                ///< of all of them
-  Disjoint_sets always_joined_;                    ///< matched parts that touch, at an end or in the mixed shape
-  std::vector<std::array<std::size_t, 2>> joined_; ///< others that do
+  Disjoint_sets places_;             ///< sets of parts joined by groups, contacts and rivals
+  std::vector<std::bitset<2>> ends_; ///< for each set of `places_`, the ends of its unmatched parts
+  std::vector<Parts> exchanged_;     ///< the exchanged groups, from the ground up
+  Parts old_, new_;                  ///< the present parts when nothing is exchanged, and when everything is
+  double size_ = 0;                  ///< total size of the exchanged parts
+  Disjoint_sets always_joined_;      ///< components of matched parts in contact, at an end or in the mixed shape
+  std::vector<std::array<std::size_t, 2>> joined_; ///< other pairs of parts in contact
 };
 
 } // namespace

@@ -10,21 +10,22 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// How a part changes: it morphs, comes or goes by itself, or is exchanged in the first or second of two steps.
+/// How a part changes: in the first or second step of an exchange, or (`NONE`) by morphing, appearing or vanishing.
 enum class Exchange_step { NONE, FIRST, SECOND };
 
-/// By part, how it changes.
+/// For each part, its step of exchange.
 ///
-/// Parts are *exchanged* if they take the place of others, or leave it to them: if groups, touches, and places that are
-/// the same join them with parts of both ends. A *group* changes in one step: parts that correspond, mirror images,
-/// what stands on the ground, and old and new parts without counterpart that hold on to one place.
+/// Parts are *exchanged* if they replace others or are replaced by them: if groups, contacts and shared places connect
+/// them with parts of both ends. A *group* changes in one step: parts that correspond, mirror images, all parts on the
+/// ground, and old and new parts without counterpart that are attached to the same place.
 ///
 /// Between the steps there is a *mixed shape*: new parts of the groups that change first, old parts of the others, and
-/// all that is matched. It costs as much, by size, as old and new parts are in one place or have left a place empty,
-/// have come off what held them, or hang together with nothing, and as there are holes in it. It gains a share of what
-/// changes in the lesser step, which must not be too little. The steps with the least cost are found by local search,
-/// from steps in order of height. If no mixed shape costs less than either of both ends, all is in the second step.
-/// \param progress called before every search, with the share done; `false` ends it, and the best so far is taken
+/// all matched parts. Its cost is the total size of old and new parts that are in the same place or have left a place
+/// empty, that are detached from what held them, or that are not connected to the rest, plus a cost for holes. The
+/// share that changes in the smaller step reduces the cost, and must not be too small. The steps of least cost are
+/// found by local search, starting from steps in order of height. If no mixed shape costs less than both ends,
+/// everything is in the second step.
+/// \param progress called before every search with the share done; `false` ends the search with the best steps so far
 std::vector<Exchange_step> exchange_steps(const Blend_structure& blend, const std::function<bool(double)>& progress);
 
 } // namespace CGAL::Shape_correspondence::internal

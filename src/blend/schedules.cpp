@@ -15,7 +15,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Rates a schedule by shapes in between, the worst of each measure.
+/// Rates a schedule by its in-between shapes: the worst value of each measure.
 Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_task>& tasks, int samples)
 {
   std::vector<Blend_quality> qualities(static_cast<std::size_t>(samples));
@@ -28,9 +28,9 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
   return worst;
 }
 
-/// The tasks with their times. What is exchanged changes when surfaces of matched parts do, or in two steps, the one
-/// before that and the other one after it: the default of `Blend_options::samples` sees all of it. What is not
-/// exchanged goes before all that, or comes after it, so quickly that it is hardly seen small.
+/// The tasks with their times. Exchanged parts change together with the surfaces of matched parts or, in two steps, one
+/// before and one after that, so that the default of `Blend_options::samples` sees all stages. Unmatched parts that are
+/// not exchanged vanish before the first step or grow after the second, so fast that they are hardly seen small.
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange_step>& steps,
                                     bool at_one_time)
 {
@@ -63,7 +63,8 @@ bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_t
 
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options)
 {
-  constexpr double most_apart = 0.05, most_missing = 0.6; // with more, a mixed shape is worse than a jump
+  // Limits beyond which a mixed shape is worse than exchanging all at once
+  constexpr double most_apart = 0.05, most_missing = 0.6;
   bool goes_on = true;
   const auto go_on = [&](double done) { return goes_on = goes_on && (!options.progress || options.progress(done)); };
   const std::vector<Exchange_step> steps = exchange_steps(blend, [&](double done) { return go_on(done / 2); });

@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_task>& b);
 
-/// All schedules, judged by samples of their in-between shapes, the best one first.
+/// All schedules with their qualities by samples of their in-between shapes, the best one first.
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options);
 
 } // namespace CGAL::Shape_correspondence::internal

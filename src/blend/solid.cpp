@@ -18,7 +18,7 @@ namespace CGAL::Shape_correspondence {
 Part_mesh Shape_blend::solid(double t, double detail) const
 {
   constexpr double least_detail = 0.001;
-  constexpr double offset = 0.1; // of the wrap from the surface, over the detail
+  constexpr double offset = 0.1; // distance of the wrap from the surface, over the detail
   if (!(detail >= least_detail && detail <= 1))
     throw Invalid_input("Shape_blend: the detail of a solid must be between 0.001 and 1");
   const Segmented_shape shape = (*this)(t);

@@ -17,7 +17,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Points all over the spine and the sides of a chart.
+/// A grid of points on the spine and the sides of a chart.
 Points samples(const Part_chart& chart)
 {
   constexpr int steps = 5;
@@ -28,16 +28,16 @@ Points samples(const Part_chart& chart)
   return result;
 }
 
-/// The extents of the box around a whole shape, which may be flat.
+/// The extents of the bounding box of a shape, bounded away from 0.
 Point extents_of(const contacts::Box& whole) { return whole.sizes().cwiseMax(2 * Part_chart::least_half_extent); }
 
-/// A place in units of the box around a whole shape.
+/// A point in units of the bounding box of the shape.
 Point relative_place(const contacts::Box& whole, const Point& p)
 {
   return (p - whole.min()).cwiseQuotient(extents_of(whole));
 }
 
-/// The box of a part in units of the box around the whole, made a little larger, as a plate has none.
+/// The bounding box of a part in units of that of the shape, enlarged so that that of a plate has a volume.
 contacts::Box relative_box(const contacts::Box& whole, const Part_mesh& part)
 {
   constexpr double around = 0.03;
@@ -45,7 +45,7 @@ contacts::Box relative_box(const contacts::Box& whole, const Part_mesh& part)
   return {relative_place(whole, box.min()).array() - around, relative_place(whole, box.max()).array() + around};
 }
 
-/// How much of the place of the smaller one of a source part and a target part is that of the other one, too.
+/// The share of the smaller box of a source part and a target part that lies in the other box.
 double shared_place(const Blend_stage& stage, std::size_t source, std::size_t target)
 {
   const contacts::Box a = relative_box(stage.boxes[0], stage.meshes[0][source]),
@@ -53,12 +53,12 @@ double shared_place(const Blend_stage& stage, std::size_t source, std::size_t ta
   return a.intersects(b) ? a.intersection(b).volume() / std::min(a.volume(), b.volume()) : 0;
 }
 
-/// Adds pairs of leftover parts.
 void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs& paired)
 {
-  constexpr double same_place = 0.4; // how much of their place is shared by parts that are in one, at least
-  constexpr double nearly = 0.8;     // of the shared place
-  std::vector<char> is_source(stage.meshes[0].size(), 0), is_target(stage.meshes[1].size(), 0); // of any pair
+  constexpr double same_place = 0.4; // least shared place of a pair
+  constexpr double nearly = 0.8;     // share of that from which another pair is a rival
+  // Whether a part is in any pair
+  std::vector<char> is_source(stage.meshes[0].size(), 0), is_target(stage.meshes[1].size(), 0);
   for (const Part_pairs* pairs : std::array<const Part_pairs*, 2>{&paired, &unlike.all})
     for (const auto& [s, t] : *pairs)
       is_source[s] = is_target[t] = 1;
@@ -66,7 +66,8 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
   for (std::size_t s = 0; s < is_source.size(); ++s)
     for (std::size_t t = 0; t < is_target.size(); ++t)
       if (!is_source[s] && !is_target[t]) leftover.emplace_back(s, t);
-  Eigen::MatrixXd alike = Eigen::MatrixXd::Zero(is_source.size(), is_target.size()); // what they share of their place
+  // Shared place of each similar pair
+  Eigen::MatrixXd alike = Eigen::MatrixXd::Zero(is_source.size(), is_target.size());
   for (const auto& [s, t] : leftover) {
     const double shared = shared_place(stage, s, t);
     if (shared <= same_place || unlike.torn.count({s, t}) > 0) continue;
@@ -78,7 +79,8 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
     const auto rivals = [&](const Eigen::VectorXd& all) {
       return (all.unaryExpr(&quantized).array() >= least).count();
     };
-    if (rivals(alike.row(s)) + rivals(alike.col(t)) == 2) paired.emplace_back(s, t); // itself, in both
+    // The only rival in its row and in its column is the pair itself
+    if (rivals(alike.row(s)) + rivals(alike.col(t)) == 2) paired.emplace_back(s, t);
   }
   std::sort(paired.begin(), paired.end());
 }
@@ -87,7 +89,8 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
 
 Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole)
 {
-  constexpr double thin = 0.05; // of the height: among thin parts, how many times as thick is hardly seen
+  // Length over the height of the shape, added to extents: ratios of the thickness of thin parts are hardly visible
+  constexpr double thin = 0.05;
   const Points a = samples(charts[0]), b = samples(charts[1]);
   const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
   const auto& [whole, other_whole] = stage.boxes;
@@ -128,7 +131,7 @@ bool Difference::stays_near() const
 Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike)
 {
   const std::size_t sources = stage.meshes[0].size();
-  Disjoint_sets sets(sources + stage.meshes[1].size()); // of parts that pairs connect, mirror images together
+  Disjoint_sets sets(sources + stage.meshes[1].size()); // parts connected by pairs, united with mirror images
   for (const auto& [s, t] : paired) {
     sets.unite(s, sources + t);
     const auto source_image = stage.images[0][s], target_image = stage.images[1][t];
@@ -136,7 +139,8 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
     sets.unite(s, *source_image);
     sets.unite(sources + t, sources + *target_image);
   }
-  std::vector<char> is_unlike(sets.size(), 0); // by set, whether a pair in it is: a part is divided as a whole
+  // For each set, whether it has an unlike pair: parts are divided as a whole
+  std::vector<char> is_unlike(sets.size(), 0);
   for (const auto& [s, t] : unlike.torn)
     is_unlike[sets[s]] = 1;
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {

@@ -14,42 +14,41 @@ namespace CGAL::Shape_correspondence::internal {
 
 struct Blend_stage;
 
-/// The pairs that correspond but do not morph.
+/// The pairs of parts that correspond but do not morph.
 struct Unlike_pairs
 {
   Part_pairs all;
-  /// Of these, and of leftover ones, those whose surfaces, or pieces of theirs, have no map.
+  /// Those pairs, including leftover ones, whose surfaces or pieces have no map.
   std::set<Part_pairs::value_type> torn;
 };
 
-/// How much has to happen to a part, a piece, or the box around several parts to become another. Lengths are over the
-/// height.
+/// The change needed for a part, a piece, or the box around parts to become another. Lengths are over the height.
 struct Difference
 {
-  /// \param are_whole extents are also compared as shares of those of the whole, and differ as little as they do either
-  /// way; not those of pieces
+  /// \param are_whole whether shares of the whole shape's extents are compared, too, taking the less different; not for
+  /// pieces
   Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole = true);
 
-  /// Whether the shape stays much the same.
+  /// Whether the proportions change little.
   bool keeps_shape() const;
-  /// Whether that and the place do, so that the one may morph to the other.
+  /// Whether proportions and position change little, so that one part may morph to the other.
   bool is_little() const;
-  /// Whether the place is in the same region.
+  /// Whether the position changes moderately.
   bool stays_near() const;
 
-  double change;  ///< of the extents, in logarithms, summed
-  double stretch; ///< of the longest extent, in logarithms
-  double way;     ///< of its middle, in the box around the whole
-  double size;    ///< its longest extent
+  double change;  ///< sum of the log ratios of extents
+  double stretch; ///< log ratio of the longest extents
+  double way;     ///< displacement of the centre, within the boxes of the shapes
+  double size;    ///< longest extent
 };
 
-/// The pairs of parts that become each other:
-/// - Of those that correspond, all but those whose parts, or pieces of them, would have to change their
-///   proportions or to travel much: legs cut up for a star base, slats across spindles. As a part is divided as a
-///   whole, a pair goes with all others of its parts, and with their mirror images.
-/// - Leftover parts that are alike in place and size, if none of both is nearly as much in the place of another: two
-///   that correspond, but to others, too, or two without counterparts.
-/// \param unlike those that are torn become no parts; `all` is set
+/// The pairs of parts that morph to each other:
+///  - Of the pairs that correspond, all but those whose parts, or pieces of them, would change their proportions or
+/// positions much: legs cut up for a star base, slats across spindles. As a part is divided as a whole, all other pairs
+/// of its parts, and their mirror images, are dropped with such a pair.
+///  - Leftover parts with similar position and size, unless one of them shares the place of another part nearly as
+/// much: two parts that correspond, but also to others, or two without counterparts.
+/// \param unlike its torn pairs are dropped; `all` is set
 Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -37,7 +37,7 @@ Exit status: 0 success; 1 an input cannot be used or an output cannot be
 written; 2 wrong usage.
 )";
 
-/// Prints at its end what the command took, if that is asked for: time and memory, on standard error.
+/// Prints at its end, if `verbose` is set, the time and memory that the command took, to standard error.
 struct Run_report
 {
   const Common_options& options;
@@ -51,17 +51,16 @@ struct Run_report
   }
 };
 
-/// A text of help with its paragraphs and list items in lines of `line_width`; a longer command goes on after a
-/// backslash.
+/// Help text with paragraphs and list items wrapped to `line_width`; a long command continues after a backslash.
 std::string reflowed(const std::string& text)
 {
   std::string result, paragraph;
-  std::size_t indent = 0; // of the lines of the paragraph after its first
+  std::size_t indent = 0; // indentation of a paragraph's lines after the first
   const auto flush = [&] {
     if (paragraph.empty()) return;
     const std::size_t first = paragraph.find_first_not_of(' ');
     const bool is_command = paragraph.find("shape_correspondence ") < paragraph.find_first_of(".,`");
-    const std::size_t sign = is_command ? 2 : 0; // of what goes on
+    const std::size_t sign = is_command ? 2 : 0; // width of the backslash that continues a command
     const std::vector<std::string> lines = wrapped(paragraph, line_width - std::max(indent, first) - sign);
     for (std::size_t i = 0; i < lines.size(); ++i)
       result += std::string(i == 0 ? first : indent, ' ') + lines[i] +
@@ -86,7 +85,7 @@ std::string reflowed(const std::string& text)
   return result;
 }
 
-/// The values of options that are marked as files.
+/// The values of options marked as input or as output files.
 std::vector<std::string> files_of(const Option_table& table, bool Option::*mark)
 {
   std::vector<std::string> result;
@@ -107,7 +106,7 @@ void check_number(std::size_t inputs, std::size_t least, std::size_t most)
 
 namespace fs = std::filesystem;
 
-/// Whether two paths lead to the same file, or would if it were there.
+/// Whether two paths are the same file, existing or not.
 bool are_same_file(const std::string& a, const std::string& b)
 {
   std::error_code error;
@@ -118,10 +117,10 @@ bool are_same_file(const std::string& a, const std::string& b)
   return a == b || IO::are_same_name(place(a), place(b));
 }
 
-/// Checks output files before long work; empty ones are not asked for. `-` is standard output.
+/// Checks output files before long work; empty paths are ignored, `-` is standard output.
 /// \param inputs files and folders that are read
-/// \throw Usage_error if two are the same file, however they are spelt, or one is an input; Invalid_input if one cannot
-/// be written
+/// \throw Usage_error if two are the same file, in any spelling, or one is an input; Invalid_input if one is not
+/// writable
 void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& inputs)
 {
   std::vector<std::string> outputs;
@@ -186,7 +185,7 @@ const std::vector<Command_entry>& commands()
       {"graph", "builds the structural graph of a shape", graph_command},
       {"match", "finds the part correspondence of two shapes", match_command},
       {"blend", "makes the in-between shapes of two shapes", blend_command},
-#ifndef __EMSCRIPTEN__ // the page for browsers is to be small
+#ifndef __EMSCRIPTEN__ // left out of the browser application to keep it small
       {"transfer", "carries colours, textures or labels from one shape to the other", transfer_command},
       {"collection", "matches all pairs of a set of shapes and analyses the set", collection_command},
       {"evaluate", "scores correspondences against labelled parts", evaluate_command},
@@ -209,7 +208,7 @@ std::unique_ptr<Command> command_of(const std::string& name)
 
 void write_help(std::ostream& out)
 {
-  constexpr int width = 12; // of the column of commands
+  constexpr int width = 12; // width of the column of commands
   out << program_description;
   for (const Command_entry& command : commands())
     out << "  " << std::left << std::setw(width) << command.name << command.summary << '\n';

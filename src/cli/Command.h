@@ -13,29 +13,29 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// The most inputs of a command that takes any number.
+/// Limit of inputs for a command that takes any number.
 constexpr std::size_t any_number = std::size_t(-1);
 
-/// A command of the program, for one run: its help, its options, and what it does.
+/// A command of the program, constructed for one run: its help, its options, and its work.
 class Command
 {
 public:
-  /// \param text usage, description and examples \param least,most how many inputs it takes
+  /// \param text usage, description and examples \param least, most limits of the number of inputs
   Command(const char* text, std::size_t least, std::size_t most) : text_(text), least_(least), most_(most) {}
   virtual ~Command() = default;
 
   const Option_table& options() const { return table; }
-  /// \param all whether with the rare options
+  /// \param all whether to include rare options
   void write_help(std::ostream& out, bool all) const;
 
   /// \throw Usage_error, Invalid_input
   void run(const std::vector<std::string>& arguments);
 
 protected:
-  /// Checks options that belong together. \throw Usage_error
+  /// Checks combinations of options. \throw Usage_error
   virtual void check() {}
-  /// The files that are written and the files that are read, which must differ: by default, the values of options
-  /// marked as output, and those marked as input together with the inputs.
+  /// The files to write and the files to read, which must differ. By default: the values of options marked as output;
+  /// the values of options marked as input, and the inputs.
   virtual std::vector<std::string> output_files() const;
   virtual std::vector<std::string> input_files() const;
   virtual void work() = 0;
@@ -52,23 +52,22 @@ private:
   std::size_t least_, most_;
 };
 
-/// A command in the list of all.
 struct Command_entry
 {
-  std::string name, summary; ///< in one line
+  std::string name, summary; ///< one line
   std::unique_ptr<Command> (*make)();
 };
 
 /// All commands, in the order in which they are listed.
 const std::vector<Command_entry>& commands();
 
-/// The command of a name. \throw Usage_error if there is none; it suggests one that is spelt alike
+/// The command of a name. \throw Usage_error if there is none; the message suggests the most similar name
 std::unique_ptr<Command> command_of(const std::string& name);
 
 /// Writes the help of the program.
 void write_help(std::ostream& out);
 
-// What the list is made of, one source each
+// The commands; each is defined in its own source
 std::unique_ptr<Command> parts_command();
 std::unique_ptr<Command> graph_command();
 std::unique_ptr<Command> match_command();

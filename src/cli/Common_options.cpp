@@ -13,10 +13,10 @@ namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
-constexpr int most_threads = 4096; // each needs memory of its own
-// More than any shape needs, and little memory
+constexpr int most_threads = 4096; // each needs its own memory
+// More than any shape needs, at little memory
 constexpr int most_curve_points = 1000;
-constexpr int most_sheet_points = 200; // along a side
+constexpr int most_sheet_points = 200; // number along each side
 
 const std::vector<std::string> axes{"x", "y", "z", "-x", "-y", "-z", "+x", "+y", "+z", "auto"};
 
@@ -28,7 +28,7 @@ const std::vector<std::pair<const char*, Part_splitting>> part_splittings{{"auto
                                                                           {"components", Part_splitting::COMPONENTS},
                                                                           {"segments", Part_splitting::SEGMENTS}};
 
-/// PART=KIND
+/// The field of --part-kind, of the form PART=KIND.
 Text_field part_kind(std::map<std::string, Abstraction_kind>& kinds)
 {
   const auto set = [&kinds](const std::string& label, const std::string& text) {
@@ -42,7 +42,7 @@ Text_field part_kind(std::map<std::string, Abstraction_kind>& kinds)
   return {{}, set, {}, /* is_repeated = */ true};
 }
 
-/// Names of kinds, with commas in between.
+/// The field of a comma-separated list of kinds of symmetry.
 Text_field symmetry_kinds(Symmetry_options& options)
 {
   const std::vector<std::pair<std::string, bool*>> kinds{

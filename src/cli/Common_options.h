@@ -22,64 +22,60 @@ class Role_model;
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// What every command knows.
+/// The options of all commands.
 struct Common_options
 {
-  std::string json, glb, html;   ///< files to write; empty: none
-  std::string cache;             ///< folder of graphs; empty: none
-  std::string up;                ///< x, -x, +x etc., or auto; empty: what the file says, or a guess that favours y
+  std::string json, glb, html; ///< files to write; empty: none
+  std::string cache;           ///< folder of cached graphs; empty: none
+  std::string up;              ///< x, -x, +x etc., or auto; empty: the axis in the file, or an estimate that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;
-  std::string parts_from; ///< a file that says which piece is in which part, or has labels of faces; empty: none
+  std::string parts_from; ///< a file that assigns pieces to parts, or has labels of faces; empty: none
   IO::Reading_options reading;
   Structure_options structure;
   struct Of_input
   {
     std::string up, parts_from; ///< empty: the value for all inputs
   };
-  std::array<Of_input, 2> of_pair; ///< of the source and the target
-  /// By which the upright axes of models are found where nothing says them; null: by how the models stand.
+  std::array<Of_input, 2> of_pair; ///< options of the source and of the target
+  /// Role model to find the upright axes of models that do not give one; null: by stability alone.
   std::shared_ptr<const Role_model> roles;
-  /// Called with the progress in place of a bar: what is done, how much of it, of how much. It may throw, which ends
-  /// the work.
+  /// Called, instead of a progress bar, with the name of the work, the amount done and the total. May throw to end it.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false, verbose = false, help = false, help_all = false;
-  int threads = 0; ///< 0: all
+  int threads = 0; ///< 0: as many as the machine has
   std::int64_t seed = 0;
 
-  /// The options for one input of several.
   Common_options of_input(std::size_t index) const;
-  /// How model files are read, with the labels of faces that make parts.
+  /// The options for reading model files, including the labels of faces that define parts.
   IO::Reading_options reading_options() const;
-  /// Whether `parts_from` has labels of faces, not pieces.
+  /// Whether `parts_from` is a file of labels of faces rather than of pieces.
   bool has_face_labels() const;
-  /// The upright direction; y where it is to be found.
+  /// The upright direction; y if it is to be estimated.
   Point up_vector() const;
   bool finds_up() const { return up == "auto"; }
-  /// Whether a table belongs on standard output: not where the JSON goes.
+  /// Whether to print a table: not if standard output takes the JSON.
   bool prints_table() const { return !quiet && json != "-"; }
 };
 
-/// Files by the endings of their names, for an option `--output`; `-` is JSON on standard output.
-/// \param files an ending, such as `.json`, and the file that it sets \throw Usage_error by its setter, for other endings
+/// The field of `--output`: files by the endings of their names; `-` is JSON on standard output.
+/// \param files an ending, such as `.json`, and the variable that it sets; the setter throws `Usage_error` for others
 Text_field output_by_ending(const std::vector<std::pair<std::string, std::string*>>& files);
 
-/// The words of a list with commas in between.
+/// The words of a comma-separated list.
 std::vector<std::string> words_of(const std::string& list);
 
 constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
 constexpr const char* abstraction_option = "abstraction";
 
-// Each adds options to the table of a command
-
 /// The options of all commands.
 void add_common_options(Option_table& table, Common_options& options);
-/// How model files are read: the upright axis and the parts.
+/// The options for reading model files: upright axis and parts.
 void add_reading_options(Option_table& table, Common_options& options);
-/// How models are read, their parts abstracted, and their structural graphs built.
+/// The options for reading models, abstracting their parts and building their structural graphs.
 void add_model_options(Option_table& table, Common_options& options);
-/// The options of the source alone and of the target alone.
+/// The options that apply to the source or to the target only.
 void add_pair_options(Option_table& table, Common_options& options);
 
 } // namespace CGAL::Shape_correspondence::cli

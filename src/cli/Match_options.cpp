@@ -17,10 +17,10 @@ const std::vector<std::pair<const char*, Search_method>> search_methods{
 
 namespace {
 
-/// Of a contact of a group that is left unmatched; about what a badly deformed contact costs.
+/// Energy of a contact of an unmatched group, about that of a badly deformed contact.
 constexpr double default_unmatched_cost = 0.5;
 
-/// Parses a whole text as a number; the error names the option.
+/// Parses the entire text as a number; the error names the option.
 template <typename Number>
 Number parse_number(const std::string& label, const std::string& text)
 {
@@ -43,7 +43,7 @@ Text_field number_of_alignments(std::optional<int>& number)
 
 std::string name_of(Search_method method) { return choice(method, search_methods).get(); }
 
-/// An empty method is what other options ask for.
+/// The field of a method; an empty value selects the method by other options.
 Text_field method_or_auto(std::optional<Search_method>& method)
 {
   std::vector<std::pair<const char*, std::optional<Search_method>>> words{{"auto", std::nullopt}};

@@ -16,16 +16,16 @@ namespace CGAL::Shape_correspondence::cli {
 
 constexpr const char* match_group = "Options of match";
 
-/// The words for methods.
+/// The names of methods on the command line.
 extern const std::vector<std::pair<const char*, Search_method>> search_methods;
 
-/// The options of the search as they are written on the command line.
+/// The options of the search as given on the command line.
 struct Match_options
 {
-  Search_options search;               ///< the members that options set directly
+  Search_options search;               ///< members that options set directly
   std::optional<Search_method> method; ///< empty: selected by other options
   std::string front = "likely";        ///< given, likely or auto
-  std::optional<int> alignments;       ///< empty: as `front` says
+  std::optional<int> alignments;       ///< empty: depends on `front`
   bool paper = false;
   std::string roles = "auto"; ///< auto, none or a file
   std::string examples;       ///< a folder; empty: none
@@ -33,13 +33,12 @@ struct Match_options
   std::vector<std::string> pinned, forbidden; ///< A=B
 };
 
-/// Adds these options to the table of a command.
 void add_match_options(Option_table& table, Match_options& match);
 
-/// The search that the options ask for, but for `choose_parts()`. \throw Usage_error
+/// The search options, without those set by `choose_parts()`. \throw Usage_error
 Search_options search_options(const Match_options& match, const Option_table& given);
 
-/// Sets what graphs have by `--paper`, where options do not say otherwise.
+/// Sets the options of graphs implied by `--paper`, unless they are given.
 void take_graphs_of_paper(const Match_options& match, const Option_table& given, Structure_options& options);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -21,7 +21,7 @@ template <typename Value>
 constexpr bool is_number = std::is_same_v<Value, int> || std::is_same_v<Value, std::int64_t> ||
                            std::is_same_v<Value, std::size_t> || std::is_same_v<Value, double>;
 
-/// What a pointer of `Option::Field` points to; other fields as they are.
+/// The type that a pointer of `Option::Field` points to; other fields unchanged.
 template <typename Field>
 using Value_of = std::remove_pointer_t<std::decay_t<Field>>;
 
@@ -45,11 +45,11 @@ void check_range(const Option& option, const std::string& label, double number, 
   throw Usage_error(label + " must be at most " + std::to_string(std::int64_t(greatest)) + not_this);
 }
 
-// How people write options on a command line, by Boost
+// The syntax of options on a command line, parsed by Boost
 
 namespace po = boost::program_options;
 
-constexpr const char* inputs_key = "INPUT"; // of positional arguments
+constexpr const char* inputs_key = "INPUT"; // key of positional arguments
 
 template <typename Value>
 po::typed_value<Value>* with_default(const Option& option, Value& field)
@@ -69,7 +69,7 @@ po::typed_value<Value>* described(const Option& option, po::typed_value<Value>* 
   return value;
 }
 
-/// How Boost parses an option. \return owned by who gets it
+/// The parsing rules of an option for Boost. \return owned by the caller
 const po::value_semantic* semantic(const Option& option)
 {
   return std::visit(
@@ -97,7 +97,7 @@ po::options_description described(const std::deque<Option>& options, bool all)
 {
   constexpr unsigned least_description = 48;
   po::options_description result;
-  std::vector<std::string> titles; // in their order
+  std::vector<std::string> titles; // in the order of their options
   for (const Option& option : options)
     if ((all || !option.is_rare) && std::find(titles.begin(), titles.end(), option.group) == titles.end())
       titles.push_back(option.group);
@@ -166,7 +166,7 @@ void Option::check(const std::string& label) const
     if (!known.empty()) check_word(label, **text, known);
   }
   if (const auto* count = std::get_if<std::size_t*>(&field))
-    if (**count > std::numeric_limits<std::size_t>::max() / 2) // a negative one
+    if (**count > std::numeric_limits<std::size_t>::max() / 2) // a negative number, wrapped around
       throw Usage_error(label + " must not be negative");
   std::visit(
       [&](const auto& field) {

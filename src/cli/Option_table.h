@@ -17,65 +17,65 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// The command line is not one that the program understands: exit status 2.
+/// Thrown if the command line is invalid; exit status 2.
 class Usage_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws `Usage_error` that an option changes nothing. \param why ends the sentence "… has no effect"
+/// Throws `Usage_error`: an option has no effect. \param why ends the sentence "… has no effect"
 [[noreturn]] void refuse_option(const std::string& name, const std::string& why);
 
 /// Throws `Usage_error` if `value` is none of `known`. \param label names the option
 void check_word(const std::string& label, const std::string& value, const std::vector<std::string>& known);
 
-/// A field with a notation of its own.
+/// A field set by parsing a text.
 struct Text_field
 {
   std::function<std::string()> get;
-  /// Sets it to a text. \param label of the option, for messages \throw Usage_error
+  /// Sets the field. \param label name of the option, for messages \throw Usage_error
   std::function<void(const std::string& label, const std::string& text)> set;
-  std::vector<std::string> known = {}; ///< words; empty: any text
-  bool is_repeated = false;            ///< `set` is called for each value
+  std::vector<std::string> known = {}; ///< allowed words; empty: any text
+  bool is_repeated = false;            ///< whether `set` is called for each of several values
 };
 
-/// A field that is set to one of some words. \param get may be empty
+/// A field set to one of several words. \param get may be empty
 Text_field word_field(const std::vector<std::string>& known, const std::function<std::string()>& get,
                       const std::function<void(const std::string&)>& set);
 
-/// What a switch does that is not to make a field true.
+/// The action of a switch that does more than set a field to true.
 using Switch = std::function<void()>;
 
-/// An option of a command: the data for help, checks, completion and Python.
+/// An option of a command, with the data for help, checks, completion and Python.
 struct Option
 {
   using Field = std::variant<bool*, Switch, int*, std::int64_t*, std::size_t*, double*, std::string*,
                              std::vector<std::string>*, Text_field>;
 
-  std::string name;       ///< long
+  std::string name;       ///< long name
   std::string short_name; ///< one letter, or empty
   std::string group;
-  std::string value_name; ///< such as FILE; empty: a switch
+  std::string value_name; ///< such as FILE; empty: the option is a switch
   std::string help;
-  Field field; ///< what it sets; its value when the option was added is the default
+  Field field; ///< what the option sets; its value on addition is the default
 
-  std::vector<std::string> known; ///< values; empty: any
+  std::vector<std::string> known; ///< allowed values; empty: any
   double least = -std::numeric_limits<double>::infinity(), greatest = -least;
-  bool excludes_ends = false; ///< `least` and `greatest` themselves
-  bool shows_default = true;  ///< else the default stands for none, or depends on others
+  bool excludes_ends = false; ///< whether `least` and `greatest` themselves are excluded
+  bool shows_default = true;  ///< false if the default means "none" or depends on other options
   bool is_required = false, is_input = false, is_output = false;
-  bool is_for_pairs = false;      ///< of two shapes only, not for a set
-  std::optional<double> implied;  ///< the number that it has without a value
-  std::vector<std::string> modes; ///< of its command, in which alone it has an effect; empty: all
-  std::string asked_mode;         ///< the mode that it asks for
-  std::string keyword;            ///< in Python; empty: it is not there
-  bool is_rare = false;           ///< `--help` leaves it out, `--help-all` has it
+  bool is_for_pairs = false;      ///< whether it applies to two shapes only, not to a set
+  std::optional<double> implied;  ///< number that the option has when given without a value
+  std::vector<std::string> modes; ///< modes of the command in which it has an effect; empty: all
+  std::string asked_mode;         ///< mode that it selects
+  std::string keyword;            ///< name in Python; empty: not available there
+  bool is_rare = false;           ///< shown by `--help-all` only
 
   bool is_given = false;
-  std::string given_text; ///< of a `Text_field`
+  std::string given_text; ///< value of a `Text_field` as given
 
-  // Each returns the option
+  // Setters, which return the option
   Option& words(std::vector<std::string> all) { return known = std::move(all), *this; }
   Option& at_least(double number) { return least = number, *this; }
   Option& between(double from, double to) { return least = from, greatest = to, *this; }
@@ -94,21 +94,21 @@ struct Option
   Option& usual() { return is_rare = false, *this; }
 
   bool is_switch() const { return value_name.empty(); }
-  /// The value as a text; numbers with four digits.
+  /// The value as text; numbers with four digits.
   std::string text() const;
-  /// Whether the help shows a default.
+  /// Whether the help shows the default.
   bool has_default() const;
-  /// Sets a `Text_field`. \throw Usage_error \param label names the option
+  /// Sets a `Text_field`. \param label name of the option \throw Usage_error
   void set_text(const std::string& label, const std::string& text);
-  /// \throw Usage_error if the value is not a known one, empty, or out of range
+  /// \throw Usage_error if the value is not allowed, empty, or out of range
   void check(const std::string& label) const;
 };
 
-/// The options of a command, each once, in groups. They are bound to variables, which must live as long.
+/// The options of a command in groups, each defined once. They are bound to variables, which must outlive the table.
 ///
-/// A new option is one call, beside those of its group: `add("name", "VALUE", &field, "help")`, with no value for a
-/// switch, and its rules behind it, such as `.between(0, 1).in_python()`. Parsing, checks, `--help`,
-/// the completion and the keyword in Python follow; `scripts/check_documents --update` writes the program's reference.
+/// A new option is one call, next to those of its group: `add("name", "VALUE", &field, "help")`, without a value name
+/// for a switch, followed by its rules, such as `.between(0, 1).in_python()`. Parsing, checks, `--help`, completion and
+/// the Python keyword are derived from it; `scripts/check_documents --update` writes the program's reference.
 class Option_table
 {
 public:
@@ -116,14 +116,14 @@ public:
   Option_table(const Option_table&) = delete;
   Option_table& operator=(const Option_table&) = delete;
 
-  /// Adds options to a group, as `group("name", "VALUE", field, "help")`.
+  /// Adds options to a group: `group("name", "VALUE", field, "help")`.
   struct Group
   {
     Option_table& table;
     std::string title;
     bool is_rare;
 
-    /// \param name long, or as `name,n` with one letter \param value names the value
+    /// \param name long name, or `name,n` with one letter \param value name of the value
     Option& operator()(const std::string& name, const std::string& value, Option::Field field, const std::string& help);
     /// A switch.
     Option& operator()(const std::string& name, Option::Field field, const std::string& help)
@@ -132,24 +132,23 @@ public:
     }
   };
   Group group(const std::string& title) { return {*this, title, false}; }
-  /// A group of which `--help` has only the options that are `usual()`.
+  /// A group of which `--help` shows only the options that are `usual()`.
   Group rare_group(const std::string& title) { return {*this, title, true}; }
 
   const std::deque<Option>& options() const { return options_; }
   std::deque<Option>& options() { return options_; }
-  /// \pre there is one of this name
+  /// \pre an option of this name exists
   const Option& operator[](const std::string& name) const;
   bool is_given(const std::string& name) const { return (*this)[name].is_given; }
 
-  /// Sets the variables. \return the inputs; none if help is asked for, which ends the parsing \throw Usage_error
+  /// Sets the variables. \return the inputs; none if help is requested, which ends parsing \throw Usage_error
   std::vector<std::string> parse(const std::vector<std::string>& arguments);
 
-  /// Refuses options that have no effect in a mode. \param why names the mode \throw Usage_error
+  /// Refuses options without effect in a mode. \param why names the mode \throw Usage_error
   void refuse_other_modes(const std::string& mode, const std::string& why) const;
 
-  /// Whether `--help` or `--help-all` is given.
   bool help_is_given() const;
-  /// The text of the help. \param all whether with the rare options
+  /// The help text. \param all whether to include rare options
   std::string help(bool all) const;
 
   /// Name and value of every option of a group; numbers with all digits.
@@ -159,7 +158,7 @@ private:
   std::deque<Option> options_;
 };
 
-/// A field that has a word for each of its values.
+/// A field with one word for each of its values.
 template <typename Value>
 Text_field choice(Value& field, const std::vector<std::pair<const char*, Value>>& words)
 {

@@ -14,8 +14,8 @@ namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
-/// For a correspondence that is read. `min-confidence` is for both. \throw Usage_error if an option of the search is
-/// given
+/// Refuses options of the search when the correspondence is read from a file; only `min-confidence` applies then.
+/// \throw Usage_error
 void refuse_search_options(const Option_table& given)
 {
   for (const Option& option : given.options())
@@ -23,13 +23,13 @@ void refuse_search_options(const Option_table& given)
       throw Usage_error("the correspondence is given by --match; leave --" + option.name + " out");
 }
 
-/// A shape of which parts are chosen by their names.
+/// A shape whose parts are chosen by name.
 struct Named_parts
 {
   const std::string& path;
   std::vector<std::string> names;
 
-  /// The index of the part of a name, or the number of parts.
+  /// The index of the part with this name; the number of parts if there is none.
   std::size_t find(const std::string& name) const
   {
     return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
@@ -48,7 +48,7 @@ struct Named_parts
   }
 };
 
-/// The pair that A=B names, where names may have = themselves.
+/// The pair named by A=B, where names may contain `=`.
 Part_pair pair_of(const std::string& text, const Named_parts& source, const Named_parts& target,
                   const std::string& option)
 {
@@ -67,7 +67,7 @@ Part_pair pair_of(const std::string& text, const Named_parts& source, const Name
 }
 
 /// Sets the chosen parts, the pinned pairs and the forbidden pairs of `search`.
-/// \throw Usage_error if there is no part of a name
+/// \throw Usage_error if no part has a given name
 void choose_parts(const Match_options& match, const Loaded_shape& source, const Loaded_shape& target,
                   Search_options& search)
 {

@@ -12,32 +12,31 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// A command on two shapes and their correspondence.
 class Pair_command : public Command
 {
 protected:
   explicit Pair_command(const char* text) : Command(text, 2, 2) {}
 
-  /// An option for the correspondence to be read.
+  /// Adds the option for reading the correspondence from a file.
   void add_result_option(Option_table::Group& add);
-  /// The options on the match and the shapes, after those of the command alone.
+  /// Adds the options for the match and the shapes, after those of the specific command.
   void add_shared_options();
 
   void check() override;
 
-  /// Loads the shapes, and looks up what options name in them.
+  /// Loads the shapes, and resolves the parts named by options.
   void load();
-  /// The correspondence that is read or found.
+  /// The correspondence, read or computed.
   Correspondence correspondence() const;
 
   const Loaded_shape& source() const { return shapes[0]; }
   const Loaded_shape& target() const { return shapes[1]; }
 
   Match_options match;
-  std::string result; ///< a file of `match --json`; empty: the correspondence is searched for
+  std::string result; ///< result file of `match --json`; empty: the correspondence is computed
   Search_options search;
   std::vector<Loaded_shape> shapes;
-  std::vector<std::string> warnings; ///< of the shapes and examples
+  std::vector<std::string> warnings; ///< about the shapes and examples
 };
 
 } // namespace CGAL::Shape_correspondence::cli

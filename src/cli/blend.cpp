@@ -84,7 +84,7 @@ private:
   void check() override
   {
     Pair_command::check();
-    search.min_confidence = 0; // less probable pairs are removed here, with a warning
+    search.min_confidence = 0; // less probable pairs are removed below, with a warning
     check_output(output_);
   }
 
@@ -124,7 +124,7 @@ private:
     Progress_bar bar(common, "blend");
     Blend_options options = blend_options(output_);
     if (!output_.size) options.size = likely_size(source(), target(), warnings);
-    options.min_confidence = 0; // unlikely pairs are out already
+    options.min_confidence = 0; // unlikely pairs were removed before
     options.progress = [&bar](double done) {
       constexpr std::size_t steps = 100;
       bar.show(std::size_t(done * steps), steps);
@@ -165,7 +165,7 @@ private:
 
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings)
 {
-  constexpr double most = 2; // a greater ratio of heights is most often one of units
+  constexpr double most = 2; // larger ratios of heights mostly come from different units
   const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
   if (std::max(from, to) <= most * std::min(from, to)) return Blend_size::BLEND;
   warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +

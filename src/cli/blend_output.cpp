@@ -17,7 +17,6 @@ namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
-/// A schedule's name as it is written on the command line.
 std::string schedule_word(const std::string& name)
 {
   std::string result;
@@ -48,7 +47,7 @@ std::string ending_of(const std::string& path) { return std::filesystem::path(pa
 
 bool is_glb(const std::string& path) { return ending_of(path) == ".glb"; }
 
-/// \throw Usage_error if a folder is to have the name of a file that blend does not write
+/// \throw Usage_error if the name of a folder looks like a file that blend does not write
 void check_is_no_other_file(const std::string& folder)
 {
   const std::string ending = ending_of(folder);
@@ -60,7 +59,7 @@ void check_is_no_other_file(const std::string& folder)
           "folder");
 }
 
-/// The format of the one shape that is written to a file, or empty if it is not.
+/// The format of the file for a single shape; empty if none is written.
 std::string file_format(const Blend_output& output)
 {
   if (!output.is_one_shape() || output.schedule == "all") return "";
@@ -156,7 +155,7 @@ std::string frame_name(const Blend_output& output, int frame)
   return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
 }
 
-/// The shape at a time, or its wrap, one closed surface.
+/// The shape at time t; if `solid`, its wrap, one closed surface.
 Segmented_shape shape_at(const Shape_blend& blend, double t, bool solid)
 {
   if (!solid) return blend(t);
@@ -165,7 +164,6 @@ Segmented_shape shape_at(const Shape_blend& blend, double t, bool solid)
   return result;
 }
 
-/// Writes the shape at a time.
 void write_shape(const std::string& path, const std::string& format, const Shape_blend& blend,
                  const IO::Blend_appearance& appearance, double t, bool solid = false)
 {
@@ -188,7 +186,7 @@ void write_frames(const std::string& folder, const Blend_output& output, const S
   });
 }
 
-/// A folder, or a file, of every one of some blends, numbered, the best first.
+/// Writes every blend to its own numbered folder or file, the best first.
 void write_all(const std::string& folder, const Blend_output& output, const std::vector<Shape_blend>& blends,
                const IO::Blend_appearance& appearance)
 {

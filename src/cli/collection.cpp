@@ -73,7 +73,7 @@ void print_collection(const Analysis& analysis, bool verbose)
   write_notes(std::cout, collection.warnings, verbose);
 }
 
-/// Processes on one machine share its processors. \return 0: no limit
+/// The number of threads of each process, since processes on one machine share its processors. \return 0: no limit
 int threads_of_process(const Common_options& common, const Team& team)
 {
   const std::size_t processes = team.size_here();
@@ -81,10 +81,10 @@ int threads_of_process(const Common_options& common, const Team& team)
   return int(std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes));
 }
 
-/// Refuses to be one of several processes, each of which would do all the work.
+/// Refuses to run as one of several processes, each of which would do all the work.
 std::unique_ptr<Team> this_process()
 {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) // of Open MPI, of MPICH
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) // set by Open MPI and by MPICH
     if (const char* size = std::getenv(variable); size && std::atoi(size) > 1)
       throw Usage_error("to share the work among processes, `mpirun` takes the program shape_correspondence_mpi, which "
                         "is built with -DSHAPE_CORRESPONDENCE_MPI=ON");
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  /// Whether files of all pairs are asked for, besides --json.
+  /// Whether any output for all pairs is requested besides --json.
   bool has_files() const { return !(common.html + options_.npy + options_.csv).empty(); }
 
   void check() override
@@ -135,7 +135,7 @@ private:
     return result;
   }
 
-  /// A folder in the store; empty: in memory.
+  /// The path of a folder in the store; empty: in memory.
   std::string stored(const char* name) const
   {
     return options_.store.empty() ? "" : (fs::path(options_.store) / name).string();
@@ -147,7 +147,7 @@ private:
     Team& team = *made;
     if (team.size() > 1 && options_.store.empty())
       throw Usage_error("several processes need --store, a folder that all of them can use");
-    if (!team.is_first()) common.progress = "never"; // one bar for all
+    if (!team.is_first()) common.progress = "never"; // the first process shows the progress of all
     const std::shared_ptr<void> limit = limit_threads(threads_of_process(common, team));
     if (!left_out_.empty() && team.is_first())
       warn(common, inputs[0] + ": left out, since they are no shapes: " + listed(left_out_));
@@ -168,7 +168,7 @@ private:
     }
   }
 
-  /// All that energies and pairs depend on besides the shapes.
+  /// A key of everything that energies and pairs depend on besides the shapes.
   std::string key() const
   {
     const Search_options& search = matching_.search;
@@ -176,7 +176,7 @@ private:
     return key_of(table.values_of(match_group), search, matching_.unmatched_energy) + category;
   }
 
-  /// The shapes nearest to a query instead of all pairs.
+  /// Finds the shapes nearest to a query instead of matching all pairs.
   void find_nearest(const Collection_shapes& shapes) const
   {
     const IO::Nearest_in_collection found = nearest_in_collection(
@@ -214,8 +214,8 @@ private:
   Match_options match_;
   Collection_options options_;
   Energy_matrix_options matching_;
-  std::vector<std::string> paths_;    // of the shapes
-  std::vector<std::string> left_out_; // entries of the folder that are no shapes
+  std::vector<std::string> paths_;
+  std::vector<std::string> left_out_; // entries of the folder that are not shapes
 };
 
 } // namespace

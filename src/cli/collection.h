@@ -24,76 +24,74 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// A shape of a collection; its graph is kept elsewhere.
+/// A shape of a collection, without its graph.
 struct Collection_shape
 {
   std::string path, name;
-  std::string content; ///< digest of its graph: what all results depend on
+  std::string content; ///< digest of its graph, on which all results depend
   std::vector<std::string> parts;
   std::vector<std::string> warnings;
 };
 
-/// The shapes that inputs name: each an input, or the entries of a single folder, by name. Of a folder these are model
-/// files, structural graphs, and folders of part meshes. \throw Invalid_input if they are less than two
-/// \param left_out gets the names of entries that are no shapes; null: not wanted
+/// The paths of the shapes: the inputs themselves, or the entries of a single folder, by name: model files, structural
+/// graphs, and folders of part meshes. \throw Invalid_input if there are fewer than two
+/// \param left_out receives the names of entries that are not shapes; may be null
 std::vector<std::string> collection_paths(const std::vector<std::string>& inputs,
                                           std::vector<std::string>* left_out = nullptr);
 
-/// Whether a folder has shapes: folders of part meshes, or model files of several objects, which no part has.
+/// Whether a folder contains shapes: folders of part meshes, or model files of several objects, which parts are not.
 bool is_folder_of_shapes(const std::string& path);
 
-/// The shapes in a folder, sorted by path. \param left_out gets the names of the other entries; null: not wanted
+/// The shapes in a folder, sorted by path. \param left_out receives the names of the other entries; may be null
 std::vector<std::string> shapes_in(const std::string& folder, std::vector<std::string>* left_out = nullptr);
 
-/// The structural graphs of a collection, on demand: in a folder or, without one, in memory.
+/// The structural graphs of a collection, loaded on demand from a folder or kept in memory.
 class Collection_shapes
 {
 public:
-  /// Builds the graphs that are missing, all processes of the team together.
-  /// \param folder for graphs; empty: in memory \param skip_bad leave out inputs that cannot be used
-  /// \throw Invalid_input if an input cannot be used; names all of these
+  /// Builds the missing graphs, distributed over the processes of the team.
+  /// \param folder for graphs; empty: in memory \param skip_bad whether to leave out unusable inputs
+  /// \throw Invalid_input if an input is unusable; names all such inputs
   Collection_shapes(const std::vector<std::string>& paths, const std::string& folder, bool skip_bad,
                     const Common_options& options, Team& team);
 
-  /// Of graphs that are built already, by path.
+  /// Takes graphs that are already built, with their paths.
   explicit Collection_shapes(const std::vector<std::pair<std::string, Structural_graph>>& graphs);
 
   const std::vector<Collection_shape>& shapes() const { return shapes_; }
-  /// What was left out and why.
+  /// The inputs left out, with the reasons.
   const std::vector<std::string>& skipped() const { return skipped_; }
   std::size_t size() const { return shapes_.size(); }
   Structural_graph graph(std::size_t shape) const;
-  /// The surfaces of a shape, read anew; none if its input is a graph or has other parts by now.
+  /// The surfaces of a shape, read again; none if its input is a graph or has different parts by now.
   std::optional<Segmented_shape> model(std::size_t shape, const Common_options& options) const;
 
 private:
   std::string folder_;
   std::vector<Collection_shape> shapes_;
   std::vector<std::string> skipped_;
-  std::vector<Structural_graph> graphs_; // in memory
+  std::vector<Structural_graph> graphs_; // empty if they are in a folder
 };
 
-/// The options that only `collection` has.
 struct Collection_options
 {
   std::string npy, csv, store, nearest, labels_from, labels_to; ///< empty: none
   bool skip_bad = false, matches = false, agreeing = false;
   std::size_t nearest_count = 5;
-  std::size_t neighbours = 0; ///< 0: by the number of shapes
+  std::size_t neighbours = 0; ///< 0: chosen by the number of shapes
   double unmatched_energy = Energy_matrix_options().unmatched_energy;
   Co_analysis_options co_analysis;
 };
 
-/// Adds these options and the options for output files to the table of a command.
+/// Adds the options of `collection` and those for output files to the table.
 void add_collection_options(Option_table& table, Common_options& common, Collection_options& options);
 
-/// Finished rows by name, as bytes, in a folder or, without one, in memory. In a folder a row is there as a whole or
-/// not at all, whenever the program is killed, and many processes may use it at a time. One that is damaged counts as
-/// missing.
+/// Finished rows by name, as bytes, in a folder or in memory. In a folder a row exists completely or not at all, even
+/// if the program is killed, and several processes may share it. A damaged row counts as missing.
 class Row_store
 {
 public:
-  /// \param folder is made if there is none; empty: in memory \throw Invalid_input if it cannot be used
+  /// \param folder created if missing; empty: in memory \throw Invalid_input if it cannot be used
   explicit Row_store(std::string folder);
 
   std::string find(const std::string& name) const; ///< empty: missing or damaged
@@ -107,13 +105,13 @@ private:
   std::map<std::string, std::string> in_memory_;
 };
 
-/// All that the matches of a collection depend on besides the shapes, as a text.
-/// \param match_options their names and values \param search only its roles are used
+/// A text with everything that the matches of a collection depend on besides the shapes.
+/// \param match_options names and values of the options \param search only its roles are used
 std::string key_of(const std::string& match_options, const Search_options& search, double unmatched_energy);
 
-/// All ordered pairs of a collection, matched or from a store, which has a row for every shape: its pairs, either way,
-/// with the shapes that come after it. A row is named by its shape and the options, and its pairs by the other shapes,
-/// so that of a changed shape only its own pairs are missing.
+/// All ordered pairs of a collection, matched or read from a store. The store has a row for every shape: its pairs, in
+/// both directions, with the shapes after it. A row is identified by its shape and the options, and its pairs by the
+/// other shapes, so that only the pairs of a changed shape are missing.
 class Collection_work
 {
 public:
@@ -121,27 +119,26 @@ public:
   Collection_work(const Collection_shapes& shapes, const std::string& store, const std::string& key,
                   const Energy_matrix_options& matching, const Common_options& common);
 
-  /// Matches what is missing, all processes of the team together.
+  /// Matches the missing pairs, distributed over the processes of the team.
   void run(Team& team);
 
-  /// Calls `take` with source, target, energy and map of every ordered pair. Confidences are kept to 16 bits.
+  /// Calls `take` with source, target, energy and map of every ordered pair. Confidences are rounded to 16 bits.
   void for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take);
 
 private:
   const std::string& content(std::size_t shape) const { return shapes_.shapes()[shape].content; }
-  /// The shapes after `row` whose pairs are not in its bytes.
+  /// The shapes after `row` whose pairs are not in the row's bytes.
   std::vector<std::size_t> missing(std::size_t row, const std::string& bytes) const;
-  /// Matches what is missing in some rows and stores them. \param progress gets the number of pairs that were matched
+  /// Matches and stores the missing pairs of some rows. \param progress called with the number of pairs matched so far
   void match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress);
 
   const Collection_shapes& shapes_;
   Row_store store_;
   const Energy_matrix_options& matching_;
   const Common_options& common_;
-  std::vector<std::string> names_; // of rows, by shape
+  std::vector<std::string> names_; // file names of rows, indexed by shape
 };
 
-/// A shape's distances from the others.
 struct Shape_distances
 {
   double mean = 0;
@@ -153,22 +150,21 @@ struct Shape_distances
 struct Analysis
 {
   Eigen::MatrixXd energies;
-  std::vector<Shape_distances> distances; ///< by shape
-  IO::Collection collection;              ///< refers to the energies
+  std::vector<Shape_distances> distances; ///< indexed by shape
+  IO::Collection collection;              ///< refers to `energies`
   std::vector<Shape_pair_map> maps;
 };
 
-/// Reads all pairs twice, first the energies and then those maps that are clustered or on bridges. Memory for n shapes:
-/// 16 n² bytes for energies and distances, some hundred bytes for each of 64 n maps at most, and that of
-/// `co_analysis()`.
+/// Reads all pairs twice: first the energies, then the maps that are clustered or on bridges. Memory for n shapes: 16
+/// n² bytes for energies and distances, some hundred bytes for each of at most 64 n maps, and that of `co_analysis()`.
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work);
 
-/// The shapes nearest to a query. \param file names it in the result
+/// The shapes nearest to a query. \param file name of the query in the result
 IO::Nearest_in_collection nearest_in_collection(const Structural_graph& query, const std::string& file,
                                                 const Collection_shapes& shapes, std::size_t count,
                                                 const Energy_matrix_options& matching);
 
-/// Transfers the labels of the shape of `--labels-from` to all shapes of a collection, and writes them.
+/// Transfers the labels of the shape given by `--labels-from` to all shapes of a collection, and writes them.
 void transfer_labels(const Collection_shapes& shapes, const Collection_options& options, const Search_options& search,
                      const Common_options& common);
 

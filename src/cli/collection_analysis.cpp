@@ -16,18 +16,18 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-constexpr std::size_t largest_clustered_whole = 100; // shapes whose maps are all clustered by default
-constexpr std::size_t usual_neighbours = 32;         // else
-constexpr std::size_t largest_bridged = 1000;        // shapes; bridges take cubic time
+constexpr std::size_t largest_clustered_whole = 100; // number of shapes up to which all maps are clustered by default
+constexpr std::size_t usual_neighbours = 32;         // default for larger collections
+constexpr std::size_t largest_bridged = 1000;        // number of shapes; finding bridges takes cubic time
 constexpr std::size_t listed_bridges = 100;
 
-/// Symmetric; read by columns.
+/// Symmetric; accessed by columns.
 using Distances = Eigen::Ref<const Eigen::MatrixXd>;
 
 /// Ordered pairs of shapes.
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
-/// The pairs of shapes whose maps are clustered, either way.
+/// The ordered pairs of near shapes, in both orders, whose maps are clustered.
 Pairs clustered_pairs(const Distances& distances, std::size_t neighbours)
 {
   const auto n = std::size_t(distances.rows());
@@ -47,7 +47,7 @@ Pairs clustered_pairs(const Distances& distances, std::size_t neighbours)
   return pairs;
 }
 
-/// The ordered pairs for which a chain costs less, the largest gain first.
+/// The ordered pairs with a chain of less energy than the direct match, the largest gain first.
 std::vector<IO::Collection::Bridge> bridges_of(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree)
 {
   std::vector<IO::Collection::Bridge> result;
@@ -80,7 +80,6 @@ Part_map composed_map(const Shape_chain& chain, const std::map<std::pair<std::si
   return map;
 }
 
-/// By shape.
 std::vector<Shape_distances> shape_distances(const Distances& distances)
 {
   std::vector<Shape_distances> result;
@@ -96,7 +95,7 @@ std::vector<Shape_distances> shape_distances(const Distances& distances)
   return result;
 }
 
-/// Sets the energies and all results that depend on energies only. \return the pairs of shapes whose maps are clustered
+/// Sets the energies and the results that depend on them alone. \return the pairs of shapes whose maps are clustered
 Pairs analyse_energies(const Collection_options& options, Collection_work& work, Analysis& analysis)
 {
   IO::Collection& result = analysis.collection;
@@ -109,7 +108,7 @@ Pairs analyse_energies(const Collection_options& options, Collection_work& work,
     distances(i, j) += rated.energy / 2;
     distances(j, i) += rated.energy / 2;
   });
-  const Eigen::Map<const Eigen::MatrixXd> stable(energies.data(), n, n); // where the analysis is moved, too
+  const Eigen::Map<const Eigen::MatrixXd> stable(energies.data(), n, n); // valid even after the analysis is moved
   result.energy = [stable](std::size_t i, std::size_t j) { return stable(Eigen::Index(i), Eigen::Index(j)); };
   analysis.distances = shape_distances(distances);
   result.medoid = topological_medoid(distances);

@@ -49,19 +49,19 @@ bool has_several_objects(const std::string& model)
   }
 }
 
-/// Whether the files are shapes, not the parts of one.
+/// Whether the model files are shapes rather than parts of one shape.
 bool are_shapes(const std::vector<std::string>& models)
 {
   return !models.empty() && std::all_of(models.begin(), models.end(), has_several_objects);
 }
 
-/// Whether the parts of a shape are in a folder's sub-folder.
+/// Whether a shape's parts are in a sub-folder.
 bool is_divided(const fs::path& folder)
 {
   return fs::is_directory(folder / "parts") || IO::hierarchy_in(folder.string());
 }
 
-/// A folder of part meshes, itself or in its sub-folder.
+/// Whether a folder, or its sub-folder for parts, contains the part meshes of a shape.
 bool is_shape_folder(const fs::path& folder)
 {
   if (is_divided(folder)) return true;
@@ -69,12 +69,11 @@ bool is_shape_folder(const fs::path& folder)
   return !models.empty() && !are_shapes(models);
 }
 
-/// The result of loading one input.
 struct Loaded_input
 {
   Collection_shape shape;
   std::string failure;    ///< empty: none
-  Structural_graph graph; ///< empty where it is in a folder
+  Structural_graph graph; ///< empty if it is in a folder
 
   bool is_loaded() const { return !(failure + shape.content).empty(); }
 };
@@ -98,7 +97,7 @@ std::optional<std::string> stored_text(const std::string& folder, const std::str
   return IO::digest(text) == content ? std::optional(text) : std::nullopt;
 }
 
-/// Puts a graph into the folder, if there is one. \return the digest of the graph, which is its name there
+/// Stores a graph in the folder, if there is one. \return the digest of the graph, which is its name there
 std::string store_graph(const std::string& folder, const Common_options& options, Structural_graph& graph)
 {
   const std::string text = text_of(graph);
@@ -133,7 +132,7 @@ Loaded_input load_input(const std::string& path, const std::string& folder, cons
   return result;
 }
 
-/// The message by which a process reports an input to the others.
+/// The message by which a process tells the others about an input.
 IO::Json message(std::size_t index, const Loaded_input& input)
 {
   return {{"index", index},
@@ -153,7 +152,7 @@ void take(const IO::Json_field& message, Loaded_input& input)
   input.shape.warnings = message["warnings"].texts();
 }
 
-/// Sends the inputs that were loaded here to the other processes, and receives theirs.
+/// Exchanges the inputs loaded by this process with those loaded by the others.
 void exchange(std::vector<Loaded_input>& inputs, Team& team)
 {
   IO::Json messages = IO::Json::array();
@@ -166,13 +165,13 @@ void exchange(std::vector<Loaded_input>& inputs, Team& team)
   }
 }
 
-constexpr std::size_t inputs_at_a_time = 8; // that a process of several is handed out
+constexpr std::size_t inputs_at_a_time = 8; // number of inputs handed to one of several processes at a time
 
-/// Loads all inputs, the processes of the team together; a process has the graphs that it loaded itself.
+/// Loads all inputs, distributed over the processes of the team; each process keeps the graphs that it loaded.
 std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, const std::string& folder,
                                       const Common_options& options, Team& team)
 {
-  Common_options quiet = options; // one bar for all
+  Common_options quiet = options; // there is one bar for all inputs
   quiet.progress = "never";
   Progress_bar bar(options, "graphs", "shape");
   std::vector<Loaded_input> inputs(paths.size());
@@ -194,7 +193,7 @@ std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, con
   return inputs;
 }
 
-/// Shapes with equal or empty names are named by their paths.
+/// Names shapes with equal or empty names by their paths.
 void make_names_unique(std::vector<Collection_shape>& shapes)
 {
   std::map<std::string, int> uses;
@@ -298,7 +297,7 @@ std::optional<Segmented_shape> Collection_shapes::model(std::size_t shape, const
   try {
     Read_model read = read_model(wanted.path, options);
     if (mapped(read.split.shape.parts(), &Shape_part::name) != wanted.parts) return std::nullopt;
-    if (read.is_up_estimated) { // the graph's axis may have been estimated by roles
+    if (read.is_up_estimated) { // the axis of the graph may have been found by roles
       Eigen::Index axis = 1;
       structure(graph(shape)).frame.axes.col(1).cwiseAbs().maxCoeff(&axis);
       read.split.shape.set_up(Point::Unit(axis));

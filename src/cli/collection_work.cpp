@@ -24,24 +24,24 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-/// Raise it with every change that makes other energies or pairs of the same graphs and options.
+/// To be increased with every change that alters energies or pairs for the same graphs and options.
 constexpr int matching_version = 9;
 
-// Rows and columns that are matched at a time: their shapes are in memory, and a killed process loses as many rows
+// Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t usual_blocks = 8; // of a collection
+constexpr std::size_t usual_blocks = 8; // number of blocks in a collection
 
 constexpr const char* extension = ".row";
 constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";
 
-using Small = std::uint16_t; // parts, of which there are 2000 at most, numbers of pairs, and confidences
+using Small = std::uint16_t; // holds indices of at most 2000 parts, sizes and confidences
 constexpr double largest_confidence = 65535;
 
-/// Thrown where a row ends too early.
+/// Thrown if a row ends too early.
 struct Damaged_row
 {};
 
-/// Takes a number from the front.
+/// Extracts a number from the front.
 template <typename Number>
 Number read(std::string_view& bytes)
 {
@@ -81,10 +81,10 @@ Rated_map decoded(std::string_view bytes)
   return rated;
 }
 
-/// To the other shape, and back.
+/// The pairs from the row's shape to another, and back.
 using Both_ways = std::array<std::string_view, 2>;
 
-/// The pairs in the bytes of a row, by the content of the other shape; none if they are damaged.
+/// The pairs in the bytes of a row, by the content of the other shape; empty if they are damaged.
 std::map<std::string_view, Both_ways> pairs_in(std::string_view bytes)
 {
   std::map<std::string_view, Both_ways> result;
@@ -178,20 +178,20 @@ std::vector<std::size_t> Collection_work::missing(std::size_t row, const std::st
 void Collection_work::run(Team& team)
 {
   std::vector<std::size_t> rows;
-  std::set<std::string> seen; // of equal shapes, the first has the pairs of all
+  std::set<std::string> seen; // equal shapes share the row of the first
   for (std::size_t row = 0; row + 1 < shapes_.size(); ++row) {
     if (!seen.insert(names_[row]).second || missing(row, store_.find(names_[row])).empty()) continue;
     rows.push_back(row);
     if (team.is_first() && store_.is_damaged(names_[row])) warn(common_, damaged);
   }
-  rows = team.from_first(std::move(rows)); // others may have begun
+  rows = team.from_first(std::move(rows)); // other processes may have started storing rows
   const std::size_t size = std::clamp((shapes_.size() + usual_blocks - 1) / usual_blocks, least_block, largest_block);
   std::vector<std::vector<std::size_t>> bands;
-  std::vector<std::size_t> before{0}; // pairs, by band
+  std::vector<std::size_t> before{0}; // cumulative number of pairs, by band
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (k % size == 0) bands.emplace_back(), before.push_back(before.back());
     bands.back().push_back(rows[k]);
-    before.back() += 2 * (shapes_.size() - 1 - rows[k]); // at most
+    before.back() += 2 * (shapes_.size() - 1 - rows[k]); // upper bound
   }
   Progress_bar bar(common_, "matching", "pair");
   team.for_each(bands.size(), [&](std::size_t k) {
@@ -221,8 +221,8 @@ void Collection_work::for_each_pair(const std::function<void(std::size_t, std::s
 void Collection_work::match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress)
 {
   std::vector<std::string> bytes;
-  std::vector<std::vector<std::size_t>> missing_in; // by row
-  std::vector<Structural_graph> graphs;             // of rows
+  std::vector<std::vector<std::size_t>> missing_in; // indexed by row
+  std::vector<Structural_graph> graphs;             // graphs of the rows
   std::set<std::size_t> columns;
   for (std::size_t row : rows) {
     bytes.push_back(store_.find(names_[row]));
@@ -241,7 +241,7 @@ void Collection_work::match(const std::vector<std::size_t>& rows, const std::fun
     std::vector<Prepared_shape> shapes = prepared;
     for (const Structural_graph& other : others)
       shapes.emplace_back(other);
-    std::vector<std::pair<std::size_t, std::size_t>> pairs, places; // of shapes here; row here, shape
+    std::vector<std::pair<std::size_t, std::size_t>> pairs, places; // indices into `shapes`; (index into `rows`, shape)
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (std::size_t c = 0; c < block.size(); ++c)
         if (std::binary_search(missing_in[r].begin(), missing_in[r].end(), block[c])) {

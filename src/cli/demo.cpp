@@ -27,12 +27,12 @@ Matches two chairs of different topology that come with the program, blends them
 
 )";
 
-// A pair that the default method matches without an error: test_program scores it
+// A pair that the default method matches without an error, which test_program checks
 constexpr const char* source_model = "chair_four_legged";
 constexpr const char* target_model = "chair_swivel";
 
-/// The folder of the models that come with the program: beside it, of the installation, found from where the program
-/// lies, or of the source tree. \throw Invalid_input if there is none
+/// The folder of the models that come with the program: beside it, in the installation (found from the program's path),
+/// or in the source tree. \throw Invalid_input if there is none
 std::string data_folder()
 {
   std::error_code error;
@@ -43,11 +43,11 @@ std::string data_folder()
   throw Invalid_input(installed.string() + ": the models that come with the program are not there; install it again");
 }
 
-// What the demo writes
+// Output files of the demo
 constexpr const char *match_json = "match.json", *match_html = "match.html", *blend_html = "blend.html",
                      *blend_glb = "blend.glb";
 
-/// Whether there is nothing in a folder but what an earlier demo wrote.
+/// Whether a folder contains only files of an earlier demo.
 bool is_of_demo(const fs::path& folder)
 {
   const std::vector<std::string> files{match_json, match_html, blend_html, blend_glb};

@@ -52,7 +52,7 @@ struct Judged_result
   Correspondence_score score;
 };
 
-/// The files themselves, and the results in folders; other JSON files in folders are ignored.
+/// The given files, and the results in given folders; other JSON files in folders are ignored.
 std::vector<std::string> result_files(const std::vector<std::string>& inputs)
 {
   std::vector<std::string> files;
@@ -71,8 +71,8 @@ std::vector<std::string> result_files(const std::vector<std::string>& inputs)
   return files;
 }
 
-/// The one shape that is named like the component of the path nearest to its end that names any; among shapes of one
-/// name, the one whose folder is in a folder of the same name.
+/// The labelled shape named by the last component of the path that is a name of one. Of several shapes with this name,
+/// the one whose parent folders match the path.
 const IO::Labelled_shape& shape_of(const std::string& path, const std::vector<IO::Labelled_shape>& shapes,
                                    const std::string& result_file)
 {
@@ -147,7 +147,7 @@ IO::Json json_of(const Judged_result& r)
   return result;
 }
 
-/// Judged results, and their means.
+/// Scored results, and their means.
 struct Judged
 {
   std::vector<Judged_result> results;

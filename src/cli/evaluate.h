@@ -12,20 +12,19 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// A result, and the file that messages and reports name it by.
+/// A result, and the file by which messages and reports name it.
 struct Named_result
 {
   std::string file;
   IO::Named_correspondence correspondence;
 };
 
-/// The results in files and folders. \throw Invalid_input
 std::vector<Named_result> read_results(const std::vector<std::string>& inputs);
 
-/// The labels of all shapes in files and folders. \throw Invalid_input
+/// Reads the labels of all shapes in files and folders. \throw Invalid_input
 std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths);
 
-/// Scores the results. \throw Invalid_input if one is of shapes that have no labels
+/// Scores the results. \throw Invalid_input if a result has shapes without labels
 void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,
                            const std::vector<IO::Labelled_shape>& shapes);
 

@@ -37,20 +37,19 @@ private:
 
 std::string names_of_commands() { return boost::algorithm::join(mapped(commands(), &Command_entry::name), " "); }
 
-/// The inputs of a command that are words.
+/// The inputs of a command that come from a list of words.
 std::string words_of_inputs(const std::string& command)
 {
   return command == "help" ? names_of_commands() : command == "completion" ? "bash" : command == "roles" ? "train" : "";
 }
 
-/// Bash completes names of commands and options, and values that are words; for all else its own completion of files
-/// stands in.
+/// Writes completion for Bash: of commands, options and values from lists of words; for the rest, Bash completes files.
 void write_bash(std::ostream& out)
 {
   out << "# bash completion of shape_correspondence\n"
          "_shape_correspondence()\n{\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} words=\n"
-         "  if [ \"$word\" = = ]; then\n" // --option=VALUE is three words
+         "  if [ \"$word\" = = ]; then\n" // Bash splits --option=VALUE into three words
          "    word=\n"
          "  elif [ \"$before\" = = ]; then\n"
          "    before=${COMP_WORDS[COMP_CWORD-2]}\n"

@@ -41,7 +41,7 @@ Examples: shape_correspondence label chair.obj --output labels.json
 
 )";
 
-// The likeliest label of every part, with the probability of its role.
+// The most probable label of every part, with the probability of its role.
 std::vector<Transferred_label> likeliest_labels(const Part_roles& found)
 {
   std::vector<Transferred_label> result;
@@ -50,7 +50,7 @@ std::vector<Transferred_label> likeliest_labels(const Part_roles& found)
   return result;
 }
 
-/// The labels of parts, with their probabilities, as `labels.json` lists them; parts without a label are left out.
+/// The labels of parts with their probabilities, as in `labels.json`; unlabelled parts are left out.
 IO::Json parts_json(const std::vector<std::string>& parts, const std::vector<Transferred_label>& labels)
 {
   IO::Json result = IO::Json::array();
@@ -65,14 +65,13 @@ IO::Json parts_json(const std::vector<std::string>& parts, const std::vector<Tra
   return result;
 }
 
-/// A `labels.json`.
 IO::Json labels_json(const std::vector<std::string>& parts, const std::string& category,
                      const std::vector<Transferred_label>& labels)
 {
   return {{"format", "shape_correspondence/labels"}, {"category", category}, {"parts", parts_json(parts, labels)}};
 }
 
-using Labels = std::vector<Transferred_label>; // by part
+using Labels = std::vector<Transferred_label>; // indexed by part
 
 Labelled_model labelled_source(const std::string& path, const Common_options& common)
 {
@@ -83,7 +82,7 @@ Labelled_model labelled_source(const std::string& path, const Common_options& co
   return std::move(models[0]);
 }
 
-/// The folder of a shape's labels: named as the file or folder of the shape.
+/// The folder for a shape's labels, named after the shape's file or folder.
 fs::path folder_of(const Collection_shape& shape, const std::string& folder)
 {
   const fs::path path = fs::absolute(shape.path).lexically_normal();

@@ -23,10 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Of a category that a model lacks: fewer lower the mean F1 of matches (the manual's page on accuracy).
+// Number of examples needed for a new category: fewer lower the mean F1 of matches (manual, "Accuracy").
 constexpr std::size_t least_examples = 3;
 
-/// The folder of the part meshes.
 std::string parts_of(const IO::Labelled_shape& shape)
 {
   return (fs::path(shape.file).parent_path() / "parts").string();
@@ -54,10 +53,10 @@ std::vector<Labelled_graph> labelled_graphs(const std::vector<Labelled_model>& m
   return result;
 }
 
-/// The shapes, folders with `parts/`, of a folder of SHAPE/ or CATEGORY/SHAPE/ that have no labels.
+/// Finds shapes without labels (folders with `parts/`) in a folder of SHAPE/ or CATEGORY/SHAPE/.
 void find_unlabelled(const fs::path& folder, int depth, std::vector<std::string>& shapes)
 {
-  constexpr int deepest = 2; // as `read_part_labels()`
+  constexpr int deepest = 2; // same depth as in `read_part_labels()`
   if (!fs::is_directory(folder) || (depth > 0 && IO::is_hidden(folder)) || fs::exists(folder / "labels.json")) return;
   if (fs::is_directory(folder / "parts"))
     shapes.push_back(folder.string());
@@ -66,7 +65,7 @@ void find_unlabelled(const fs::path& folder, int depth, std::vector<std::string>
       find_unlabelled(entry.path(), depth + 1, shapes);
 }
 
-/// Says how many shapes without labels there are in folders, and which is the first. Empty: none.
+/// A note with the number of unlabelled shapes in folders and the first of them; empty: none.
 std::string unlabelled_shapes(const std::vector<std::string>& folders)
 {
   std::vector<std::string> shapes;
@@ -83,7 +82,7 @@ std::string unlabelled_shapes(const std::vector<std::string>& folders)
 std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>& folders, const Common_options& options)
 {
   Common_options labelled = options;
-  labelled.parts = Part_splitting::FILE; // the labelled ones
+  labelled.parts = Part_splitting::FILE; // the parts that are labelled
   std::vector<Labelled_model> result;
   for (const std::string& folder : folders) {
     const std::vector<IO::Labelled_shape> shapes = IO::read_part_labels(folder);

@@ -29,7 +29,7 @@ bool has_extension(const std::string& path, const char* wanted)
   return IO::lower_extension(path) == wanted && !fs::is_directory(path);
 }
 
-/// Whether the parts were abstracted by mean curvature flow alone; empty if their reports do not show it.
+/// Whether the parts were abstracted by mean curvature flow alone; empty if their reports do not show that.
 std::optional<bool> is_of_flow(const Structural_graph& graph)
 {
   using Method = Abstraction_report::Method;
@@ -61,7 +61,7 @@ void build_graph(const Structure_options& options, Loaded_shape& shape)
   shape.structure_seconds += times.structure;
 }
 
-/// \throw Invalid_input if the model cannot have parts
+/// \throw Invalid_input if the model has too few or too many parts
 void check_has_parts(const Part_split& split, const Common_options& common)
 {
   if (split.shape.parts().size() > 1) return;
@@ -74,7 +74,7 @@ void check_has_parts(const Part_split& split, const Common_options& common)
   throw Invalid_input("it has only one part, " + why + ": correspondences are between shapes of two parts or more");
 }
 
-/// Calls `use` with the cache, if there is one; a failure is a warning. \param consequence ends the warning
+/// Calls `use` with the cache, if there is one; failures become warnings. \param consequence ends the warning
 template <typename Use>
 void with_cache(const Common_options& common, const std::string& consequence, const Use& use)
 {
@@ -86,7 +86,7 @@ void with_cache(const Common_options& common, const std::string& consequence, co
   }
 }
 
-/// \param model loses its parts, which the shape gets
+/// Builds the graph of a model, or finds it in the cache. \param model its parts are moved to the shape
 void load_model(Read_model& model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
 {
   const double begin = now();
@@ -108,13 +108,13 @@ void load_model(Read_model& model, const Common_options& common, const Structure
     structure(shape.graph).content = content;
     with_cache(common, "; the graph is not kept", [&](const auto& cache) { cache.insert(shape.graph); });
   }
-  // Not in the cache, where another way to the same parts may have put the graph
+  // Not cached, since the same parts may have been found in other ways
   structure(shape.graph).automatic_parts = shape.split.by_segments;
   std::vector<std::string>& warnings = structure(shape.graph).warnings;
   warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
 }
 
-/// Loads a model again, the objects of which have got another upright axis.
+/// Builds the graph again after the upright axis of the objects has changed.
 void load_turned(Read_model& model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
 {
   model.split = std::move(shape.split);
@@ -238,7 +238,8 @@ void find_up_by_roles(const std::string& path, const Common_options& options, Re
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   std::vector<Loaded_shape> shapes(paths.size());
-  const bool are_graphs = std::all_of(paths.begin(), paths.end(), is_graph_file); // read faster than threads start
+  // Reading them takes less time than starting threads
+  const bool are_graphs = std::all_of(paths.begin(), paths.end(), is_graph_file);
   internal::for_each_index(paths.size(), !are_graphs,
                            [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });
   check_part_kinds(options, shapes);

@@ -21,35 +21,35 @@ namespace CGAL::Shape_correspondence::cli {
 /// A model, its parts, and warnings about them.
 struct Read_model
 {
-  Segmented_shape objects; ///< as the file has them
+  Segmented_shape objects; ///< as in the file
   Part_split split;
-  double up_confidence = 1; ///< of the upright axis; 1 if it is given
+  double up_confidence = 1; ///< confidence of the upright axis; 1 if it is given
   bool is_up_estimated = false;
   std::vector<std::string> warnings;
-  std::vector<std::vector<std::size_t>> faces; ///< by object and triangle, the number of its face in the file
-  std::size_t number_of_faces = 0;             ///< of the file; 0: they have no numbers
+  std::vector<std::vector<std::size_t>> faces; ///< by object and triangle, the index of its face in the file
+  std::size_t number_of_faces = 0;             ///< number of faces in the file; 0: they have no indices
 };
 
-/// The name of an upright axis: x, y or z, or -x, -y or -z.
+/// The name of an upright axis: x, y, z, -x, -y or -z.
 std::string axis_name(const Point& axis);
 
-/// Finds the upright axis of the objects and makes parts of them, as the options say. \throw Invalid_input
+/// Finds the upright axis of the objects and splits them into parts, according to the options. \throw Invalid_input
 Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options);
 
-/// Reads a model, finds its upright axis and makes its parts, as the options say. In mode `auto` the files of a folder
-/// of part meshes are the parts, and y is up. \throw Invalid_input
+/// Reads a model, finds its upright axis and splits it into parts, according to the options. In mode `auto` the files
+/// of a folder of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
-/// The upright axis of a model estimated by the roles of its parts; none unless the parts are clearly nearer to
-/// labelled ones of a category than with any other axis up, or nearer and the model stands most stably along it.
-/// \param graph of the parts of the model
+/// The upright axis of a model estimated by the roles of its parts. None unless the parts are clearly nearer to
+/// labelled parts of a category than with any other axis, or are nearer and the model stands most stably on it.
+/// \param graph graph of the model's parts
 std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph& graph, const Role_model& roles);
 
-/// Sets the upright axis of the objects of a model, estimated by roles, and replaces the warning about it.
+/// Sets the upright axis of a model's objects to one found by roles, and replaces the warning about it.
 void turn_by_roles(const Point& up, Read_model& model);
 
-/// Estimates the upright axis by the roles of the parts, where the model's axis is an estimate, as commands do that
-/// abstract the parts. What is wrong with these is for those commands to say.
+/// If the model's axis is an estimate, finds it by the roles of the parts, as commands do that abstract the parts.
+/// Errors in the parts are left to those commands.
 void find_up_by_roles(const std::string& path, const Common_options& options, Read_model& model);
 
 /// The upright axes of two inputs that are estimated together, by input.
@@ -59,23 +59,23 @@ struct Pair_axes
   std::array<std::optional<Point>, 2> by_roles; ///< estimated by roles; empty: not estimated so
 };
 
-/// Which of the axes of two inputs are estimated together: if both are models, and no option asks for one of them
-/// alone, those that neither options nor files give.
+/// The axes to estimate together: if both inputs are models, and no option concerns the axis of only one of them, those
+/// given neither by options nor by files.
 Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options);
 
 /// Estimates these axes and sets them in the shapes and in `options.of_pair`. \return warnings
 std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
                                          const std::array<Segmented_shape*, 2>& shapes, Common_options& options);
 
-/// An input of a command: its structural graph, its model where it is one, and the seconds that it took.
+/// An input of a command: its structural graph, its model if it is one, and the seconds taken.
 struct Loaded_shape
 {
   std::string path; ///< names it in messages
   Structural_graph graph;
   std::optional<Segmented_shape> model;
-  Part_split split;                 ///< how the model got its parts; of a graph file empty
-  Shape_appearance appearance = {}; ///< of the model's parts, where it was read
-  IO::Reading_options reading;      ///< with which the model was read, and files that it names are
+  Part_split split;                 ///< how the model was split; empty for a graph file
+  Shape_appearance appearance = {}; ///< appearance of the parts; empty until it is read
+  IO::Reading_options reading;      ///< options used to read the model and its files
   double read_seconds = 0;
   double abstraction_seconds = 0;
   double structure_seconds = 0;
@@ -83,14 +83,14 @@ struct Loaded_shape
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
 
-/// The message, prefixed with the path unless it begins with it.
+/// The message, prefixed with the path unless it starts with it.
 std::string message_about(const std::string& path, const std::string& message);
 
-/// Throws the exception that is being handled: as an `Invalid_input` that names the path, unless it says itself what it
-/// is about. Those of libraries, which may fail on any surface, are among them.
+/// Rethrows the current exception as an `Invalid_input` that names the path, unless it says what it is about. Includes
+/// exceptions of libraries, which may fail on any surface.
 [[noreturn]] void rethrow_about(const std::string& path);
 
-/// What `read` returns; its errors name `path`.
+/// The result of `read`; its errors name `path`.
 template <typename Read>
 auto with_path(const std::string& path, const Read& read)
 {
@@ -101,43 +101,39 @@ auto with_path(const std::string& path, const Read& read)
   }
 }
 
-/// Reads a model, or a structural graph from a file that ends in `.json`, and builds the graph of a model.
+/// Reads a model and builds its structural graph, or reads the graph from a file that ends in `.json`.
 /// \throw Invalid_input; the message names `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
-/// The same of a model that was read. \param path names it in messages
+/// Builds the structural graph of a model that was read. \param path names it in messages
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& options);
 
-/// The same for several inputs, each with its own options; graphs are built on as many threads as there are.
+/// Loads several inputs, each with its own options; graphs are built in parallel.
 /// \throw Usage_error if --part-kind names a part that none of them has
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options);
 
-/// The same for the source and the target of a correspondence, whose upright axes are estimated together where they are
-/// not given. \param options gets the estimated axes \param warnings gets the warnings about them
+/// Loads the source and the target of a correspondence; upright axes that are not given are estimated together.
+/// \param options receives the estimated axes \param warnings receives the warnings about them
 std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
                                     std::vector<std::string>& warnings);
 
-/// Reads the meshes that a graph names, where it has no model. \throw Invalid_input if it names none
+/// Reads the meshes named by a graph that has no model. \throw Invalid_input if it names none
 void complete_surfaces(Loaded_shape& shape);
 
 /// Reads the materials, textures and colours of a model, which `load_shape()` leaves out; graph files have none.
-/// \throw Invalid_input if the file has changed since
+/// \throw Invalid_input if the file has changed
 void read_appearance(Loaded_shape& shape);
 
-/// The warnings about it.
 std::vector<std::string> warnings_of_appearance(const Loaded_shape& shape);
 
-/// Adds these to the notes of a table, or prints them on standard error if no table is printed.
+/// Adds the warnings about a shape's appearance to the notes of a table, or prints them if there is no table.
 void note_appearance(const Loaded_shape& shape, const Common_options& options, std::vector<std::string>& notes);
 
-/// A warning if the parts of a graph were abstracted by another method than is wanted: by mean curvature flow alone, or
-/// not. Empty: no warning.
+/// A warning if the parts of a graph were not abstracted by the wanted method, flow or default; empty: no warning.
 std::string note_on_abstraction(const Structural_graph& graph, bool is_flow_wanted);
 
-/// By index.
 std::vector<std::string> part_names(const Structural_graph& graph);
 
-/// Whether a path is that of a file of a structural graph.
 bool is_graph_file(const std::string& path);
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -82,6 +82,6 @@ int run(const std::vector<std::string>& arguments)
 int main(int argc, char* argv[])
 {
   namespace SC = CGAL::Shape_correspondence;
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // its exceptions say enough
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // the exceptions say enough
   return SC::cli::run(SC::IO::start_program(argc, argv));
 }

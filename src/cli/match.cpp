@@ -49,10 +49,9 @@ using Rows = std::vector<std::vector<std::string>>;
 using Parts = std::vector<std::size_t>;
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t narrowest_names = 16; // characters of a column of part names
-constexpr std::size_t folded_lines = 4;     // of a cell, where the parts are not listed in full
+constexpr std::size_t narrowest_names = 16; // width of a column of part names, in characters
+constexpr std::size_t folded_lines = 4;     // lines of a cell if parts are not listed in full
 
-/// A shape's parts as people read them.
 Lines labels_of(const Structural_graph& graph)
 {
   return IO::part_labels(mapped(part_names(graph), [](const std::string& name) { return IO::quote_terminal(name); }));
@@ -63,8 +62,8 @@ Lines labels_of(const Parts& parts, const Lines& labels)
   return IO::with_ranges(mapped(parts, [&](std::size_t part) { return labels[part]; }));
 }
 
-/// A cell with the names of parts, in lines of limited length where names allow. \param all whether it may have any
-/// number of lines; else there is a count in place of names that need too many
+/// A cell with the names of parts, wrapped to a width. \param all whether the number of lines is unlimited; otherwise
+/// too many names are replaced by their number
 Lines cell_of(const Parts& parts, const Lines& labels, std::size_t width, bool all)
 {
   const Lines lines = wrapped(listed(labels_of(parts, labels)), width);
@@ -79,7 +78,7 @@ std::string operation_text(const Correspondence_block& block)
   return name + " " + std::to_string(block.source.size()) + ":" + std::to_string(block.target.size());
 }
 
-/// A row for people, several lines where the names are many. \param cells each in its lines
+/// Adds a row, which takes several lines if cells do. \param cells lines of each cell
 void add_row(const std::vector<Lines>& cells, Rows& rows)
 {
   std::size_t lines = 1;
@@ -92,7 +91,7 @@ void add_row(const std::vector<Lines>& cells, Rows& rows)
   }
 }
 
-/// The width of each of two columns of names, so that a table with these other columns fits a line.
+/// The width for each of two columns of names next to other columns of these widths, so that the table fits a line.
 std::size_t width_of_names(const std::vector<std::size_t>& others)
 {
   std::size_t taken = 2 * (others.size() + 2);
@@ -101,7 +100,7 @@ std::size_t width_of_names(const std::vector<std::size_t>& others)
   return std::max(narrowest_names, (line_width - std::min(line_width, taken)) / 2);
 }
 
-/// The rows of blocks: role, source, target, operation, confidence, the first and the last where they are known.
+/// The table rows of blocks: role, source, target, operation, confidence; role and confidence only if known.
 Rows rows_of(const Correspondence& c, const Lines& source, const Lines& target, bool all)
 {
   const std::vector<Correspondence_block> blocks = correspondence_blocks(c);
@@ -128,7 +127,7 @@ Rows rows_of(const Correspondence& c, const Lines& source, const Lines& target, 
   return rows;
 }
 
-/// Writes a text in lines; further ones are indented.
+/// Writes a text in lines; all but the first are indented.
 void write_wrapped(std::ostream& out, const std::string& text)
 {
   const char* indent = "";
@@ -138,7 +137,7 @@ void write_wrapped(std::ostream& out, const std::string& text)
   }
 }
 
-/// `3 of 12 parts: a, b, c`
+/// A text of the form `3 of 12 parts: a, b, c`.
 std::string unmatched_text(const Parts& parts, const Lines& labels)
 {
   if (parts.empty()) return "-";
@@ -146,7 +145,7 @@ std::string unmatched_text(const Parts& parts, const Lines& labels)
          " parts: " + listed(labels_of(parts, labels));
 }
 
-/// Writes what became of each symmetry group of the deformed shape, with its share of the energy.
+/// Writes the image of each symmetry group of the deformed shape, with its share of the energy.
 void write_group_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
                        const Structural_graph& target)
 {

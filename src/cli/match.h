@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Correspondences of two shapes, the best first, and the seconds that everything took.
+/// Correspondences of two shapes, the best first, and the time in seconds that everything took.
 struct Matched_shapes
 {
   std::vector<Correspondence> ranked;
@@ -22,10 +22,9 @@ struct Matched_shapes
 
 Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& target, const Search_options& options);
 
-/// Writes a correspondence for people, in lines of 80 characters where names allow: a row for each block
-/// (`correspondence_blocks()`) with role, operation and confidence, then the unmatched parts, the energy and the
-/// distance.
-/// \param verbose whether all parts of large blocks are listed
+/// Writes a correspondence as a table, in lines of 80 characters if names allow: one row for each block
+/// (`correspondence_blocks()`) with role, operation and confidence, then unmatched parts, energy and distance.
+/// \param verbose whether to list all parts of large blocks
 void write_match_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                        const Structural_graph& target, bool verbose);
 

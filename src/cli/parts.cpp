@@ -57,21 +57,21 @@ Examples: shape_correspondence parts chair.obj
 
 )";
 
-/// Files of the parts of a model; empty: none.
+/// Output files for the parts of a model; empty: none.
 struct Parts_output
 {
-  std::string glb, obj, ply; ///< an object for each part; with its number for each face
-  std::string seg;           ///< the numbers of the parts, a line for each face of the model file
-  std::string folder;        ///< new, of an OBJ file for each part
+  std::string glb, obj, ply; ///< one object for each part; one part index for each face
+  std::string seg;           ///< part indices, one line for each face of the model file
+  std::string folder;        ///< new folder, one OBJ file for each part
 
   std::vector<std::string> files() const { return {glb, obj, ply, seg}; }
   bool is_empty() const { return (glb + obj + ply + seg + folder).empty(); }
 };
 
-/// A file for each part, named like it, as far as systems allow such names and they differ.
+/// Writes one file for each part, named after it as far as the name is valid and unique.
 void write_part_files(const std::string& folder, const Segmented_shape& shape)
 {
-  std::set<std::string> taken; // in small letters, which are the same to some systems
+  std::set<std::string> taken; // names in lower case, since some systems ignore case
   const auto take = [&](const std::string& name) {
     return taken.insert(boost::algorithm::to_lower_copy(name, std::locale::classic())).second;
   };
@@ -86,7 +86,7 @@ void write_part_files(const std::string& folder, const Segmented_shape& shape)
   }
 }
 
-/// The number of the part of each triangle of an object: of the triangle that is the same, or nearest.
+/// The part of each triangle of an object, by the equal or nearest triangle of the parts.
 std::vector<int> parts_of_triangles(const Read_model& model, std::size_t object)
 {
   std::set<std::size_t> numbers;
@@ -101,8 +101,8 @@ std::vector<int> parts_of_triangles(const Read_model& model, std::size_t object)
   return appearance_on(mesh, labels, model.objects.parts()[object].mesh).materials;
 }
 
-/// A line for each face of the file, then comments with its name and those of the parts. A face without area has the
-/// part of the face before it.
+/// Writes one line for each face of the file, then comments with its name and those of the parts. A degenerate face
+/// gets the part of the face before it.
 void write_face_labels(std::ostream& out, const std::string& path, const Read_model& model)
 {
   constexpr int unknown = -1;
@@ -121,7 +121,7 @@ void write_face_labels(std::ostream& out, const std::string& path, const Read_mo
     out << "# part " << part << ' ' << IO::quote_ply(parts[part].name) << '\n';
 }
 
-/// With its materials.
+/// Writes the parts with the model's materials.
 void write_glb(std::ostream& out, const std::string& path, const Common_options& options, Read_model& model)
 {
   Loaded_shape shape;
@@ -134,7 +134,7 @@ void write_glb(std::ostream& out, const std::string& path, const Common_options&
   IO::write_segmented_shape_glb(out, model.split.shape, shape.appearance);
 }
 
-/// Writes the parts of a model. \param model gets warnings \throw Invalid_input
+/// Writes the parts of a model. \param model receives warnings \throw Invalid_input
 void write_parts(const Parts_output& output, const std::string& path, const Common_options& options, Read_model& model)
 {
   const Segmented_shape& shape = model.split.shape;
@@ -159,7 +159,7 @@ std::vector<std::string> models_in(const std::string& folder)
   return result;
 }
 
-/// How many parts of how many objects, and which way is up.
+/// A sentence with the numbers of parts and objects, and the upright axis.
 std::string summary(const Read_model& model)
 {
   std::string result =
@@ -223,7 +223,7 @@ public:
   }
 
 private:
-  /// A file by its ending, or a folder by a slash at the end of its name or no ending.
+  /// The field of `--output`: a file, by its ending; a folder, by a trailing slash or no ending.
   Text_field output_field()
   {
     Text_field result = output_by_ending({{".html", &common.html},
@@ -284,7 +284,7 @@ private:
     if (!complaints.empty()) throw Invalid_input(complaints);
   }
 
-  /// The inputs; of a folder of shapes, the models in it.
+  /// The inputs, with a folder of shapes replaced by the models in it.
   std::vector<std::string> models() const
   {
     std::vector<std::string> result;

@@ -22,9 +22,9 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-// How many times as often as along another axis models stand along y, unless they are asked for by --up auto
+// Prior odds of y as the upright axis, against each other axis; not used with --up auto
 constexpr double odds_of_y = 20;
-// The same for two models whose axes are estimated together
+// Prior odds of y if the axes of two models are estimated together
 constexpr double odds_of_y_in_pair = 4.5;
 
 bool is_folder(const std::string& path) { return std::filesystem::is_directory(path); }
@@ -70,10 +70,9 @@ void find_up(const std::string& path, bool file_says, const Common_options& opti
     model.warnings.push_back(warning_of(found.up, stability(found), "--up"));
 }
 
-/// The maximum number of objects named in a warning.
 constexpr std::size_t most_named = 8;
 
-/// What an automatic choice of parts changed, and what to type if it is not wanted.
+/// Warns of changes made by the automatic choice of parts, with the options that undo them.
 void warn_of_changes(const std::string& path, Read_model& model)
 {
   const Part_split& split = model.split;

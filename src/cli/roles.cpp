@@ -53,7 +53,7 @@ void add_weights(const Match_weights& weights, IO::Json& result)
     result[name] = {{"slope", confidence[SLOPE]}, {"offset", confidence[OFFSET]}};
 }
 
-/// What a model was learned from.
+/// A description of the data that a role model was learned from.
 IO::Json manifest_json(const Trained_roles& trained, const Roles_options& roles)
 {
   IO::Json result;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t bar_width = 30;
 constexpr const char* erase_line = "\r\033[K";
 constexpr double interval = 0.1; // seconds
-constexpr double moment = 2;     // seconds at the beginning, without an estimate of the time left
+constexpr double moment = 2;     // seconds before the remaining time is estimated
 
 std::string time_text(double seconds)
 {
@@ -37,7 +37,7 @@ bool is_enabled(const Common_options& options)
   return options.progress == "always" || IO::errors_are_on_terminal();
 }
 
-/// The outputs that the command has written, for the message if another one fails.
+/// The outputs written by the command so far, for the message if another one fails.
 std::vector<std::string>& whole_outputs()
 {
   static std::vector<std::string> result;

@@ -14,31 +14,31 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Forgets the outputs of commands before.
+/// Clears the list of written outputs.
 void start_outputs();
 
-/// Writes an output file, all of it or nothing; none if it is not asked for.
-/// \throw Invalid_input if that fails; names the outputs that were written before it, too
+/// Writes an output file atomically; does nothing if `file` is empty.
+/// \throw Invalid_input on failure; names the outputs that were written before
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write);
 
-/// To be called when an output was written in another way.
+/// Records an output that was written in another way.
 void output_is_whole(const std::string& file);
 
-/// Warns on standard error, unless the options are to be quiet.
+/// Prints a warning to standard error unless the options are quiet.
 void warn(const Common_options& options, const std::string& message);
 
-/// Seconds on the wall since some moment.
+/// Wall-clock time in seconds since an arbitrary moment.
 double now();
 
-/// While the result lives, no more threads work than this; 0 sets no limit.
+/// Limits the number of working threads as long as the result lives; 0: no limit.
 std::shared_ptr<void> limit_threads(int threads);
 
-/// A progress bar on standard error, with the estimated time left after the first two seconds; it is erased at the end.
-/// If the options have a function for progress, that is called instead.
+/// A progress bar on standard error that shows the estimated remaining time after two seconds, and is erased at the
+/// end. If the options have a function for progress, that is called instead.
 class Progress_bar
 {
 public:
-  /// \param unit name of the items counted
+  /// \param unit name of the counted items
   Progress_bar(const Common_options& options, std::string label, std::string unit = "part");
   ~Progress_bar();
   Progress_bar(const Progress_bar&) = delete;

@@ -18,7 +18,7 @@ enum Tag { request, reply };
 
 using Work = std::function<void(std::size_t)>;
 
-/// The first process answers requests between two numbers of its own.
+/// The first process answers requests between its own work items.
 void lead(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   std::size_t next = 0;
@@ -37,7 +37,7 @@ void lead(const mpi::communicator& world, std::size_t n, const Work& work)
     serve(world.probe(mpi::any_source, request));
 }
 
-/// The others ask for the next number before they begin with one, so that they need not wait for it.
+/// The others request the next number before they start on one, so that they need not wait for it.
 void follow(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   const auto received = [&] {
@@ -67,7 +67,7 @@ public:
 
   void for_each(std::size_t n, const Work& work) override
   {
-    std::string own_failure; // kept for all to know
+    std::string own_failure; // kept until all processes are told
     const Work kept = [&](std::size_t i) {
       if (!own_failure.empty()) return;
       try {

@@ -16,13 +16,13 @@
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
-/// Characters of a UTF-8 text.
+/// Number of characters of a UTF-8 text.
 std::size_t width(const std::string& text)
 {
   return std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; });
 }
 
-/// Levenshtein's: the fewest insertions, deletions and replacements of a letter.
+/// Levenshtein distance: the least number of insertions, deletions and replacements of a letter.
 std::size_t edit_distance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1);
@@ -39,7 +39,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-/// Where a long word ends on its line: after the last of the signs that names are made of; 0 if there is none.
+/// Length of the first part of a long word: up to the last separator that fits; 0 if there is none.
 std::size_t end_of_piece(const std::string& word, std::size_t length)
 {
   const std::size_t sign = word.find_last_of("_-./#", length - 1);

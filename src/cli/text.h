@@ -12,29 +12,26 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Writes rows with their columns aligned; the first row is a heading.
+/// Writes rows with aligned columns; the first row is the heading.
 void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows);
 
 constexpr std::size_t line_width = 80; ///< characters
 
-/// Words in lines of at most `width` characters; a longer one is broken after a sign that names are made of, if it has
-/// any.
+/// Words wrapped to lines of at most `width` characters; a longer word is broken after a separator, if it has one.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes notes, one a line; of several only how many they are, unless all are wanted. Names of the library's options
-/// are left out.
+/// Writes one note in each line, or unless `all` only the number of several. Names of the library's options are
+/// removed.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
 
 /// A number with four significant digits.
 std::string short_number(double number);
 
-/// A number with three decimals, or others.
 std::string decimals(double number, int count = 3);
 
-/// A share in whole percent.
 std::string percentage(double share);
 
-/// A member of each element, or what a function makes of it.
+/// The result of a member or a function for each element.
 template <typename Range, typename Of>
 auto mapped(const Range& range, const Of& of)
 {
@@ -44,24 +41,22 @@ auto mapped(const Range& range, const Of& of)
   return result;
 }
 
-/// Appends all of `more`.
 template <typename Value>
 void append(std::vector<Value>& all, const std::vector<Value>& more)
 {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// The messages, each after the path that it is about.
+/// The messages, each prefixed with the path.
 inline std::vector<std::string> about(const std::string& path, const std::vector<std::string>& messages)
 {
   return mapped(messages, [&](const std::string& message) { return path + ": " + message; });
 }
 
-/// The words with commas in between; "-" for none.
+/// The words, separated by commas; "-" if there are none.
 std::string listed(const std::vector<std::string>& words);
 
-/// "; did you mean 'WORD'?" with the known word that begins so, else the one that is spelt most alike by edit distance;
-/// empty if none is near.
+/// "; did you mean 'WORD'?" with the known word that starts like `word`, or the nearest by edit distance; empty: none.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known);
 
 } // namespace CGAL::Shape_correspondence::cli

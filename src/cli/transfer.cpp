@@ -47,7 +47,7 @@ Examples: shape_correspondence transfer painted_chair.glb chair.obj -o painted.g
 
 )";
 
-/// Labels of the source's parts by number, and the names of the numbers.
+/// Label indices of the source's parts, and the names of the labels.
 struct Source_labels
 {
   std::vector<int> of_part;
@@ -104,7 +104,7 @@ std::vector<std::string> names_of(const std::vector<std::size_t>& parts, const L
   return mapped(parts, [&](std::size_t part) { return structure(shape.graph).parts[part].name; });
 }
 
-/// Writes what every target part got.
+/// Writes a table of what every target part received.
 void write_transfer_table(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
                           const Transferred_looks& transferred)
 {

@@ -20,7 +20,7 @@ inline void check(const Energy_matrix_options& options)
     throw Invalid_input("energy_matrix: the energy of unmatched parts must be finite and not negative");
 }
 
-/// Reports finished work to a callback, from one thread at a time, and remembers whether that ended the work.
+/// Reports finished work to a callback, one call at a time, and records whether the callback ended the work.
 class Shared_progress
 {
 public:

@@ -20,14 +20,13 @@ namespace CGAL::Shape_correspondence {
 
 namespace {
 
-// A counterpart of a part.
 struct Counterpart
 {
-  std::uint32_t shape, part; // part: its number in the set
+  std::uint32_t shape, part; // index of the part in the set
   double confidence;
 };
 
-// A part's counterparts, sorted by shape and part.
+// The counterparts of a part, sorted by shape and part.
 struct Counterpart_range
 {
   const Counterpart *first, *last;
@@ -36,15 +35,16 @@ struct Counterpart_range
   const Counterpart* end() const { return last; }
 };
 
-// The counterparts of all parts in one list, which takes 32 bytes for every pair of parts of a map.
+// The counterparts of all parts in one array, which takes 32 bytes for every pair of parts of a map.
 class Counterparts
 {
 public:
-  // \param first by shape, the number of its first part
+  // \param first by shape, the index of its first part
   Counterparts(const std::vector<std::size_t>& first, const std::vector<Shape_pair_map>& maps)
       : first_(first), begins_(first.back() + 1, 0), ends_(first.back())
   {
-    std::map<std::pair<std::size_t, std::size_t>, int> directions; // by pair of shapes, number of maps: 1 or 2
+    // For each pair of shapes, the number of its maps, 1 or 2
+    std::map<std::pair<std::size_t, std::size_t>, int> directions;
     for (const Shape_pair_map& map : maps) {
       ++directions[std::minmax(map.source, map.target)];
       for (const Part_correspondence& pair : map.map.pairs)
@@ -66,7 +66,7 @@ public:
       sort_and_add_up(part);
   }
 
-  std::size_t size() const { return ends_.size(); } // parts
+  std::size_t size() const { return ends_.size(); } // number of parts
   Counterpart_range operator[](std::size_t part) const
   {
     return {list_.data() + begins_[part], list_.data() + ends_[part]};
@@ -100,11 +100,11 @@ private:
   }
 
   const std::vector<std::size_t>& first_;
-  std::vector<std::size_t> begins_, ends_; // by part, in the list
+  std::vector<std::size_t> begins_, ends_; // ranges in `list_`, by part
   std::vector<Counterpart> list_;
 };
 
-// The share of third shapes with counterparts of both parts in which they have a common one; 1 if there are none.
+// Of the third shapes in which both parts have counterparts, the share with a common one; 1 if there are none.
 double cycle_support(const Counterpart_range& of_a, const Counterpart_range& of_b)
 {
   std::size_t able = 0, confirming = 0;

@@ -43,7 +43,7 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
 
 namespace internal {
 
-// A pair of shapes, with the indices of the pair and of the reversed pair in a list.
+// A pair of shapes, with the indices in a list of the pair and of the reversed pair.
 struct Both_orders
 {
   static constexpr std::size_t none = std::size_t(-1);
@@ -55,10 +55,11 @@ struct Both_orders
 
 namespace {
 
-// The pairs of a list; a pair and its reversed pair are one entry.
+// The distinct unordered pairs of a list.
 std::vector<Both_orders> both_orders(const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
 {
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> open; // pairs without the reversed one, by place in result
+  // Index in `result` of pairs whose reversed pair has not been seen
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> open;
   std::vector<Both_orders> result;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];

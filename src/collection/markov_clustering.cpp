@@ -32,7 +32,6 @@ void check(const Eigen::SparseMatrix<double>& weights, const Markov_clustering_o
         throw Invalid_input("markov_clustering: a weight is negative or not finite; give finite ones of at least 0");
 }
 
-// The entries of a column, by row.
 using Column = std::vector<std::pair<Eigen::Index, double>>;
 
 double sum_of(const Column& column)
@@ -43,7 +42,7 @@ double sum_of(const Column& column)
   return sum;
 }
 
-/// Appends the next column to a flow, with the sum 1.
+/// Appends the next column to a flow, scaled to sum 1.
 void append_column(Column column, Flow_matrix& flow, Eigen::Index j)
 {
   const double sum = sum_of(column);
@@ -77,7 +76,7 @@ std::size_t column_limit(const Markov_clustering_options& options, Eigen::Index 
   return std::min({std::max<std::size_t>(1, options.entry_limit / all), options.column_limit, all});
 }
 
-// Drops the small entries of a column, those after the largest ones, ties by index.
+// Keeps only the largest entries of a column (ties by index) above a threshold.
 void prune(const Markov_clustering_options& options, std::size_t column_limit, Column& column)
 {
   double most = 0;
@@ -92,8 +91,8 @@ void prune(const Markov_clustering_options& options, std::size_t column_limit, C
   std::sort(column.begin(), column.end());
 }
 
-/// Squares, prunes and inflates a flow. By blocks of columns, since columns that are not yet pruned have many entries.
-/// \return 0 if in every column the entries that are not 0 are equal, else more, at most 1
+/// Expands (squares), prunes and inflates a flow; by blocks of columns, since unpruned columns have many entries.
+/// \return the largest deviation of a column from one whose nonzero entries are equal, from 0 to 1
 double step(const Markov_clustering_options& options, Flow_matrix& flow)
 {
   constexpr Eigen::Index columns_at_a_time = 256;
@@ -125,12 +124,12 @@ double step(const Markov_clustering_options& options, Flow_matrix& flow)
   return chaos;
 }
 
-// Attractors that share flow are one system; a node belongs to the one that gets most of its flow.
+// Attractors that share flow form one system; a node belongs to the system that gets most of its flow.
 std::vector<std::size_t> systems_of(const Flow_matrix& flow)
 {
   const auto n = std::size_t(flow.cols());
   internal::Disjoint_sets systems(n);
-  constexpr double least_share = 1e-2; // of flow that is not about to vanish
+  constexpr double least_share = 1e-2; // share of flow below which it is about to vanish
   std::vector<std::size_t> attractor(n);
   for (std::size_t j = 0; j < n; ++j) {
     double most = 0;

@@ -12,19 +12,19 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// The matrix of all part correspondences of a set. Parts are numbered shape after shape.
+/// The matrix of all part correspondences of a set. Parts are numbered consecutively, shape by shape.
 struct Part_matrix
 {
-  std::vector<std::size_t> first; ///< by shape, the number of its first part; the number of all parts at the end
-  Eigen::SparseMatrix<double> confidences; ///< symmetric; the mean of the maps of both directions
-  std::size_t rejected = 0;                ///< pairs of parts left out as outliers
+  std::vector<std::size_t> first; ///< for each shape, the index of its first part; then the number of all parts
+  Eigen::SparseMatrix<double> confidences; ///< symmetric; means over the maps of both directions
+  std::size_t rejected = 0;                ///< number of pairs of parts left out as outliers
 };
 
-/// Encodes maps of pairs of shapes, as many as are given, in one matrix (paper, section 6.2). Two parts are confirmed
-/// by a third shape if they have a common counterpart there, and contradicted if each has one, but no common one; pairs
-/// that too few shapes confirm are left out (cycle consistency). O(m d) time for m pairs of parts that have up to d
+/// Combines maps of pairs of shapes in one matrix (paper, section 6.2). Two parts are confirmed by a third shape if
+/// they have a common counterpart there, and contradicted if each has a counterpart, but none in common; pairs with too
+/// little confirmation are left out (cycle consistency). O(m d) time for m pairs of parts that have up to d
 /// counterparts; 100 bytes for each pair in addition to the maps.
-/// \param part_counts by shape, the number of its parts
+/// \param part_counts number of parts, by shape
 /// \param maps part maps of pairs of shapes
 /// \param least_cycle_support see `Co_analysis_options::least_cycle_support`
 /// \throw Invalid_input if a map has a part or a shape that does not exist

@@ -15,9 +15,9 @@ std::size_t topological_medoid(const Eigen::Ref<const Eigen::MatrixXd>& distance
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < distances.rows(); ++i) {
-    double sum = 0; // one after the other: Eigen's order depends on the processor
+    double sum = 0; // summed one by one: the order of Eigen's sum depends on the processor
     for (Eigen::Index j = 0; j < distances.cols(); ++j)
-      sum += distances(j, i); // it is symmetric, and columns are contiguous
+      sum += distances(j, i); // the matrix is symmetric, and columns are contiguous
     if (sum < least) least = sum, best = std::size_t(i);
   }
   return best;

@@ -32,8 +32,8 @@ std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::Matr
   const auto n = std::size_t(distances.rows());
   std::vector<Shape_pair> tree;
   if (n == 0) return tree;
-  std::vector<double> distance(n, std::numeric_limits<double>::infinity()); // from the tree
-  std::vector<std::size_t> nearest(n, 0);                                   // in the tree
+  std::vector<double> distance(n, std::numeric_limits<double>::infinity()); // distance from the tree
+  std::vector<std::size_t> nearest(n, 0);                                   // nearest shape in the tree
   std::vector<char> is_in_tree(n, 0);
   for (std::size_t last = 0; tree.size() + 1 < n;) {
     is_in_tree[last] = 1;
@@ -54,7 +54,7 @@ namespace {
 
 constexpr std::size_t no_shape = std::size_t(-1);
 
-// For each shape, its parent in the tree: for the root itself, for shapes outside of the tree `no_shape`.
+// The parent of each shape in the tree; `no_shape` for the root and for shapes outside of the tree.
 std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>& tree)
 {
   std::vector<std::vector<std::size_t>> neighbours(tree.size() + 1);
@@ -86,7 +86,7 @@ std::vector<std::size_t> way(std::size_t from, const std::vector<std::size_t>& n
   return path;
 }
 
-// The chain through the one other shape with the least sum of energies; the direct one if there is no third shape.
+// The chain via one intermediate shape with the least sum of energies; the direct one if there is no third shape.
 Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target)
 {
   std::vector<std::size_t> best{source, target};
@@ -99,7 +99,7 @@ Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, st
   return chain_of(energies, best);
 }
 
-// The cheapest of the direct chain and the other chains.
+// The chain of least cost among all; `best` if tied.
 Shape_chain cheapest(Shape_chain best, const std::vector<Shape_chain>& others)
 {
   for (const Shape_chain& chain : others)
@@ -107,7 +107,7 @@ Shape_chain cheapest(Shape_chain best, const std::vector<Shape_chain>& others)
   return best;
 }
 
-// The best chain to a target. \param next of each shape, towards the source
+// The best chain to a target. \param next by shape, the next shape towards the source
 Shape_chain best_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target,
                        const std::vector<std::size_t>& next)
 {

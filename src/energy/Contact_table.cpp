@@ -19,8 +19,9 @@ using namespace internal;
 namespace {
 
 // Computes the energies of all contacts by the labels of their two parts. Comparisons of rods are listed first, so that
-// the rods of a pair of deformed pieces are found once, for all contacts that may turn into it. By samples, these are
-// target pieces, which many contacts share; by extremities, each source piece is deformed into a shape of its own.
+// the rods of a pair of deformed pieces are found once, for all contacts that may turn into it. With
+// `Deform_to_fit::SAMPLES` a deformed piece has the samples of a target piece, which many contacts share; with
+// `EXTREMITIES` every source piece has deformed samples of its own.
 class Contact_table
 {
 public:
@@ -32,7 +33,7 @@ public:
         distances_(fitted_.number_of_target_pieces())
   {}
 
-  // Lists the comparisons that the energies of the next contact are the means of.
+  // Lists the pairs of pieces whose energies are averaged to the energies of the next contact.
   void list(std::size_t contact)
   {
     contact_ = contact;
@@ -56,10 +57,10 @@ public:
     }
   }
 
-  // Whether more is listed than fits in the processor's cache.
+  // Whether the listed comparisons take more memory than the processor's cache has.
   bool is_full() const { return comparisons_.size() > maximum_comparisons || used_bytes_ > maximum_bytes; }
 
-  // Appends the energies of the listed contacts, in their order, first label by second label, and clears the list.
+  // Appends the energies of the listed contacts, contact by contact, by first, then second label; clears the list.
   void compute(std::vector<Rod_energy>& result)
   {
     compare();
@@ -87,19 +88,19 @@ private:
   static constexpr std::uint32_t none = std::uint32_t(-1);
   static constexpr std::size_t maximum_comparisons = 8192, maximum_bytes = 3u << 17;
 
-  // Rods between two source pieces, and those after the deformation of the target pair whose list it is in.
+  // The rods between two source pieces, and their energy after the deformation into the target pair that lists them.
   struct Comparison
   {
     const Structural_rods* rods;
-    std::uint32_t next; // in the list of the target pair
+    std::uint32_t next; // index of the next comparison of the target pair
     Rod_energy energy;
   };
 
-  // Two deformed pieces, each named by one of the fitted pieces that have its samples.
+  // Two deformed pieces, each represented by one of the fitted pieces that share its samples.
   struct Target_pair
   {
-    std::uint32_t first, second; // fitted pieces
-    std::uint32_t comparison;    // first of the list
+    std::uint32_t first, second; // indices of fitted pieces
+    std::uint32_t comparison;    // index of the first in the list
   };
 
   std::size_t number_of_lane_pairs() const
@@ -109,7 +110,7 @@ private:
     return lanes * lanes;
   }
 
-  // Lists a pair of clones for each clone: it and the nearest one of the other part.
+  // Lists for each clone of either part the pair of it and the nearest clone of the other part.
   void list(const Range& first, const Range& second)
   {
     if (first.size() == 1 || second.size() == 1) {
@@ -164,7 +165,7 @@ private:
       pair = std::uint32_t(pairs_.size());
       pairs_.push_back({a, b, none});
     }
-    comparisons_.emplace_back(); // filled in place: a copy would wait for the stores of its members
+    comparisons_.emplace_back(); // constructed in place: copying it would stall on the stores to its members
     comparisons_.back().rods = &rods(a, b);
     comparisons_.back().next = std::exchange(pairs_[pair].comparison, known);
     return known;
@@ -210,23 +211,23 @@ private:
   const Matching_problem& problem_;
   const Fitted_pieces& fitted_;
   const Deadline& deadline_;
-  std::vector<std::uint32_t> pair_of_;  // by `pair_index()`, in `pairs_`; empty if fitted pieces share no samples
-  std::vector<Target_pair> pairs_;      // with comparisons
-  std::vector<Comparison> comparisons_; // contact by contact
+  std::vector<std::uint32_t> pair_of_;  // index in `pairs_` by `pair_index()`; empty if fitted pieces share no samples
+  std::vector<Target_pair> pairs_;      // the pairs that have comparisons
+  std::vector<Comparison> comparisons_; // ordered by contact
   std::vector<std::uint32_t> counts_;   // number of comparisons by contact and labels
-  std::vector<std::uint32_t> compared_; // the comparisons themselves, those of all labels in a row
-  // By source lanes, between pieces of which one is no whole part
+  std::vector<std::uint32_t> compared_; // indices of the comparisons, in the order of `counts_`
+  // Rods by the source lanes of two pieces at least one of which is not a whole part
   std::map<std::array<std::size_t, 2>, Structural_rods> piece_rods_;
-  std::size_t used_bytes_ = 0;                 // of `piece_rods_`
-  std::vector<std::vector<double>> distances_; // by target pieces; negative where not yet known
+  std::size_t used_bytes_ = 0;                 // memory of `piece_rods_`, in bytes
+  std::vector<std::vector<double>> distances_; // least distance by target pieces; negative: not computed yet
 
-  // Of the contact that is being listed, by side
+  // The contact that is being listed, and the fitted pieces of its two sides
   std::size_t contact_ = 0;
-  std::array<std::size_t, 2> begin_, count_;   // the fitted pieces
-  std::array<std::vector<Range>, 2> touching_; // fitted pieces that touch there, by label
-  std::vector<std::uint32_t> known_;           // comparisons by two fitted pieces
+  std::array<std::size_t, 2> begin_, count_;   // range of the fitted pieces of either part
+  std::array<std::vector<Range>, 2> touching_; // fitted pieces at the contact, by side and label
+  std::vector<std::uint32_t> known_;           // index of a comparison by two fitted pieces
 
-  // Kept for their memory
+  // Buffers, kept between calls so that they are allocated once
   std::vector<const Structural_rods*> rods_;
   std::vector<double> distortions_;
   std::vector<std::uint32_t> nearest_;

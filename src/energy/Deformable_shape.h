@@ -14,23 +14,22 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// A source or target shape with what the energy needs of it as such: structural rods and distances of parts. They are
-/// computed when first asked for and shared by copies, so that a shape that is matched many times is measured once.
-/// Threads may share it.
+/// A source or target shape with the quantities that the energy needs of it alone: structural rods and distances of
+/// parts, computed on demand and shared by copies, so that repeated matches compute them once. Thread-safe.
 class Deformable_shape : public Aligned_shape
 {
 public:
   explicit Deformable_shape(Aligned_shape shape);
 
-  /// The structural rods of a contact. The samples of either part count once, or `samples_per_side` times each: those
-  /// of a curve that becomes a sheet.
+  /// The structural rods of a contact. Samples of a part are used once, or `samples_per_side` times for a curve to
+  /// sheet.
   const Structural_rods& rods(std::size_t contact, int first_repeats, int second_repeats) const;
   /// The least distance between the samples of two parts.
   const Eigen::MatrixXd& part_distances() const;
 
-  /// The same shape with a group for every part.
+  /// A copy in which every part is a group.
   Deformable_shape ungrouped() const;
-  /// The same shape with sets of parts as groups of their own.
+  /// A copy in which each of the sets of parts is a group.
   Deformable_shape regrouped(const std::vector<std::vector<std::size_t>>& sets) const;
 
 private:

@@ -23,7 +23,7 @@ std::size_t Piece_list::index(const Piece& piece)
 
 namespace {
 
-// Index of the segment, of `count` of a curve, that a sample of the curve is on.
+// Index of the one of `count` equally long segments of a curve that contains a sample of the curve.
 int segment_of_sample(std::size_t sample, int count)
 {
   return std::min(count - 1, int(sample) * count / (samples_per_side - 1));

@@ -17,7 +17,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The parts of a shape, then the pieces of parts that were asked for, each numbered once.
+// The parts of a shape, followed by the pieces of parts that were added, each with one index.
 class Piece_list
 {
 public:
@@ -39,43 +39,44 @@ private:
 
   const std::vector<Sampled_part>* parts_;
   std::vector<Sampled_piece> pieces_;
-  std::vector<std::vector<std::size_t>> pieces_of_; // by part
+  std::vector<std::vector<std::size_t>> pieces_of_; // indices of pieces, by part
 };
 
 // A source piece after it was deformed to fit a target piece.
 struct Fitted_piece
 {
   Piece source, target;
-  std::size_t source_index, target_index; // in the lists of pieces
+  std::size_t source_index, target_index; // indices in `source_pieces_` and `target_pieces_`
   int samples;                            // number of samples, with repetitions
-  int repeats;                            // of each sample of the source: e if it is a curve that becomes a sheet
-  std::size_t source_lanes, lanes;        // indices of `Fitted_pieces::source_samples()` and `Fitted_pieces::samples()`
+  int repeats;                     // how often each source sample is used: e where a curve becomes a sheet, else 1
+  std::size_t source_lanes, lanes; // indices of `Fitted_pieces::source_samples()` and `Fitted_pieces::samples()`
 };
 
-// A range of indices of fitted pieces.
 using Fitted_range = boost::iterator_range<const std::uint32_t*>;
 
-// All pairs of pieces that the labels of groups ask to be fitted, each once, ordered by source part.
+// All distinct pairs of pieces that the labels of groups deform into each other, ordered by source part.
 class Fitted_pieces
 {
 public:
-  // \param labels by source group \throw Out_of_time
+  // \param labels by source group
+  // \throw Out_of_time
   Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
                 const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how, const Deadline& deadline);
 
-  // Whether a fitted piece has the very samples of its target, so that others that are fitted to it have them, too.
+  // Whether a fitted piece has the samples of its target piece, shared by all pieces fitted to that target.
   bool takes_samples() const { return fit_ == Deform_to_fit::SAMPLES; }
 
   const Fitted_piece& operator[](std::size_t index) const { return fitted_[index]; }
-  // First fitted piece of a source part; that of the part after the last is the end.
+  // Index of the first fitted piece of a source part; for the number of parts, the end.
   std::size_t begin_of(std::size_t part) const { return fitted_begin_[part]; }
-  // What a source part is fitted to by a label of its group: its clones, or the pieces that it is cut into.
+  // The fitted pieces of a source part under a label of its group, one for each clone or each piece that it is cut
+  // into.
   Fitted_range images(std::size_t part, std::size_t label) const
   {
     const std::size_t i = label_begin_[part] + label;
     return {images_.data() + image_begin_[i], images_.data() + image_begin_[i + 1]};
   }
-  // The images that take part at a sample of the part: all clones, or the one segment.
+  // The images of a part near one of its samples: all clones, or the one segment with the sample.
   Fitted_range touching(std::size_t part, std::size_t sample, std::size_t label) const;
 
   const Sampled_part& source_piece(std::size_t index) const { return source_pieces_[index]; }
@@ -85,7 +86,7 @@ public:
   const Points& points(const Fitted_piece& fitted) const { return points_[fitted.lanes]; }
   std::size_t number_of_lanes() const { return lanes_.size(); }
   std::size_t number_of_target_pieces() const { return target_pieces_.size(); }
-  // The least distance of two fitted pieces. That of whole target parts is known.
+  // The least distance of two fitted pieces; for whole target parts it is looked up.
   double distance(const Fitted_piece& first, const Fitted_piece& second) const
   {
     if (takes_samples() && first.target.is_whole() && second.target.is_whole())
@@ -100,17 +101,18 @@ private:
 
   Deform_to_fit fit_;
   Piece_list source_pieces_, target_pieces_;
-  const Eigen::MatrixXd& part_distances_; // of the target
+  const Eigen::MatrixXd& part_distances_; // distances of the target's parts
   std::vector<Fitted_piece> fitted_;
-  std::vector<std::size_t> fitted_begin_; // by part
+  std::vector<std::size_t> fitted_begin_; // indexed by part
   std::vector<Sample_lanes> source_lanes_, lanes_;
-  std::vector<Points> points_;                                         // by index in `lanes_`
-  std::map<std::pair<std::size_t, int>, std::size_t> source_lanes_of_; // by source piece and repeats
-  // By target piece and order of `match_extremities()`
+  std::vector<Points> points_; // same indices as `lanes_`
+  // Index of `source_lanes_` by source piece and repeats
+  std::map<std::pair<std::size_t, int>, std::size_t> source_lanes_of_;
+  // Index of `lanes_` by target piece and order of `match_extremities()`
   std::map<std::pair<std::size_t, const std::vector<int>*>, std::size_t> lanes_of_;
-  std::vector<std::size_t> label_begin_; // by part, in `image_begin_`
-  std::vector<std::size_t> image_begin_; // by part and label, in `images_`
-  std::vector<std::uint32_t> images_;    // fitted pieces
+  std::vector<std::size_t> label_begin_; // for each part, an index of `image_begin_`
+  std::vector<std::size_t> image_begin_; // by part and label, an index of `images_`
+  std::vector<std::uint32_t> images_;    // indices of fitted pieces
 };
 
 } // namespace CGAL::Shape_correspondence::internal

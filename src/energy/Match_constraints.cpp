@@ -54,7 +54,7 @@ Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_
   }
   for (const Part_pair& pair : options.forbidden) {
     const std::size_t i = place_of(source, pair.source), j = place_of(target, pair.target);
-    if (i == n || j == m) continue; // does not take part
+    if (i == n || j == m) continue; // the part is not in the aligned shape
     if (pinned_[i].count(j) > 0)
       throw Invalid_input("find_correspondence: " + name_of(pair) + " are pinned and forbidden; choose one of the two");
     allowed_[i][j] = 0;
@@ -63,7 +63,7 @@ Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_
 
 Pinned_sets pinned_sets(const std::vector<Part_pair>& pins)
 {
-  // By index of a part, which may be any number yet, its place among those that are pinned
+  // Maps the indices of pinned parts, unchecked so far, to consecutive numbers
   std::map<std::size_t, std::size_t> sources, targets;
   for (const Part_pair& pin : pins)
     sources[pin.source], targets[pin.target];

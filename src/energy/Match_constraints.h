@@ -13,20 +13,18 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Index in an aligned shape of a part of the structural graph; the number of its parts if it does not take part.
+/// Index in an aligned shape of a part of the structural graph; the number of its parts if it is not in it.
 std::size_t place_of(const Aligned_shape& shape, std::size_t part);
 
 /// The parts of two aligned shapes that may and that must correspond, by `Matching_options::pinned` and `forbidden`.
 class Match_constraints
 {
 public:
-  /// No constraints.
   Match_constraints() = default;
 
-  /// \throw Invalid_input if a pinned part does not take part, or a pair is pinned and forbidden
+  /// \throw Invalid_input if a pinned part is not in its aligned shape, or a pair is both pinned and forbidden
   Match_constraints(const Aligned_shape& source, const Aligned_shape& target, const Matching_options& options);
 
-  /// Whether there are no constraints.
   bool empty() const { return pinned_.empty(); }
 
   bool allows(std::size_t source, std::size_t target) const { return empty() || allowed_[source][target]; }
@@ -35,12 +33,11 @@ public:
   const std::set<std::size_t>& pinned(std::size_t source) const { return pinned_[source]; }
 
 private:
-  std::vector<std::set<std::size_t>> pinned_; // by source part
-  std::vector<std::vector<char>> allowed_;    // by source part and target part
+  std::vector<std::set<std::size_t>> pinned_; // indexed by source part
+  std::vector<std::vector<char>> allowed_;    // indexed by source part and target part
 };
 
-/// The connected components of the pinned pairs: the parts of the source and those of the target of each. Indices are
-/// those of the pins.
+/// The connected components of the graph of pinned pairs, with source and target parts by the indices of the pins.
 struct Pinned_sets
 {
   std::vector<std::vector<std::size_t>> source, target;
@@ -48,7 +45,7 @@ struct Pinned_sets
 
 Pinned_sets pinned_sets(const std::vector<Part_pair>& pins);
 
-/// The options for deforming the target into the source.
+/// The options with source and target exchanged, for deforming the target into the source.
 Matching_options reversed(Matching_options options);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,7 +18,7 @@ using namespace internal;
 
 namespace {
 
-// The distance of two boxes as vectors of the positions of their sides.
+// The Euclidean distance of two boxes as vectors of the coordinates of their six sides.
 double distance(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
 {
   Eigen::Matrix<double, 6, 1> difference;
@@ -26,8 +26,8 @@ double distance(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
   return difference.norm();
 }
 
-// The target groups that a source group may be matched to, ascending: of those that are allowed, those that the
-// symmetry allows, too (all if it allows none), at most the nearest `maximum_labels`. \param allowed empty: all
+// The target groups that a source group may be matched to, ascending: the allowed ones whose symmetry permits it (all
+// allowed ones if none does), and of these at most the nearest `maximum_labels`. \param allowed empty: all
 std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
                                     std::vector<std::size_t> allowed)
 {
@@ -72,7 +72,7 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
   const std::size_t uncut = result.size();
   for (std::size_t l = 0; options.cut_curves && l < uncut; ++l) {
     deadline.check();
-    if (result[l].operation == Operation::MATCH) continue; // one to one
+    if (result[l].operation == Operation::MATCH) continue; // nothing is cut in a one-to-one match
     Group_label cut = cut_curves(source, group, target, result[l]);
     if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) result.push_back(std::move(cut));
   }
@@ -87,7 +87,7 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
   return result;
 }
 
-// The labels. \throw Too_large if the energies of contacts, and what the energy has of them, take too much memory
+// The labels. \throw Too_large if the tables of the contacts' energies need too much memory
 std::vector<std::vector<Group_label>> small_enough(const Aligned_shape& source,
                                                    std::vector<std::vector<Group_label>> labels)
 {
@@ -152,7 +152,7 @@ void Matching_problem::fill_group_terms()
   }
 }
 
-// Neighbouring segments of a part count as connected.
+// Adds E_d and E_c between neighbouring segments of cut parts, which count as connected.
 void Matching_problem::add_cut_energy(std::size_t group, std::size_t label)
 {
   Energy_terms& terms = group_terms_[group][label];
@@ -172,7 +172,8 @@ void Matching_problem::add_cut_energy(std::size_t group, std::size_t label)
 void Matching_problem::add_role_costs()
 {
   if (!(options_.weights.roles > 0) || options_.role_costs.size() == 0) return;
-  std::vector<double> weight(source().parts.size(), 0); // a contact counts one half to each of its parts
+  // Indexed by part; each contact adds one half to both of its parts
+  std::vector<double> weight(source().parts.size(), 0);
   for (const Aligned_shape::Contact& contact : source().contacts)
     for (std::size_t part : contact.parts)
       weight[part] += 0.5;
@@ -190,14 +191,14 @@ void Matching_problem::add_role_costs()
       }
 }
 
-// Between the samples of the whole parts, each counted once.
+// The number of rods between the samples of the two whole parts.
 double Matching_problem::number_of_rods(std::size_t contact) const
 {
   const auto& parts = source().contacts[contact].parts;
   return double(source().parts[parts[0]].samples.cols() * source().parts[parts[1]].samples.cols());
 }
 
-// The sum of the squared cosines of a contact's rods, from its E_d, for a pooled norm.
+// The sum of the squared cosines of a contact's rods, recovered from its E_d, for the pooled norm.
 double Matching_problem::kept_rods(std::size_t contact, const Rod_energy& energy) const
 {
   return number_of_rods(contact) * (1 - energy.distortion) * (1 - energy.distortion);
@@ -222,7 +223,7 @@ void Matching_problem::add_up_energy()
   }
 
   const double contact_count = double(std::max<std::size_t>(1, source().contacts.size()));
-  // Adds what a contact costs with labels a and b of its groups to `cost`, and the rods that it keeps to `kept`
+  // Adds the energy of a contact with labels a and b of its groups to `cost`, and its sum of squared cosines to `kept`
   const auto add = [&](std::size_t contact, std::size_t a, std::size_t b, double& cost, double& kept) {
     const Rod_energy energy = contact_energy(contact, a, b);
     const auto [first, second] = groups_of_contact(contact);
@@ -240,7 +241,7 @@ void Matching_problem::add_up_energy()
   for (std::size_t contact = 0; contact < source().contacts.size(); ++contact) {
     rods.count += number_of_rods(contact);
     const auto [g, other] = groups_of_contact(contact);
-    if (g != other) continue; // an edge has it
+    if (g != other) continue; // handled as an edge of the graph
     for (std::size_t a = 0; a < labels_[g].size(); ++a)
       add(contact, a, a, energy_.unary[g][Eigen::Index(a)], rods.unary[g][Eigen::Index(a)]);
   }

@@ -19,15 +19,14 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// The most target groups that a group may be matched to, which bounds time and memory for shapes of hundreds of
-/// groups.
+/// Largest number of labels of a group without cut curves; bounds time and memory for shapes of hundreds of groups.
 constexpr std::size_t maximum_labels = 64;
 
-/// By source group, the target groups that it may be matched to, ascending; empty: all.
+/// For each source group, the target groups that it may be matched to, ascending; empty: all.
 using Group_candidates = std::vector<std::vector<std::size_t>>;
 
-/// Bytes that the tables of a search for the least energy take, and as many again for those of exact search. The tables
-/// of the best search so far are kept, too.
+/// Memory, in bytes, that the tables of a search may take; exact search may take as much again. The tables of the best
+/// search so far are kept in addition.
 constexpr std::size_t most_bytes_of_tables = std::size_t(1) << 29;
 
 /// The tables of the energies would take too much memory; the message says how much.
@@ -54,8 +53,8 @@ public:
   Matching_problem(const Shared_shape& source, const Shared_shape& target, const Matching_options& options = {},
                    const Group_candidates& allowed = {}, const internal::Deadline& deadline = internal::Deadline());
   Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
-  /// With given labels, by source group: to rate a mapping that was found in another way. Members of a group may have
-  /// no image; their contacts cost nothing. \pre at least one label a group, as many lists of images as it has members
+  /// Takes the labels as given, by source group, to rate a mapping found by other means. Members of a group may have no
+  /// image; their contacts add no energy. \pre every group has a label, with a list of images per member
   /// \throw Too_large, internal::Out_of_time
   Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
                    const Matching_options& options = {}, const internal::Deadline& deadline = internal::Deadline());
@@ -69,7 +68,7 @@ public:
   {
     return labels_[group][label].target_group == Group_label::no_group;
   }
-  /// Whether target groups were left out of the labels of a group, so that no search proves an optimum.
+  /// Whether labels were dropped because a group had more than `maximum_labels`: then no search proves an optimum.
   bool has_shortlists() const { return has_shortlists_; }
 
   /// E of Eq. 1 of complete assignments of labels to groups.
@@ -79,27 +78,26 @@ public:
   /// The terms of E of a partial assignment, given the energies of all contacts: 0 where a group is unmatched.
   Energy_terms terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const;
 
-  /// The source groups of the two parts of a contact.
   std::array<std::size_t, 2> groups_of_contact(std::size_t contact) const
   {
     const auto& parts = source_->contacts[contact].parts;
     return {source_->group_of[parts[0]], source_->group_of[parts[1]]};
   }
-  /// E_d and E_c of a contact whose two groups have labels; clones are paired with their nearest counterparts, and the
-  /// pairs averaged. A cut part counts with the segment that touches.
+  /// E_d and E_c of a contact under labels of its two groups: the mean over pairs of clones, each clone paired with its
+  /// nearest counterpart. Of a cut part, the segment at the contact is used.
   Rod_energy contact_energy(std::size_t contact, std::size_t first_label, std::size_t second_label) const
   {
     const std::size_t second = groups_of_contact(contact)[1];
     return contact_energies_[contact_begin_[contact] + first_label * number_of_labels(second) + second_label];
   }
-  /// The same with the labels of a complete assignment.
+  /// E_d and E_c of a contact under a complete assignment.
   Rod_energy contact_energy(std::size_t contact, const Assignment& assignment) const
   {
     const auto [first, second] = groups_of_contact(contact);
     return contact_energy(contact, std::size_t(assignment[first]), std::size_t(assignment[second]));
   }
-  /// What a group's label adds to the terms of the energy, but for E_s and contacts with other groups: E_d and E_c
-  /// between neighbouring segments of its cut parts, and the cost of roles (`Matching_options::role_costs`).
+  /// What a group's label adds to the energy besides E_s and contacts with other groups: E_d and E_c between
+  /// neighbouring segments of its cut parts, and role costs (`Matching_options::role_costs`).
   const Energy_terms& group_terms(std::size_t group, std::size_t label) const { return group_terms_[group][label]; }
 
   /// The source parts after the deformation, by label.
@@ -124,11 +122,11 @@ private:
   Shared_shape source_, target_;
   Matching_options options_;
   bool has_shortlists_ = false;
-  std::vector<std::vector<Group_label>> labels_; // by source group
+  std::vector<std::vector<Group_label>> labels_; // indexed by source group
   internal::Fitted_pieces fitted_;
-  std::vector<std::size_t> contact_begin_;             // by contact, in `contact_energies_`
-  std::vector<Rod_energy> contact_energies_;           // by labels of either side
-  std::vector<std::vector<Energy_terms>> group_terms_; // by group and label
+  std::vector<std::size_t> contact_begin_;             // index of `contact_energies_` by contact
+  std::vector<Rod_energy> contact_energies_;           // indexed by contact and the labels of its two groups
+  std::vector<std::vector<Energy_terms>> group_terms_; // indexed by group and label
   Pairwise_energy energy_;
 };
 

@@ -20,14 +20,13 @@ using namespace internal;
 
 namespace {
 
-// E_d, 0 where the mean is 1 up to roundings, so that what does not move costs nothing.
+// E_d, rounded to 0 where the mean squared cosine is 1 up to rounding, so that rigid motion costs nothing.
 double rounded_distortion(double mean_squared_cosine)
 {
   return mean_squared_cosine > 1 - comparison_grid ? 0 : distortion_energy(mean_squared_cosine);
 }
 
-// Memory for rods. What is given back is kept for the next ones, since clearing memory that comes from the system takes
-// long. Threads may share it.
+// A pool of memory for rods, which is reused since the system zeroes new memory, which takes long. Thread-safe.
 class Rod_pool
 {
 public:
@@ -35,7 +34,7 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      Free*& first = free_[blocks]; // from now on there, so that giving back allocates nothing
+      Free*& first = free_[blocks]; // inserts the key now, so that give_back() never allocates
       if (Free* const taken = first) {
         first = taken->next;
         return reinterpret_cast<Rod_block*>(taken);
@@ -44,7 +43,7 @@ public:
     return static_cast<Rod_block*>(::operator new(blocks * sizeof(Rod_block), std::align_val_t(alignof(Rod_block))));
   }
 
-  // \param blocks as many as were taken
+  // \param blocks the number passed to take()
   void give_back(Rod_block* memory, std::size_t blocks)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -59,7 +58,7 @@ private:
   };
 
   std::mutex mutex_;
-  std::map<std::size_t, Free*> free_; // by number of blocks; each has the next one in it
+  std::map<std::size_t, Free*> free_; // free lists by number of blocks
 };
 
 Rod_pool& rod_pool()
@@ -106,7 +105,7 @@ Structural_rods::Structural_rods(const Sample_lanes& first, int n, const Sample_
   longest_ = std::sqrt(double(lengths.longest_squared));
 }
 
-// A rod of length zero keeps its direction.
+// A rod of length zero counts as not rotated.
 double Structural_rods::distortion(float squared_cosines) const
 {
   return rounded_distortion((zero_ + double(squared_cosines)) * (1 / double(first_count_ * second_count_)));

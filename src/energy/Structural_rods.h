@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence {
 
 namespace internal {
 
-/// Gives the memory of rods back to a pool of all shapes.
+/// Returns the memory of rods to a pool shared by all shapes.
 struct Rod_deleter
 {
   std::size_t blocks = 0;
@@ -24,37 +24,34 @@ struct Rod_deleter
 
 } // namespace internal
 
-/// E_d and E_c of one pair of connected parts.
 struct Rod_energy
 {
   double distortion = 0;
   double connectedness = 0;
 };
 
-/// E_c of two connected parts that become one and the same part, or overlapping pieces of one: the connection is lost,
-/// the parts are not apart. The paper is silent; this is the authors' charge.
+/// E_c of two connected parts that become the same part, or overlapping pieces of one. The paper does not define this
+/// case; the value is the one the authors' program uses.
 constexpr double collapsed_connectedness = 0.5;
 
-/// E_d and E_c of a pair of connected parts, by Eq. 2 to 4 as they are written: the samples of the two parts before the
-/// deformation, and after it.
+/// E_d and E_c of a pair of connected parts by Eqs. 2 to 4, from their samples before and after the deformation.
 Rod_energy rod_energy(const Points& first, const Points& second, const Points& moved_first, const Points& moved_second);
 
 /// The structural rods of a pair of connected parts before the deformation (paper, section 4.3): all vectors from a
-/// sample of the first part to a sample of the second. Their energies are those of `rod_energy()` in single precision,
-/// but rods are found once for many deformations, and compared by the vector instructions of the machine.
+/// sample of the first part to a sample of the second. The energies equal those of `rod_energy()` up to single
+/// precision; the rods are computed once for many deformations and compared with vector instructions.
 class Structural_rods
 {
 public:
   Structural_rods() = default;
-  /// Rods between samples that occur `first_repeats` or `second_repeats` times each: a curve counts as a sheet of equal
-  /// columns. \pre either then has at most `samples_per_side`² samples
+  /// The rods between samples repeated `first_repeats` and `second_repeats` times: a curve that becomes a sheet is
+  /// repeated e times. \pre each part has at most `samples_per_side`² samples
   Structural_rods(const Points& first, const Points& second, int first_repeats = 1, int second_repeats = 1);
-  /// Rods between n and m samples.
   Structural_rods(const internal::Sample_lanes& first, int n, const internal::Sample_lanes& second, int m);
 
   std::size_t bytes() const { return rods_.get_deleter().blocks * sizeof(internal::Rod_block); }
 
-  /// E_c (Eq. 4) when the least distance of two samples is now `distance`.
+  /// E_c (Eq. 4) if the least distance of the two parts after the deformation is `distance`.
   double connectedness(double distance) const;
 
   /// E_d and E_c after the samples moved to `first` and `second`.
@@ -73,8 +70,8 @@ private:
   double longest_ = 0;  // f of Eq. 4
 };
 
-/// E_d (Eq. 3) of pairs of parts that all turn into the samples `first` and `second`, as many as each of them had.
-/// O(number of rods).
+/// E_d (Eq. 3) for each of several pairs of parts that are deformed to the same samples `first` and `second`, with as
+/// many samples as those. O(number of rods).
 void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
                  const internal::Sample_lanes& second, std::vector<double>& result);
 

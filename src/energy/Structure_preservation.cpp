@@ -14,7 +14,7 @@ namespace CGAL::Shape_correspondence {
 
 namespace {
 
-// The linear map by which the generator of a group carries its representative to another member.
+// The linear map of the symmetry that carries the representative of a group to another of its members.
 Eigen::Matrix3d generated_directions(const Part_group& group, const Point& representative, const Point& member)
 {
   const Symmetry& symmetry = group.symmetry;
@@ -93,7 +93,7 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
         generated_directions(shape_.group(group), part.centroid, shape_.parts[member].centroid));
   result.middle = points.rowwise().mean();
   points.colwise() -= result.middle;
-  constexpr double least_scatter = 1e-12; // for a part that is a point, so that the matrix has an inverse
+  constexpr double least_scatter = 1e-12; // lower bound, so that the matrix of a part that is a point is invertible
   const double scatter = (part.samples.colwise() - part.centroid).squaredNorm() / double(part.samples.cols());
   const Eigen::Matrix3d weight =
       points * points.transpose() + stiffness_ * std::max(scatter, least_scatter) * Eigen::Matrix3d::Identity();
@@ -103,7 +103,7 @@ Structure_preservation::Handles Structure_preservation::handles(std::size_t grou
   return result;
 }
 
-// Places a group by its contacts with groups that are placed.
+// Places a group by its contacts with groups that are already placed.
 void Structure_preservation::place(std::size_t group, const std::vector<char>& matched,
                                    const std::vector<std::array<Point, 2>>& contact_displacement)
 {
@@ -144,7 +144,7 @@ void Structure_preservation::displace(std::size_t group, const Point& moved)
     displacement_.col(Eigen::Index(members[i])) = handles_[group].directions[i] * moved;
 }
 
-// Collects the displacements that the representatives follow, once all groups are placed.
+// Collects pointers to the displacements that the representatives follow, after all groups are placed.
 void Structure_preservation::gather(const std::vector<char>& matched,
                                     const std::vector<std::array<Point, 2>>& contact_displacement)
 {
@@ -158,7 +158,7 @@ void Structure_preservation::gather(const std::vector<char>& matched,
     }
 }
 
-// Places every group again; returns the largest change of a coordinate.
+// Places every group once more. \return the largest change of a coordinate
 double Structure_preservation::sweep()
 {
   double change = 0;
@@ -176,7 +176,7 @@ double Structure_preservation::sweep()
   return change;
 }
 
-// Displaces and deforms a group by the contacts of its representative. Two unmatched parts meet midway.
+// Displaces and deforms a group by the contacts of its representative; two unmatched parts in contact meet midway.
 void Structure_preservation::stretch(std::size_t group, const std::vector<char>& matched,
                                      const std::vector<std::array<Point, 2>>& contact_displacement,
                                      std::vector<Part_motion>& motions) const
@@ -197,7 +197,7 @@ void Structure_preservation::stretch(std::size_t group, const std::vector<char>&
   motion.shift /= double(handles.end - handles.begin);
   motion.shift -= motion.stretch * handles.middle;
   const std::vector<std::size_t>& members = shape_.group(group).parts;
-  if (members.size() == 1) { // the representative
+  if (members.size() == 1) { // the representative alone
     motions[members[0]] = motion;
     return;
   }
@@ -219,7 +219,7 @@ void Structure_preservation::operator()(const std::vector<char>& matched,
 {
   std::copy(matched.begin(), matched.end(), placed_.begin());
   order_.clear();
-  for (std::size_t begin = 0;; begin = order_.size()) { // layer by layer
+  for (std::size_t begin = 0;; begin = order_.size()) { // one breadth-first layer in each round
     for (std::size_t group = 0; group < matched.size(); ++group)
       if (!placed_[group] && touches_placed(group)) order_.push_back(group);
     if (order_.size() == begin) break;

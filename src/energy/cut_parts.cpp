@@ -22,7 +22,7 @@ constexpr int e = samples_per_side;
 
 bool is_open_curve(const Sampled_part& part) { return part.kind == Sampled_part::Kind::CURVE; }
 
-// The segment of a curve that corresponds to each of several curves: optimal assignment by places in the unit boxes.
+// The segment of a curve that corresponds to each of several curves, by optimal assignment in the unit boxes.
 std::vector<std::size_t> matching_segments(const Sampled_part& curve, const Unit_box& curve_box,
                                            const std::vector<Point>& centroids, const Unit_box& box)
 {
@@ -40,7 +40,7 @@ bool is_sheet(const Sampled_part& part) { return part.kind == Sampled_part::Kind
 
 Point sample(const Sampled_part& sheet, int u, int v) { return sheet.samples.col(u * e + v); }
 
-// The mean directions of a sheet along u, along v, and its normal.
+// The mean directions of a sheet along u and along v, and its normal, as columns.
 Eigen::Matrix3d axes(const Sampled_part& sheet)
 {
   Point u = Point::Zero(), v = Point::Zero();
@@ -55,7 +55,7 @@ Eigen::Matrix3d axes(const Sampled_part& sheet)
   return result;
 }
 
-// Divides a sheet among the parts on the other side of its images, into rectangles of its parameters.
+// Divides a sheet among its counterparts into rectangles of its parameter domain.
 void divide_among(const Sampled_part& sheet, const std::vector<Sampled_part>& others,
                   const std::vector<Piece_image*>& images, Piece Piece_image::*divided, Piece Piece_image::*other)
 {
@@ -99,7 +99,7 @@ Sampled_part rectangle(const Sampled_part& sheet, const std::array<double, 2>& l
   Sampled_part result;
   result.kind = Sampled_part::Kind::SHEET;
   result.samples.resize(3, Eigen::Index(e) * e);
-  std::array<std::array<std::pair<int, double>, e>, 2> places; // by axis: index of the cell, fraction of it
+  std::array<std::array<std::pair<int, double>, e>, 2> places; // by axis: index of the cell and fraction within it
   for (std::size_t axis : {0, 1})
     for (int i = 0; i < e; ++i) {
       const double at = (low[axis] + (high[axis] - low[axis]) * i / (e - 1)) * (e - 1);

@@ -16,7 +16,7 @@ constexpr int samples_of_sheet = samples_per_side * samples_per_side;
 using Kind = Sampled_part::Kind;
 using Permutation = std::vector<int>;
 
-// Both directions of a curve; of a closed one, from every sample.
+// The 2 orders of the samples of a curve; of a closed one, the 2 n with any first sample.
 std::vector<Permutation> curve_orders(bool closed)
 {
   constexpr int e = samples_per_side;
@@ -50,7 +50,7 @@ std::vector<Permutation> sheet_orders()
   return result;
 }
 
-// How two parts may fit: orders of samples, and the samples by which orders differ.
+// The candidate orders of samples for two parts, and the samples by which the orders are compared.
 struct Fits
 {
   std::vector<Permutation> orders;
@@ -72,7 +72,7 @@ const std::vector<int>& match_extremities(const Sampled_part& source, const Samp
 {
   const auto& [orders, extremities] = fits_of(source, target);
   const auto from_centre = [count = orders[0].size(), &extremities = extremities](const Sampled_part& part) {
-    const int repeats = int(count) / int(part.samples.cols()); // e of a curve among sheets
+    const int repeats = int(count) / int(part.samples.cols()); // e for a curve fitted to a sheet, else 1
     Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, samples_per_side> result(3, Eigen::Index(extremities.size()));
     for (Eigen::Index k = 0; k < result.cols(); ++k)
       result.col(k) = part.samples.col(extremities[std::size_t(k)] / repeats) - part.centroid;
@@ -80,11 +80,11 @@ const std::vector<int>& match_extremities(const Sampled_part& source, const Samp
   };
   const auto from = from_centre(source), to = from_centre(target);
   const Permutation* best = nullptr;
-  Steps best_score = 0; // the sum of products is greatest where the sum of squared distances is least
+  Steps best_score = 0; // sum of dot products, greatest where the sum of squared distances is least
   for (const Permutation& order : orders) {
     double sum = 0;
     for (Eigen::Index k = 0; k < from.cols(); ++k) {
-      const int image = order[std::size_t(extremities[std::size_t(k)])]; // an extremity, too
+      const int image = order[std::size_t(extremities[std::size_t(k)])]; // an extremity as well
       sum += from.col(k).dot(to.col(std::find(extremities.begin(), extremities.end(), image) - extremities.begin()));
     }
     const Steps score = quantized(sum);

@@ -12,7 +12,7 @@ using namespace internal;
 
 namespace {
 
-// The columns assigned to each row: optimal one-to-one assignment; columns left over go to the nearest row.
+// The columns assigned to each row: an optimal one-to-one assignment; each remaining column goes to its nearest row.
 std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost)
 {
   std::vector<std::vector<std::size_t>> cols_of(cost.rows());
@@ -33,7 +33,7 @@ std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost
   return cols_of;
 }
 
-// Added to the distance of parts that must not correspond: above any distance in unit boxes.
+// Added to the distance of parts that must not correspond; greater than any distance in unit boxes.
 constexpr double forbidden_distance = 1e3;
 
 Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
@@ -80,7 +80,7 @@ bool overlap(const Piece& a, const Piece& b)
   const auto meet = [](double low, double high, double other_low, double other_high) {
     return low < other_high && other_low < high;
   };
-  // Segments of a curve, then rectangles of a sheet; a whole part counts as both
+  // Compares segments of curves, then rectangles of sheets; a whole part covers both
   return meet(a.index * b.count, (a.index + 1) * b.count, b.index * a.count, (b.index + 1) * a.count) &&
          meet(a.low[0], a.high[0], b.low[0], b.high[0]) && meet(a.low[1], a.high[1], b.low[1], b.high[1]);
 }

@@ -16,13 +16,13 @@ namespace CGAL::Shape_correspondence {
 
 namespace internal {
 
-/// Maps points to the unit box of a group. An axis along which the group is flat maps to the middle, 0.5.
+/// Maps points to the unit box of a group. An axis along which the group is flat maps to 0.5.
 class Unit_box
 {
 public:
   explicit Unit_box(const Eigen::AlignedBox3d& box)
   {
-    constexpr double least_extent = 0.02; // of the shape's height; a smaller one counts as flat
+    constexpr double least_extent = 0.02; // ratio to the shape's height; smaller extents count as flat
     for (int axis = 0; axis < 3; ++axis) {
       const double extent = box.sizes()[axis];
       const bool is_flat = extent < least_extent;
@@ -46,7 +46,7 @@ struct Piece
 {
   std::size_t part = 0;
   int index = 0, count = 1;
-  std::array<double, 2> low{0, 0}, high{1, 1}; ///< of the sheet's parameters
+  std::array<double, 2> low{0, 0}, high{1, 1}; ///< corners of the rectangle in the sheet's parameters
 
   bool is_segment() const { return count > 1; }
   bool is_rectangle() const { return low[0] > 0 || low[1] > 0 || high[0] < 1 || high[1] < 1; }
@@ -72,32 +72,29 @@ struct Group_label
 {
   static constexpr std::size_t no_group = std::size_t(-1);
 
-  std::size_t target_group = no_group; ///< `no_group` leaves the group unmatched
+  std::size_t target_group = no_group; ///< `no_group`: the group is left unmatched
   Operation operation = Operation::NONE;
-  std::vector<std::vector<Piece_image>> images; ///< by member of the source group; none if it is unmatched
+  std::vector<std::vector<Piece_image>> images; ///< indexed by member of the source group; empty if it is unmatched
   double solidity_ratio = 1;                    ///< S_i of Eq. 5
 };
 
 /// The operation by the numbers of parts of two groups: match, split, duplicate or merge.
 Operation topological_operation(std::size_t source_size, std::size_t target_size);
 
-/// S_i of Eq. 5: 1 between groups of equal size, whose parts correspond one to one, and where one side is a rotational
-/// group.
+/// S_i of Eq. 5; 1 between groups of equal size, whose parts correspond one to one, and if one of them is rotational.
 double solidity_ratio(const Part_group& source, const Part_group& target);
 
-/// Whether a search may match two groups (paper, section 5): a group to a group, or to a single part that is
-/// self-symmetric; a single part to anything.
+/// Whether a search may match two groups (paper, section 5): a group with a group or with a single self-symmetric part,
+/// and a single part with anything.
 bool may_match(const Part_group& source, const Part_group& target);
 
-/// Group matching (paper, section 5): the parts of a source group and those of a target group, centroids in the groups'
-/// unit boxes, are matched one to one by optimal assignment as far as numbers allow; every member left over goes to the
-/// nearest one of the other side. So no target part stays free while another is taken twice without need. Sheets that
-/// split or merge are divided (`divide_sheets()`). Pairs that the constraints forbid are avoided where possible, see
-/// `is_allowed()`.
+/// Group matching (paper, section 5): the members of a source and a target group, by their centroids in the groups'
+/// unit boxes, are matched one to one by optimal assignment as far as their numbers allow; every remaining member goes
+/// to the nearest one of the other group. Sheets that split or merge are divided (`divide_sheets()`). Pairs that the
+/// constraints forbid are avoided where possible, see `is_allowed()`.
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group, const internal::Match_constraints& constraints = {});
 
-/// Whether all pairs of a label are allowed.
 bool is_allowed(const Group_label& label, const internal::Match_constraints& constraints);
 
 /// The label of a group of pinned parts. \pre the group is one of `internal::pinned_sets()`

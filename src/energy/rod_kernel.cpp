@@ -1,8 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Compiled without -frounding-math and errno, with which compilers use no vector instructions for comparisons and
-// square roots.
+// Compiled with -fno-rounding-math and -fno-math-errno, so that compilers vectorize comparisons and square roots.
 
 #include "energy/rod_kernel.h"
 
@@ -14,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Sums over rows of rods, by place in a block.
+// Sums of squared cosines, and least squared lengths, by lane of a block.
 template <int Sources>
 struct Comparison_lanes
 {
@@ -23,9 +22,9 @@ struct Comparison_lanes
   Comparison_lanes() { std::fill(std::begin(least), std::end(least), far_away * far_away); }
 };
 
-// Compares rows of `blocks` blocks: row i has the rods from sample i of `from`, between `begin` and `end`, to the first
-// samples of `to`; those before are `at_block` blocks behind `before`. Two rows at a time share a division, the slowest
-// of the operations. A rod that turned beyond a right angle counts 0 (Eq. 2).
+// Compares rows of `blocks` blocks: row i holds the rods from sample i of `from`, `begin` <= i < `end`, to the first
+// samples of `to`; its undeformed rods begin at block `at_block` of `before`. Two rows at a time share a division, the
+// slowest operation. A rod that turned by more than a right angle counts 0 (Eq. 2).
 template <int Sources, bool Least>
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rows(const Rod_block* const* before, int at_block, int blocks,
                                                           const Sample_lanes& from, int begin, int end,
@@ -68,7 +67,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rows(const Rod_block* const
   }
 }
 
-// Halves are added up, in the same order for every set of instructions.
+// Adds up the lanes pairwise, in the same order for every instruction set.
 float sum_of_block(const float (&lanes)[block_lanes])
 {
   float sums[block_lanes];
@@ -104,7 +103,7 @@ struct Length_lanes
   Length_lanes() { std::fill(std::begin(shortest_squared), std::end(shortest_squared), far_away * far_away); }
 };
 
-// The row of rods from a point to the first `count` samples of `to`.
+// Writes the rods from a point to the first `count` samples of `to`.
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], const Sample_lanes& to, int count,
                                                        Rod_block* rods, Length_lanes& totals)
 {
@@ -127,7 +126,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], c
   }
 }
 
-// The rows from the samples `begin` to `end`. \return the place behind them
+// Writes the rods from the samples `begin` to `end`. \return the end of the written blocks
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_block* write_rows(const Sample_lanes& from, int begin, int end,
                                                               const Sample_lanes& to, int count, Rod_block* rods,
                                                               Length_lanes& totals)

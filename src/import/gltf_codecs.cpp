@@ -27,7 +27,7 @@ void read_attribute(const draco::PointAttribute& attribute, Eigen::MatrixXd& num
   }
 }
 
-/// The numbers as they are stored, a vertex a column; none if they are of a type that glTF does not have.
+/// The stored numbers, one column for each vertex; none if glTF does not have their type.
 Eigen::MatrixXd numbers_of(const draco::PointAttribute& attribute, std::uint32_t points)
 {
   constexpr int most_components = 4;
@@ -64,7 +64,7 @@ Eigen::MatrixXd numbers_of(const draco::PointAttribute& attribute, std::uint32_t
   return result;
 }
 
-/// No attributes: it is damaged.
+/// A damaged mesh has no attributes.
 Draco_mesh decoded_by_draco(std::string_view bytes)
 {
   draco::DecoderBuffer buffer;
@@ -87,7 +87,7 @@ Draco_mesh decoded_by_draco(std::string_view bytes)
 #endif
 #ifdef SHAPE_CORRESPONDENCE_WITH_MESHOPTIMIZER
 
-/// Sizes are checked first, since the library only asserts them. \return whether it is not damaged
+/// Sizes are checked first, since the library only asserts them. \return whether the data are valid
 bool decode_meshopt(const Meshopt_view& view, std::string& result)
 {
   const auto* const bytes = reinterpret_cast<const unsigned char*>(view.bytes.data());
@@ -102,7 +102,7 @@ bool decode_meshopt(const Meshopt_view& view, std::string& result)
          meshopt_decodeIndexSequence(result.data(), view.count, view.stride, bytes, view.bytes.size()) == 0;
 }
 
-/// \return whether the filter fits the numbers
+/// \return whether the filter fits the data
 bool undo_filter(const Meshopt_view& view, std::string& result)
 {
   if (view.filter.empty() || view.filter == "NONE") return true;
@@ -117,7 +117,7 @@ bool undo_filter(const Meshopt_view& view, std::string& result)
   return true;
 }
 
-/// Empty: it is damaged.
+/// Empty if the data are damaged.
 std::string decoded_by_meshoptimizer(const Meshopt_view& view)
 {
   std::string result(view.count * view.stride, '\0');

@@ -7,7 +7,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The codecs of compressed meshes that this program was built with.
+/// The codecs for compressed meshes that this program was built with.
 Gltf_codecs gltf_codecs();
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The program shape_correspondence_import FILE inside|outside: reads a model file with assimp, or glTF with compressed
-// meshes with their codecs, and writes what is in it as io/read/model_stream.h says. It is a program of its own since
-// these libraries are not made for damaged files: some end them, some make them take all memory.
+// meshes with their codecs, and writes the content in the format of io/read/model_stream.h. It is a separate program
+// since these libraries are not robust against damaged files: some crash them, some make them exhaust memory.
 
 #include "import/gltf_codecs.h"
 #include "import/names_in_3mf.h"
@@ -33,7 +33,7 @@
 #include <sys/prctl.h>
 #endif
 
-// Sanitizers reserve terabytes
+// Sanitizers reserve terabytes of memory
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SHAPE_CORRESPONDENCE_SHADOW_MEMORY
 #elif defined(__has_feature)
@@ -42,8 +42,8 @@
 #endif
 #endif
 
-// The tree of nodes and their names stay as they are in the file. Steps of assimp that merge nodes or meshes
-// would lose the parts. COLLADA files say which way is up; assimp's root node turns them to y up.
+// The tree of nodes and their names are kept as in the file: assimp's steps that merge nodes or meshes would lose the
+// parts. COLLADA files give the upright axis; assimp's root node turns them to y up.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -61,10 +61,10 @@ Transform transform_of(const aiNode& node)
 class Scene_reader
 {
 public:
-  /// \param bytes of the file, or as many triangles as its meshes have
+  /// \param bytes size of the file, or the number of triangles of its meshes if greater
   Scene_reader(const aiScene& scene, std::uint64_t bytes) : scene_(scene), bytes_(bytes) {}
 
-  /// \param are_linear whether colours are linear light, not as screens have them
+  /// \param are_linear whether colours are in linear light rather than sRGB
   Model_content read(bool are_linear)
   {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
@@ -99,7 +99,7 @@ private:
       material.texture = add_texture(of_file, type, path);
       int channel = 0;
       if (of_file.Get(AI_MATKEY_UVWSRC(type, 0), channel) == AI_SUCCESS && channel > 0) channels_.back() = channel;
-      if (!is_linear) material.colour.head<3>().setOnes(); // as modelling programs do
+      if (!is_linear) material.colour.head<3>().setOnes(); // modelling programs do the same
       break;
     }
     content_.materials.push_back(material);
@@ -153,7 +153,7 @@ private:
     if (are_repeated_too_often(triangles_, bytes_)) throw Invalid_input(repeated_too_often);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices != 3) { // points and lines; polygons are triangles by now
+      if (face.mNumIndices != 3) { // points and lines; polygons are already triangulated
         ++content_.faces_left_out;
         continue;
       }
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  /// Adds the texture coordinates and colours of the last triangle; earlier triangles without any get defaults.
+  /// Adds the texture coordinates and colours of the last triangle; earlier triangles without them get defaults.
   void add_looks(const aiMesh& mesh, const aiFace& face, Model_part& part) const
   {
     Part_appearance& looks = part.appearance;
@@ -202,14 +202,13 @@ private:
   const aiScene& scene_;
   std::uint64_t bytes_, triangles_ = 0;
   Model_content content_;
-  std::vector<int> channels_; ///< of texture coordinates, by material
+  std::vector<int> channels_; ///< index of each material's texture coordinates
   std::vector<Tree_node> tree_;
-  std::vector<int> node_of_part_;   ///< by part
-  std::vector<std::string> meshes_; ///< the names of those of the parts
+  std::vector<int> node_of_part_;
+  std::vector<std::string> meshes_; ///< names of the parts' meshes
 };
 
-/// Opens regular files only, since a pipe that a model names may never end; unless told otherwise, those of the model's
-/// folder only.
+/// Opens regular files only, since a pipe named by a model may never end; by default, only those in the model's folder.
 class Model_files : public Assimp::IOSystem
 {
 public:
@@ -227,7 +226,7 @@ public:
     return is_allowed(path) && mode[0] == 'r' ? system_.Open(path, mode) : nullptr;
   }
 
-  /// The first file that was to be opened and is not there; empty: none.
+  /// The first file that was missing when it was to be opened; empty: none.
   const std::string& missing() const { return missing_; }
 
 private:
@@ -238,12 +237,12 @@ private:
            (allows_outside_ || path == file_ || is_in_folder_of(file_, path));
   }
 
-  Assimp::DefaultIOSystem system_; // assimp 6 lets nothing derive from it
+  Assimp::DefaultIOSystem system_; // a member, since it is final in assimp 6
   std::string file_, missing_;
   bool allows_outside_;
 };
 
-/// The faces of all meshes; the size of the file says little, as buffers may be compressed or in other files.
+/// The number of faces of all meshes; the size of the file says little, as buffers may be compressed or in other files.
 std::uint64_t triangles_of(const aiScene& scene)
 {
   std::uint64_t result = 0;
@@ -258,7 +257,7 @@ std::string text_of(const std::string& file)
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The upright axis that an FBX file says; zero: it does not, and what assimp has is its default.
+/// The upright axis given by an FBX file; zero if it gives none, and assimp only has its default.
 Point up_of_fbx(const aiScene& scene, const std::string& file)
 {
   std::int32_t axis = 0, sign = 1;
@@ -277,10 +276,10 @@ Model_content read_scene(const std::string& file, bool allows_outside)
   const bool is_3mf = extension == ".3mf", is_gltf = extension == ".gltf" || extension == ".glb";
   const auto names = is_3mf ? names_in_3mf(file) : std::map<std::string, std::string>();
   Assimp::Importer importer;
-  const auto files = new Model_files(file, allows_outside); // which the importer deletes
+  const auto files = new Model_files(file, allows_outside); // the importer deletes it
   importer.SetIOHandler(files);
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
-  importer.SetPropertyInteger(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // they would be nodes of their own
+  importer.SetPropertyInteger(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0); // pivots would become nodes
   const aiScene* const scene =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_TransformUVCoords);
   if ((!scene || !scene->mRootNode) && !files->missing().empty())
@@ -291,24 +290,24 @@ Model_content read_scene(const std::string& file, bool allows_outside)
     if (why.find(std::bad_alloc().what()) != std::string::npos) throw std::bad_alloc();
     throw Invalid_input(not_readable);
   }
-  if (extension == ".fbx") scene->mRootNode->mTransformation = aiMatrix4x4(); // newer ones turn it to y up
+  if (extension == ".fbx") scene->mRootNode->mTransformation = aiMatrix4x4(); // newer versions turn it to y up
   Model_content content =
       Scene_reader(*scene, is_gltf ? triangles_of(*scene) : std::filesystem::file_size(file)).read(is_gltf);
   for (Model_part& part : content.parts)
     if (const auto found = names.find(part.name); found != names.end()) part.name = found->second;
   if (content.parts.empty()) throw Invalid_input("there is no triangle in it; give every part a mesh");
   if (extension == ".fbx") content.up = up_of_fbx(*scene, file);
-  if (is_3mf) content.up = Point::UnitZ(); // as the format has it
+  if (is_3mf) content.up = Point::UnitZ(); // defined by the format
   return content;
 }
 
-/// The message without the name of the file, which who reads it knows.
+/// The message without the name of the file, which the reader of the message knows.
 std::string without_file(const std::string& message, const std::string& file)
 {
   return begins_with(message, file + ": ") ? message.substr(file.size() + 2) : message;
 }
 
-/// What is in a model file. \param allows_outside whether files that it names may be anywhere
+/// Reads the content of a model file. \param allows_outside whether files that it names may be anywhere
 Model_content read_model(const std::string& file, bool allows_outside)
 {
   const std::string extension = lower_extension(file);
@@ -317,7 +316,7 @@ Model_content read_model(const std::string& file, bool allows_outside)
     const Gltf_codecs codecs = gltf_codecs();
     return read_gltf(text_of(file), file, Reading_options{allows_outside, {}}, &codecs);
   } catch (const Needs_import&) {
-    return read_scene(file, allows_outside); // of version 1
+    return read_scene(file, allows_outside); // version 1
   } catch (const Invalid_input& error) {
     throw Invalid_input(without_file(error.what(), file));
   }
@@ -341,7 +340,7 @@ void set_limits()
   set_limit(RLIMIT_CPU, seconds_of_processor);
   set_limit(RLIMIT_CORE, 0);
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // end with the program that started this one
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // ends this program with the one that started it
 #endif
 }
 
@@ -371,7 +370,7 @@ int main(int argc, char* argv[])
       std::cout << IO::has_complaint << error.what();
     } catch (const std::bad_alloc&) {
       throw;
-    } catch (const std::exception&) { // of assimp, whose words are for programmers
+    } catch (const std::exception&) { // assimp's messages address programmers
       std::cout << IO::has_complaint << IO::not_readable;
     }
   } catch (const std::bad_alloc&) {

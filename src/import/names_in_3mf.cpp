@@ -25,7 +25,7 @@ namespace {
 
 using Archive = std::remove_pointer_t<unzFile>;
 
-/// Goes to the document with the objects, by its usual name or by the ending of its name.
+/// Moves to the document with the objects, found by its usual name or by its extension.
 bool go_to_model(Archive* archive)
 {
   constexpr int any_case = 2;
@@ -53,7 +53,6 @@ std::string model_of_package(const std::string& file)
   return result;
 }
 
-/// Adds the name of the object that a tag begins.
 void add_name(const std::string& tag, std::map<std::string, std::string>& names)
 {
   std::istringstream element(tag + "/>");

@@ -8,8 +8,8 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The names of objects, by what assimp calls them, since it leaves them out; none if the program was built without
-/// minizip. \throw Invalid_input if the archive is damaged, or has objects in several files
+/// The names of objects, which assimp drops, by the names that assimp gives them; empty if the program was built
+/// without minizip. \throw Invalid_input if the archive is damaged, or has objects in several files
 std::map<std::string, std::string> names_in_3mf(const std::string& file);
 
 } // namespace CGAL::Shape_correspondence::IO

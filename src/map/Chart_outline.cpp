@@ -18,7 +18,7 @@ namespace {
 
 constexpr int outline_stations = 17;
 
-/// How far a ray from the origin goes inside a convex polygon around it.
+/// Distance from the origin to the boundary of a convex polygon around it, in a direction.
 double reach_in_polygon(const Planar_points& polygon, const Eigen::Vector2d& direction)
 {
   double reach = 0;
@@ -38,8 +38,9 @@ double reach_in_polygon(const Planar_points& polygon, const Eigen::Vector2d& dir
 
 Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Vector2d>& points)
 {
-  constexpr double least_radius = 0.02; // of the half extents: a section that is a point has an outline, too
-  constexpr double least_share = 0.3;   // of the largest radius, which may lie between two angles of a flat section
+  constexpr double least_radius = 0.02; // ratio to the half extents; gives a section that is a point an outline
+  // Ratio to the largest radius, which may lie between two sampled angles of a flat section
+  constexpr double least_share = 0.3;
   Section result;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& p : points)
@@ -63,7 +64,7 @@ Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Ve
 
 Chart_outline::Chart_outline(bool is_sheet, const Points& coordinates) : is_sheet_(is_sheet)
 {
-  constexpr double half_width = 0.2; // of the slice of a curve that gives a section
+  constexpr double half_width = 0.2; // half the width of a section's slice, in chart coordinates
   const auto points_near = [&](double station, double width) {
     std::vector<Eigen::Vector2d> result;
     for (Eigen::Index i = 0; i < coordinates.cols(); ++i)

@@ -9,22 +9,22 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The convex outline of a part in the coordinates of its chart: of a curve's cross-sections, station by station, or of
-/// a sheet as a whole. Coordinates relative to it make every cross-section, or sheet, a unit disc: what is at the rim
-/// of one part is at the rim of every other, whatever the outlines are, round or with corners.
+/// The convex outline of a part in the coordinates of its chart: cross-sections of a curve at several stations, or one
+/// outline of a sheet. Coordinates relative to it map every cross-section, or the sheet, to a unit disc, so that the
+/// rim of one part corresponds to the rim of any other, round or with corners.
 class Chart_outline
 {
 public:
-  /// None: coordinates stay what they are.
+  /// No outline: relative coordinates equal chart coordinates.
   Chart_outline() = default;
-  /// \param coordinates of points all over the surface
+  /// \param coordinates points that cover the surface
   Chart_outline(bool is_sheet, const Points& coordinates);
 
-  /// Coordinates relative to the outline, and back: exact inverses.
+  /// Coordinates relative to the outline, and the exact inverse.
   Point relative(const Point& k) const;
   Point absolute(const Point& q) const;
 
-  /// \pre both are of sheets, or both of curves, or none
+  /// Interpolates two outlines. \pre both are of sheets, or both of curves, or none
   static Chart_outline between(const Chart_outline& a, const Chart_outline& b, double t);
 
 private:
@@ -33,17 +33,16 @@ private:
   struct Section
   {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    Eigen::Matrix<double, angles, 1> radii = Eigen::Matrix<double, angles, 1>::Ones(); ///< by angle
+    Eigen::Matrix<double, angles, 1> radii = Eigen::Matrix<double, angles, 1>::Ones();
   };
 
   static Section section_around(const std::vector<Eigen::Vector2d>& points);
-  /// The section at a point's station.
   Section section(const Point& k) const;
   static double radius(const Section& section, const Eigen::Vector2d& direction);
-  int first() const { return is_sheet_ ? 0 : 1; } ///< of the two coordinates that the outline is in
+  int first() const { return is_sheet_ ? 0 : 1; } ///< first of the two coordinates of the outline's plane
 
   bool is_sheet_ = false;
-  std::vector<Section> sections_; ///< by station
+  std::vector<Section> sections_; ///< indexed by station
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,7 +18,7 @@ Eigen::Vector3d barycentric(const Point& p, const contacts::Triangle& t)
   const Point u = t[1] - t[0], v = t[2] - t[0], w = p - t[0];
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
   const double determinant = uu * vv - uv * uv;
-  if (!(determinant > 1e-14 * uu * vv)) { // a needle: along its longest side
+  if (!(determinant > 1e-14 * uu * vv)) { // projects to the longest side of a needle
     const int far = uu >= vv ? 1 : 2;
     const double along = std::max(uu, vv) > 0 ? clamped_to_unit((far == 1 ? uw / uu : vw / vv)) : 0;
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
@@ -31,16 +31,16 @@ Eigen::Vector3d barycentric(const Point& p, const contacts::Triangle& t)
   return {1 - a - b, a, b};
 }
 
-constexpr double facing = 0.5; // cosine; every normal is nearer to one of the six directions
+constexpr double facing = 0.5; // cosine; the angle between a normal and the nearest of the six directions is smaller
 
-/// The six directions of a chart's coordinates, there and back.
+/// The six coordinate directions of a chart, positive ones first of each pair.
 Point direction(std::size_t side) { return (side % 2 ? -1. : 1.) * Point::Unit(Eigen::Index(side / 2)); }
 
 } // namespace
 
 Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart, double longest_edge)
 {
-  constexpr std::size_t most_triangles = 20000; // a fine mesh is left as it is
+  constexpr std::size_t most_triangles = 20000; // limit beyond which a fine mesh is not subdivided
   constexpr int most_rounds = 8;
   Subdivision fine(mesh.points, mesh.triangles);
   std::vector<Point> k;
@@ -118,8 +118,8 @@ Place_finder::Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& tr
 
 Mesh_place Place_finder::operator()(const Point& p, const Point& normal) const
 {
-  constexpr double far = 1;       // in coordinates: no place to be taken for the sake of its normal
-  constexpr double averse = -0.2; // cosine of two normals of different sides
+  constexpr double far = 1;       // in coordinates; normals do not count for farther places
+  constexpr double averse = -0.2; // cosine of two normals on different sides
   const Mesh_place nearest = nearest_place(all_, p);
   if (normal.dot(nearest.of(normals_, triangles_)) >= averse) return nearest;
   Mesh_place best = nearest;

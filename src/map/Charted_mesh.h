@@ -14,22 +14,22 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A mesh in the coordinates of a chart.
+/// A mesh with the coordinates of its points in a chart.
 struct Charted_mesh
 {
   Points points; ///< in space
   Eigen::Matrix3Xi triangles;
   Points coordinates; ///< in the chart
-  Points offsets;     ///< from where the chart has the coordinates to the points, in its frames
+  Points offsets;     ///< from the chart's points with these coordinates to `points`, in the chart's frames
 };
 
 /// Subdivides a mesh until its edges are short in the chart, so that it can be bent.
 Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart, double longest_edge);
 
-/// The same, in a chart that is centred on the way.
+/// Subdivides a mesh likewise, and replaces the chart by its centred version, in which the result is.
 Charted_mesh finely_charted(const Part_mesh& mesh, Part_chart& chart, double longest_edge);
 
-/// Unit normals of the vertices in the chart, outwards on the whole; zero where there is none.
+/// Unit normals of the vertices in chart coordinates, oriented outwards as a whole; zero where undefined.
 Points chart_normals(const Charted_mesh& mesh);
 
 /// A point on a triangle of a mesh.
@@ -45,17 +45,15 @@ struct Mesh_place
   }
 };
 
-/// The place on a mesh nearest to a point.
 Mesh_place nearest_place(const contacts::Triangle_tree& tree, const Point& p);
 
-/// A mesh in its chart, to find the place of a point of another mesh in the same coordinates.
+/// Finds locations on a mesh for points of another mesh given in the same chart coordinates.
 class Place_finder
 {
 public:
-  /// \param normals of the vertices
   Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& triangles, const Points& normals);
 
-  /// The nearest place; on a thin part the one on the same side, by normals.
+  /// The nearest location; on a thin part the nearest one on the same side, by normals.
   Mesh_place operator()(const Point& p, const Point& normal) const;
 
 private:
@@ -63,7 +61,8 @@ private:
   const Eigen::Matrix3Xi& triangles_;
   const Points& normals_;
   contacts::Triangle_tree all_;
-  std::array<std::optional<contacts::Triangle_tree>, 6> facing_; ///< of triangles that face the six directions
+  /// Trees of the triangles that face each of the six directions.
+  std::array<std::optional<contacts::Triangle_tree>, 6> facing_;
   std::array<std::vector<Eigen::Index>, 6> numbers_;
 };
 

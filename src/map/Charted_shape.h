@@ -14,14 +14,14 @@ namespace CGAL::Shape_correspondence::internal {
 /// A shape in the common frame: height 1, standing on the ground.
 struct Charted_shape
 {
-  std::vector<Points> surfaces; ///< vertices of the parts' meshes, or points of their surfaces
+  std::vector<Points> surfaces; ///< vertices of the parts' meshes, or samples of their surfaces
   std::vector<Part_chart> charts;
   std::vector<Part_abstraction const*> parts;
 };
 
 Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world);
 
-/// \param surfaces of the parts, in the world; where one is empty, the control points stand for it
+/// \param surfaces points of the parts' surfaces, in the world; if empty, the control points are used
 Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
                             const std::vector<const Points*>& surfaces);
 

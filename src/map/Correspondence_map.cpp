@@ -19,8 +19,8 @@ using namespace internal;
 
 namespace {
 
-/// How two closed curves are run through: from where on the second, and in which direction, so that the sum of squared
-/// distances is least once the centres are aligned (paper, section 5, "Deform-to-fit").
+/// Start on the second of two closed curves, and direction (1 or -1), for which the sum of squared distances is least
+/// after aligning the centres (paper, section 5, "Deform-to-fit").
 std::pair<double, double> closed_curve_fit(const Part_abstraction& source, const Points& source_points,
                                            const Part_abstraction& target, const Points& target_points)
 {
@@ -42,7 +42,7 @@ std::pair<double, double> closed_curve_fit(const Part_abstraction& source, const
   return best;
 }
 
-/// The points that stand for the surfaces of parts without a mesh.
+/// The points that represent the surfaces of parts without a mesh.
 std::vector<const Points*> sampled_surfaces(const Structural_graph& graph)
 {
   std::vector<const Points*> result;
@@ -53,26 +53,25 @@ std::vector<const Points*> sampled_surfaces(const Structural_graph& graph)
 
 } // namespace
 
-/// The maps of all pieces of the source's parts.
 struct Correspondence_map::Pieces
 {
   struct Side
   {
     std::size_t part = 0;
     int dimension = 1;                           ///< 1 for a curve, 2 for a sheet
-    std::array<double, 2> low{0, 0}, high{1, 1}; ///< the piece, in parameters
+    std::array<double, 2> low{0, 0}, high{1, 1}; ///< bounds of the piece, in parameters
   };
   /// A map between pieces of two parts.
   struct Piece_map
   {
     Side source, target;
-    Eigen::Matrix2d turn; ///< from parameters of a piece, from -1 to 1, to those of the other
-    bool closed = false;  ///< two closed curves: t becomes shift + step t
+    Eigen::Matrix2d turn; ///< from parameters of one piece, in [-1, 1], to those of the other
+    bool closed = false;  ///< whether both are closed curves: then t becomes shift + step t
     double shift = 0, step = 1;
   };
 
-  std::vector<std::vector<Piece_map>> of_part; ///< by source part
-  std::size_t targets = 0;                     ///< number of target parts
+  std::vector<std::vector<Piece_map>> of_part; ///< indexed by source part
+  std::size_t targets = 0;
 };
 
 Correspondence_map::Correspondence_map(std::shared_ptr<const Pieces> pieces) : pieces_(std::move(pieces)) {}
@@ -103,7 +102,8 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
     map.source = side(from, pair.source, pair.source_piece);
     map.target = side(to, pair.target, pair.target_piece);
     Eigen::Matrix3d turn = pair.turn;
-    if (pair_kind(pair, from, to) == Pair_kind::BOXES) // a closed curve runs the long way of a sheet, from its start
+    // Maps a closed curve along the longer direction of a sheet, from its start
+    if (pair_kind(pair, from, to) == Pair_kind::BOXES)
       turn = to.charts[pair.target].lengthwise_turn() * from.charts[pair.source].lengthwise_turn().transpose();
     map.turn = turn.topLeftCorner<2, 2>();
     map.closed = s.is_closed_curve() && t.is_closed_curve();

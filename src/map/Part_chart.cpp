@@ -20,16 +20,16 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The part of `v` across the unit vector `direction`, of length 1.
+/// Unit vector of the component of `v` perpendicular to the unit vector `direction`.
 Point across_to(const Point& v, const Point& direction)
 {
   return unit_or(v - direction.dot(v) * direction, some_normal(direction));
 }
 
-/// The coordinate of the i-th of some stations in a row.
+/// The coordinate, in [-1, 1], of the i-th station in a row.
 double station_coordinate(Eigen::Index i, int stations) { return 2. * double(i) / (stations - 1) - 1; }
 
-/// A cell of a row of stations and the position in it, beyond [0, 1] past the ends.
+/// The cell between stations that contains coordinate k, and the position in it, outside of [0, 1] beyond the ends.
 std::pair<int, double> station_cell(double k, int stations)
 {
   const double x = (k + 1) / 2 * (stations - 1);
@@ -37,8 +37,8 @@ std::pair<int, double> station_cell(double k, int stations)
   return {cell, x - cell};
 }
 
-/// The angle by which a rectangle of least area around points in the plane is turned, between -45° and 45°; of nearly
-/// as small ones the one turned least, so that a round cross-section has the axes that it is seen in.
+/// The rotation angle of a bounding rectangle of least area around points in the plane, between -45° and 45°; 0 if that
+/// is nearly as good, so that a round cross-section keeps its axes.
 double least_rectangle_angle(const Planar_points& points)
 {
   constexpr double nearly = 1.02;
@@ -55,7 +55,7 @@ double least_rectangle_angle(const Planar_points& points)
   return area(0) <= nearly * area(angle) ? 0 : angle;
 }
 
-/// The stations of a sheet, row by row, and of a curve.
+/// The stations along a sheet, row by row, or along a curve.
 Points spine_of(const Sheet& sheet)
 {
   constexpr int n = Part_chart::sheet_stations;
@@ -75,7 +75,7 @@ Points spine_of(const Curve& curve)
   return spine;
 }
 
-/// Directions with the normal of the plane nearest to a closed curve as the last one.
+/// Axes, the last of which is the normal of the plane nearest to a closed curve.
 Eigen::Matrix3d axes_of_ring(const Points& spine)
 {
   const Points centred = spine.colwise() - spine.rowwise().mean();
@@ -85,8 +85,8 @@ Eigen::Matrix3d axes_of_ring(const Points& spine)
   return axes;
 }
 
-/// The angle of the least rectangle around the surface, seen along the first coordinate of a curve's chart, or along
-/// the last one of a box.
+/// The rotation angle of the least rectangle around the surface, projected along the first coordinate of a curve's
+/// chart, or along the last one of a box.
 double section_angle(const Part_chart& chart, const Points& surface, const Point& half, int first)
 {
   Planar_points section;
@@ -211,7 +211,7 @@ double Part_chart::nearest_on_curve(const Point& p) const
   return k;
 }
 
-/// From the nearest station by Gauss-Newton steps.
+/// The parameters of the nearest point, by Gauss-Newton steps from the nearest station.
 Eigen::Vector2d Part_chart::nearest_on_sheet(const Point& p) const
 {
   const int n = sheet_stations;
@@ -283,7 +283,7 @@ Part_chart Part_chart::plate(const Points& surface, const Eigen::Matrix3d& axes)
 Part_chart Part_chart::around(const Part_abstraction& part, const Points& control_points, const Points& surface)
 {
   const bool is_point = (control_points.rowwise().maxCoeff() - control_points.rowwise().minCoeff()).maxCoeff() <
-                        2 * least_half_extent; // where it is, rounding would be all of its shape
+                        2 * least_half_extent; // smaller extents would be rounding noise
   if (is_point) return (part.is_sheet() ? plate : box)(surface, Eigen::Matrix3d::Identity());
   if (const Sheet* given = std::get_if<Sheet>(&part.geometry))
     return over(spine_of(Sheet{control_points, given->rows, given->cols}), Point::Ones()).fitted(surface);
@@ -322,7 +322,7 @@ Part_chart Part_chart::restricted(const Point& low, const Point& high) const
 Part_chart Part_chart::fitted(const Points& surface) const
 {
   Part_chart result = *this;
-  constexpr int rounds = 2; // moving the spine into the middle of a bent part moves the coordinates a little
+  constexpr int rounds = 2; // centring the spine of a bent part changes the coordinates slightly
   for (int round = 0; round < rounds; ++round) {
     Eigen::AlignedBox3d box;
     for (Eigen::Index i = 0; i < surface.cols(); ++i)
@@ -338,7 +338,7 @@ Part_chart Part_chart::fitted(const Points& surface) const
 Part_chart Part_chart::centred(const Points& surface) const
 {
   const int n = stations(is_sheet_);
-  const double reach = is_sheet_ ? 2. / (n - 1) : 4. / (n - 1); // of a station, in coordinates
+  const double reach = is_sheet_ ? 2. / (n - 1) : 4. / (n - 1); // radius of a station's neighbourhood, in coordinates
   const Eigen::Index count = spine_.cols();
   Points low = Points::Constant(3, count, std::numeric_limits<double>::infinity()), high = -low;
   for (Eigen::Index i = 0; i < surface.cols(); ++i) {

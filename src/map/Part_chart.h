@@ -10,54 +10,52 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A part's own coordinates: the cube [-1, 1]³ laid around its abstraction, so that the part's surface just fits in.
+/// Coordinates of a part: the cube [-1, 1]³ fitted around its abstraction so that it just contains the part's surface.
 ///
-/// Along a curve the first coordinate runs with its length, the others across it in rotation-minimising frames (by
-/// parallel transport); on a sheet the first two run with its parameters, the third along its normals. Past its ends
-/// the abstraction goes on straight.
+/// For a curve, the first coordinate follows its length, and the others span its cross-sections in rotation-minimizing
+/// frames (by parallel transport). For a sheet, the first two follow its parameters, and the third its normals. Beyond
+/// its ends the abstraction is extended linearly.
 class Part_chart
 {
 public:
   static constexpr int curve_stations = 17, sheet_stations = 9;
-  static constexpr double least_half_extent = 1e-4; ///< so that a flat part has coordinates across, too
+  static constexpr double least_half_extent = 1e-4; ///< lower bound, so that flat parts have coordinates across as well
 
-  /// The chart of a part whose surface has these points. A closed curve has that of the box around it.
+  /// The chart of a part with points of its surface. A closed curve gets the chart of its bounding box.
   static Part_chart around(const Part_abstraction& part, const Points& control_points, const Points& surface);
 
-  /// A straight chart with the columns of `axes`, a rotation, as directions.
+  /// A straight chart whose directions are the columns of the rotation `axes`.
   static Part_chart box(const Points& surface, const Eigen::Matrix3d& axes);
-  /// A flat one of a sheet, the last column its normal.
+  /// A flat chart of a sheet, whose normal is the last column of `axes`.
   static Part_chart plate(const Points& surface, const Eigen::Matrix3d& axes);
 
   bool is_sheet() const { return is_sheet_; }
 
-  /// The point at coordinates `k`.
   Point operator()(const Point& k) const { return locate(k).first; }
-  /// The directions of the coordinates at `k`, unit vectors in columns.
+  /// Unit vectors of the coordinate directions at `k`, as columns.
   Eigen::Matrix3d frame(const Point& k) const { return locate(k).second; }
-  /// The coordinates of a point.
   Point coordinates(const Point& p) const;
 
-  /// The directions at large, a rotation, and the half extents along them.
+  /// The overall directions (a rotation), and the half extents along them.
   Eigen::Matrix3d axes() const;
   Point half_extents() const;
 
-  /// The same chart laid anew so that the points just fit in.
+  /// The chart refitted so that it just contains the points.
   Part_chart fitted(const Points& surface) const;
-  /// The same chart with its spine in the middle of the surface everywhere, so that both sides of a thin and bent part
-  /// are told apart; the same chart if that makes no narrower one. \param surface has points all over, as near to each
-  /// other as the stations
+  /// The chart with its spine in the middle of the surface everywhere, which separates the two sides of a thin and bent
+  /// part; unchanged if that is not narrower. \param surface points that cover the surface as densely as the stations
   Part_chart centred(const Points& surface) const;
   /// The chart of the box from `low` to `high`, in coordinates.
   Part_chart restricted(const Point& low, const Point& high) const;
-  /// The chart with other coordinates: those of the result times `turn` are those of this chart.
+  /// The chart in other coordinates, which multiplied by `turn` give those of this chart.
   /// \pre `turn` is a rotation of the cube that keeps the direction of a curve or the normal of a sheet, up to sign
   Part_chart turned(const Eigen::Matrix3d& turn) const;
   /// A rotation from the coordinates of `lengthwise()` to those of this chart.
   Eigen::Matrix3d lengthwise_turn() const;
-  /// That of a curve along the middle of a sheet, the long way; itself for a curve.
+  /// For a sheet, the chart of the curve along its middle in the longer direction; for a curve, the chart itself.
   Part_chart lengthwise() const;
-  /// The chart between two: rotated by a part of the rotation between them, the rest linear. \pre both of one kind
+  /// The chart between two: the rotation between them is interpolated, the rest linearly.
+  /// \pre both are curves or both are sheets
   static Part_chart between(const Part_chart& a, const Part_chart& b, double t);
 
 private:
@@ -77,7 +75,7 @@ private:
 
   bool is_sheet_ = false;
   Points spine_;  ///< stations of a curve, or of a sheet row by row
-  Frames frames_; ///< by station
+  Frames frames_; ///< indexed by station
   Point half_ = Point::Ones();
 };
 

@@ -31,8 +31,8 @@ std::vector<Eigen::Matrix3d> cube_rotations()
 
 namespace {
 
-/// The turn from coordinates of one chart to those of another that lays the longest extents on each other best (paper,
-/// section 5, "Deform-to-fit": extremities are matched by proximity).
+/// The rotation between the coordinates of two charts that best aligns their longest extents (paper, section 5,
+/// "Deform-to-fit": extremities are matched by proximity).
 Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
 {
   const bool lengthwise = kind == Pair_kind::LENGTHWISE;
@@ -52,14 +52,14 @@ Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pa
   return best;
 }
 
-/// Place and extents of another part along the axes of a part that is divided.
+/// Centre and extents of another part along the axes of a part to be divided.
 Share share_of(const Part_chart& divided, const Part_chart& other)
 {
   const Eigen::Matrix3d axes = divided.axes();
   return {axes.transpose() * other(Point::Zero()), (axes.transpose() * other.axes()).cwiseAbs() * other.half_extents()};
 }
 
-/// The shares of a part, and the pieces that they get.
+/// The shares by which a part is divided, and the resulting pieces.
 struct Division
 {
   std::vector<Share> shares;

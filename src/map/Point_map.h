@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A place on the surface of a part.
+/// A location on the surface of a part.
 struct Part_place
 {
   std::size_t part = 0;
@@ -21,24 +21,24 @@ struct Part_place
   Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< barycentric coordinates
 };
 
-/// The map of a `Surface_map`, from any points of the target's surface, exact in between the vertices.
+/// The map of a `Surface_map` for any point of the target's surface, evaluated exactly between vertices, too.
 class Point_map
 {
 public:
   Point_map(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
             const Segmented_shape& target_shape, const Correspondence& correspondence);
 
-  /// The place on the source of a point of a part's triangle. O(log n) \pre the part has a counterpart
+  /// The location on the source for a point in a triangle of a part. O(log n) \pre the part has a counterpart
   Part_place operator()(std::size_t target_part, Eigen::Index triangle, const Eigen::Vector3d& weights) const;
 
-  /// The source parts that a target part is mapped to.
+  /// The source parts to which a target part is mapped.
   std::vector<std::size_t> sources(std::size_t target_part) const;
 
 private:
   struct Piece
   {
     std::size_t source;
-    Chart_box box; ///< in the coordinates of the target part's chart
+    Chart_box box; ///< in the chart coordinates of the target part
     Surface_pair surfaces;
     std::array<Points, 2> normals;
     std::unique_ptr<Place_finder> finder; ///< on the source
@@ -46,7 +46,7 @@ private:
 
   Charted_shape target_;
   const Segmented_shape& target_shape_;
-  std::vector<std::vector<std::unique_ptr<Piece>>> pieces_; ///< by target part
+  std::vector<std::vector<std::unique_ptr<Piece>>> pieces_; ///< indexed by target part
 };
 
 } // namespace CGAL::Shape_correspondence::internal

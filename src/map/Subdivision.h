@@ -14,7 +14,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A mesh under subdivision. Edges are split for all of their triangles alike, so that a closed mesh stays closed.
+/// A mesh under subdivision. An edge is split in all of its triangles alike, so that a closed mesh stays closed.
 class Subdivision
 {
 public:
@@ -34,7 +34,6 @@ public:
 
   void move(int i, const Point& to) { points_[std::size_t(i)] = to; }
 
-  /// \return its number
   int add_point(const Point& p)
   {
     points_.push_back(p);
@@ -43,15 +42,14 @@ public:
 
   void add_triangle(const std::array<int, 3>& corners) { triangles_.push_back(corners); }
 
-  /// Removes the triangles whose corners pass a test.
   template <typename Test>
   void remove_triangles_if(const Test& test)
   {
     triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(), test), triangles_.end());
   }
 
-  /// Splits every edge (a, b), a < b, at the fraction `where(a, b)` of the way from a to b if that is between 0 and 1.
-  /// \return whether there was one
+  /// Splits every edge (a, b), a < b, at the fraction `where(a, b)` from a to b, if that is between 0 and 1.
+  /// \return whether any edge was split
   template <typename Where>
   bool split_edges(const Where& where)
   {
@@ -96,7 +94,7 @@ public:
   }
 
 private:
-  /// \param m by edge from corner i to i + 1, the point that splits it or -1
+  /// \param m for each edge from corner i to i + 1, the point that splits it, or -1
   static void split(std::array<int, 3> t, std::array<int, 3> m, std::vector<std::array<int, 3>>& result)
   {
     const auto is_split = [&](int i) { return m[std::size_t(i)] >= 0; };

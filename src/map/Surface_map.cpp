@@ -23,8 +23,9 @@ Surface_map::Surface_map(const Structural_graph& source, const Segmented_shape& 
   const std::array<Charted_shape, 2> charted = {
       charted_shape(source, 0, mesh_surfaces(source_shape)),
       charted_shape(target, correspondence.target_quarter_turns, mesh_surfaces(target_shape))};
-  std::array<Places*, 2> places = {&targets_, &sources_}; // of the source's vertices, of the target's
-  std::array<std::vector<std::vector<double>>, 2> off;    // by vertex, squared distance from its piece
+  std::array<Places*, 2> places = {&targets_, &sources_}; // places of the vertices of the source and of the target
+  // For each vertex, squared distance from the nearest piece so far
+  std::array<std::vector<std::vector<double>>, 2> off;
   for (std::size_t s = 0; s < 2; ++s)
     for (const Shape_part& part : shapes[s]->parts()) {
       places[s]->emplace_back(std::size_t(part.mesh.points.cols()));

@@ -13,14 +13,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The points that stand for the surfaces of a shape's parts.
+/// The vertices that represent the surfaces of a shape's parts.
 std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape);
 
-/// The surfaces of both parts of a pair, all of them, in the charts that their pieces are mapped by.
+/// The entire surfaces of both parts of a pair, in the charts between which their pieces are mapped.
 struct Surface_pair
 {
   Pair_charts charts;
-  std::array<Charted_mesh, 2> meshes; ///< triangles and vertices are those of the parts
+  std::array<Charted_mesh, 2> meshes; ///< with the triangles and vertices of the parts
 };
 
 Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape, 2>& shapes,

@@ -9,7 +9,6 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Throws `Invalid_input` if a model does not have the parts of a graph.
 inline void check_model(const Structural_graph& graph, const Segmented_shape& shape)
 {
   const auto& parts = structure(graph).parts;

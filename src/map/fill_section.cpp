@@ -19,7 +19,6 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Fills a section by a constrained Delaunay triangulation.
 class Section_filler
 {
 public:
@@ -64,14 +63,14 @@ private:
     return true;
   }
 
-  /// The first vertices in the places of a side's ends, the smaller one first.
+  /// The representative vertices of a side's ends (the first at the same position), the smaller one first.
   Section_side in_order(const Section_side& side) const
   {
     const int a = number(handles_[std::size_t(side[0])]), b = number(handles_[std::size_t(side[1])]);
     return {std::min(a, b), std::max(a, b)};
   }
 
-  /// What is between a side and the edges of the triangulation that it runs along, which are counted.
+  /// Adds the degenerate triangles between a side and the edges of the triangulation along it, and counts these edges.
   void add_strip(const Section_side& side)
   {
     std::vector<int> strip;
@@ -95,7 +94,7 @@ private:
         filling_.triangles.push_back({side[0], strip[i], strip[i + 1]});
   }
 
-  /// Adds every face as many times as its winding number says, which is found from the outside inwards.
+  /// Adds every face as often as its winding number, which is propagated from the outside inwards.
   void add_faces()
   {
     if (triangulation_.dimension() < 2) return;
@@ -116,7 +115,7 @@ private:
     }
   }
 
-  /// How many more sides run along an edge of a face with the face to their left than with it to their right.
+  /// The number of sides along an edge with the face on their left, minus the number with it on their right.
   int runs_along(Face face, int edge) const
   {
     const Handle from = face->vertex(Triangulation::ccw(edge)), to = face->vertex(Triangulation::cw(edge));
@@ -127,9 +126,10 @@ private:
 
   Section_filling filling_;
   Triangulation triangulation_;
-  std::vector<Handle> handles_;                                      ///< by vertex of the section
-  std::map<Section_side, Triangulation::Constraint_id> constraints_; ///< by numbers of first vertices in their places
-  std::map<Section_side, int> runs_; ///< by directed edge, how many more sides run along it
+  std::vector<Handle> handles_;                                      ///< indexed by vertex of the section
+  std::map<Section_side, Triangulation::Constraint_id> constraints_; ///< indexed by representative vertices
+  /// For each directed edge, the number of sides along it minus that of sides in the opposite direction.
+  std::map<Section_side, int> runs_;
 };
 
 } // namespace

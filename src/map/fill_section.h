@@ -10,19 +10,19 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// From vertex to vertex, counter-clockwise around what the sides of a section enclose.
+/// A directed edge between vertices, counter-clockwise around the interior of a section.
 using Section_side = std::array<int, 2>;
 
-/// A triangulation of a section of a solid, in the plane.
+/// A triangulation of a planar section of a solid.
 struct Section_filling
 {
-  Planar_points vertices; ///< those of the section, then those where its sides cross each other
+  Planar_points vertices; ///< vertices of the section, then intersections of its sides
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// Fills the section of a solid with triangles that run along each of its sides once, so that the solid stays closed.
-/// Where sides cross each other or vertices are in one place, as they are if the solid's surface touches itself, that
-/// takes triangles without area. O(n log n) for n sides, as a rule.
+/// Fills the section of a solid with triangles that use each of its sides once, so that the solid stays closed. If
+/// sides cross or vertices coincide, because the solid's surface touches itself, this takes degenerate triangles.
+/// Usually O(n log n) for n sides.
 Section_filling fill_section(const Planar_points& vertices, const std::vector<Section_side>& sides);
 
 } // namespace CGAL::Shape_correspondence::internal

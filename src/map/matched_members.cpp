@@ -28,10 +28,10 @@ std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_
 
 namespace {
 
-/// Relative places of parts: their middles in the box around all of them.
+/// Relative positions of parts: their centres in the bounding box of all centres.
 Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 {
-  constexpr double least_extent = 0.02; // of the shape's height: along shorter extents, places are taken to be equal
+  constexpr double least_extent = 0.02; // ratio to the shape's height; along shorter extents, positions count as equal
   Points result(3, Eigen::Index(parts.size()));
   for (std::size_t i = 0; i < parts.size(); ++i)
     result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());
@@ -45,13 +45,13 @@ Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
   return result;
 }
 
-/// Matches the parts of two sets: one to one by optimal assignment of their places as far as numbers allow, every part
-/// left over with the nearest one, or with all of several that are as near, so that symmetric sets are matched
-/// symmetrically.
+/// Matches the parts of two sets by relative positions: by optimal assignment as far as their numbers allow; every
+/// remaining part with the nearest one, or all about as near, so that symmetric sets are matched symmetrically.
 Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source, const Charted_shape& target)
 {
-  constexpr double as_near = 0.02; // of the unit box: members that are hardly farther than the nearest one match, too
-  constexpr double tie = 1e-3; // of distances in the shapes: of assignments as good, the order of parts chooses none
+  constexpr double as_near = 0.02; // in units of the bounding box; tolerance for parts about as near as the nearest one
+  // Weight of distances between the shapes, so that ties are not settled by the order of parts
+  constexpr double tie = 1e-3;
   const Points from = places(source, sets.source), to = places(target, sets.target);
   Eigen::MatrixXd cost(from.cols(), to.cols());
   for (Eigen::Index i = 0; i < cost.rows(); ++i)

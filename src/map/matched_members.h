@@ -12,18 +12,18 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Parts of both shapes that pairs connect.
+/// Parts of both shapes that are connected by pairs.
 struct Connected_parts
 {
   std::vector<std::size_t> source, target;
 };
 
-/// \param sources,targets the numbers of parts
+/// \param sources, targets numbers of parts
 std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_t sources, std::size_t targets);
 
-/// Which part becomes which. Where one part corresponds to several, it becomes all of them, or all of them become it,
-/// as the pairs say. Of sets of several parts on either side, a method may have paired every part with every other:
-/// their members are matched by their places, which are those of the surfaces at hand.
+/// The pairs of parts that are mapped to each other. If one part corresponds to several, these are the given pairs. If
+/// several parts correspond to several, where a method may have paired every part with every other, they are matched by
+/// the positions of their surfaces.
 Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs);
 
 } // namespace CGAL::Shape_correspondence::internal

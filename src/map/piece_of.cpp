@@ -29,8 +29,8 @@ public:
     add_coordinates();
   }
 
-  /// Removes what is beyond `at` in a coordinate and fills the section if it is closed. A part all of which is
-  /// beyond is shrunk to a speck at its nearest point.
+  /// Removes everything beyond `at` in a coordinate, and fills the section if it is closed. A part that lies entirely
+  /// beyond is shrunk to a tiny copy at its nearest point.
   void cut(int axis, double at, bool is_low)
   {
     const auto beyond = [&](int i) {
@@ -63,7 +63,7 @@ public:
     close(axis, at, is_on_side);
   }
 
-  /// The piece, without vertices that no triangle uses.
+  /// The piece, without unused vertices.
   Part_mesh mesh() const
   {
     const Points points = mesh_.points();
@@ -85,10 +85,10 @@ public:
 
 private:
   static constexpr double on_side = 1e-9;
-  static constexpr double straight = 1e-3; ///< how far an edge may stray from the chart, over the height
-  static constexpr int most_rounds = 8;    ///< of splitting edges that do
+  static constexpr double straight = 1e-3; ///< deviation of an edge from the chart, over the height
+  static constexpr int most_rounds = 8;    ///< number of rounds of splitting edges that deviate more
 
-  /// Adds the coordinates of new points. \return the number of points before
+  /// Computes the coordinates of new points. \return the previous number of points
   std::size_t add_coordinates()
   {
     const std::size_t before = coordinates_.size();
@@ -99,7 +99,7 @@ private:
 
   void shrink_to(int point)
   {
-    constexpr double speck = 1e-3; // of the part's size
+    constexpr double speck = 1e-3; // factor of the part's size
     const Point to = mesh_.point(point);
     for (int i = 0; i < int(coordinates_.size()); ++i) {
       mesh_.move(i, to + speck * (mesh_.point(i) - to));
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  /// Splits the sides of the section until they are straight in the chart, too.
+  /// Splits the sides of the section until they are straight in the chart.
   template <typename Is_on_side>
   void straighten(int axis, double at, const Is_on_side& is_on_side)
   {
@@ -123,11 +123,10 @@ private:
         coordinates_[i][axis] = at;
   }
 
-  /// Fills the section, if it is closed.
   template <typename Is_on_side>
   void close(int axis, double at, const Is_on_side& is_on_side)
   {
-    std::vector<int> points; // by vertex of the section
+    std::vector<int> points; // indexed by vertex of the section
     std::map<int, int> vertex;
     const auto number = [&](int point) {
       const auto [known, is_new] = vertex.try_emplace(point, int(points.size()));
@@ -149,7 +148,7 @@ private:
     add_filling(axis, at, points, sides, fill_section(vertices, sides));
   }
 
-  /// \param points the first ones of the filling
+  /// \param points points of the mesh for the section's vertices, the first of the filling
   void add_filling(int axis, double at, std::vector<int> points, const std::vector<Section_side>& sides,
                    const Section_filling& filling)
   {
@@ -186,7 +185,7 @@ private:
     return result;
   }
 
-  /// Splits edges of a filling until it follows the chart: a long edge of a bent part would leave it. The sides stay.
+  /// Splits edges of a filling, but for its sides, until it follows the chart, unlike a long edge in a bent part.
   void bend(Subdivision& section, std::vector<Point>& coordinates, const std::vector<Section_side>& sides) const
   {
     std::set<Section_side> kept;
@@ -214,7 +213,7 @@ private:
     }
   }
 
-  /// Whether as many sides end in every place as begin there.
+  /// Whether at every position as many sides end as begin.
   static bool is_closed(const std::vector<Section_side>& sides, const Planar_points& vertices)
   {
     std::map<std::array<std::int64_t, 2>, int> balance;
@@ -229,7 +228,7 @@ private:
 
   const Part_chart& chart_;
   Subdivision mesh_;
-  std::vector<Point> coordinates_; ///< by point
+  std::vector<Point> coordinates_;
 };
 
 } // namespace

@@ -9,7 +9,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The piece of a part that a box of its chart cuts out, closed if the part is. All of it for the whole chart.
+/// The piece of a part cut out by a box in its chart, closed if the part is closed. The whole part for the whole chart.
 Part_mesh piece_of(const Part_mesh& part, const Part_chart& chart, const Chart_box& box);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -21,11 +21,10 @@ namespace CGAL::Shape_correspondence {
 
 namespace internal {
 
-/// A shape by quarter turns about the up axis, each aligned when it is first asked for. Threads may share it.
+/// A shape turned by quarter turns about the up axis; each is aligned on demand. Thread-safe.
 class Turned_shapes
 {
 public:
-  /// Keeps the graph by reference.
   explicit Turned_shapes(const Structural_graph& graph) : graph_(graph) {}
 
   const Structural_graph& graph() const { return graph_; }
@@ -41,17 +40,17 @@ private:
 
 } // namespace internal
 
-/// What matches of a shape share. Everything is computed when it is first asked for; threads may share it.
+/// The data that all matches of a shape share, computed on demand. Thread-safe.
 struct Prepared_shape::Alignments
 {
   explicit Alignments(const Structural_graph& graph) : shapes_(std::make_shared<internal::Turned_shapes>(graph)) {}
 
   Matching_problem::Shared_shape aligned(int quarter_turns) { return shapes_->aligned(quarter_turns); }
 
-  /// Cached for the options that were asked for last, since a shape is hardly ever matched with several.
+  /// The features in an alignment; cached for the last options only, since shapes are hardly ever matched with several.
   std::shared_ptr<const internal::Shape_features> features(int quarter_turns, const Part_matching_options& options);
 
-  /// The roles by a model, in the shape turned from its given orientation.
+  /// The roles predicted by a model for the four quarter turns of the shape from its given orientation.
   internal::Turned_roles roles(const std::shared_ptr<const Role_model>& model);
 
 private:
@@ -59,7 +58,7 @@ private:
   std::mutex features_mutex_;
   std::array<std::shared_ptr<const internal::Shape_features>, internal::Turned_shapes::turns> features_;
   std::mutex roles_mutex_;
-  std::map<std::shared_ptr<const Role_model>, internal::Turned_roles> roles_; // by every model that was asked for
+  std::map<std::shared_ptr<const Role_model>, internal::Turned_roles> roles_;
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -14,21 +14,21 @@ using namespace internal;
 
 namespace {
 
-// Cost of a pair that never corresponds: more than the sum of all other terms of a pair.
+// Cost of a pair that never corresponds; greater than the sum of all other costs of a pair.
 constexpr double incompatible = 50;
 
-// The costs that do not depend on places.
+// The costs that do not depend on positions.
 double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_matching_options& options)
 {
   const Part_cost_weights& weights = options.weights;
   double result = weights.orientation * (a.orientation - b.orientation).norm();
-  // Of boards, many reach down where others end above
+  // Weighed less for boards: many boards reach the ground where their counterparts end above it
   if (a.on_ground != b.on_ground) result += (a.is_board || b.is_board ? 0.5 : 1) * weights.ground;
   if (a.is_in_chain != b.is_in_chain) result += incompatible;
   return result;
 }
 
-// The costs of places and extents. Column by column, in vectors of boxes.
+// The costs of positions and extents, vectorized over the boxes of `a`.
 Eigen::MatrixXd costs_of_boxes(const Measured_boxes& a, const Measured_boxes& b, const Part_matching_options& options)
 {
   const Part_cost_weights& weights = options.weights;
@@ -48,8 +48,8 @@ Eigen::MatrixXd costs_of_boxes(const Measured_boxes& a, const Measured_boxes& b,
   return result;
 }
 
-// Likelihood of correspondence: geometric mean of the softmaxes over rows and over columns. Sums run along rows both
-// times, for the same bits with the shapes swapped.
+// Likelihood of correspondence: geometric mean of the softmax over rows and the softmax over columns. Both sums run
+// along rows, so that swapping the shapes gives the same bits.
 Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
 {
   const Eigen::ArrayXXd likelihood = (-costs.array()).exp(), transposed = likelihood.transpose();
@@ -57,7 +57,7 @@ Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
   return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
 }
 
-// Pairs of parts whose boxes pull each other in a warp.
+// Pairs of parts whose boxes attract each other in a warp, with weights.
 struct Anchors
 {
   std::array<std::vector<Eigen::Index>, 2> parts;
@@ -79,8 +79,8 @@ Anchors anchors_of(const Eigen::MatrixXd& costs, double least_likelihood)
   return result;
 }
 
-// The boxes of one of the shapes, numbered `side`, after the anchors pulled their ends towards those of the other:
-// along each axis by the mean of the displacements, weighted by closeness, and of none, which weighs `inertia`.
+// The boxes of one of the shapes (`side`), whose ends the anchors pull towards those of the other shape: along each
+// axis by the weighted mean of the anchors' displacements, with a zero displacement of weight `inertia`.
 Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others, const Anchors& anchors,
              std::size_t side, double inertia)
 {
@@ -108,8 +108,8 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
   return result;
 }
 
-// The mean of the costs of boxes as they are, and after either shape was warped towards the other where the pairs that
-// are most probable by all costs ask for it; with the costs of kind.
+// The costs of kind plus the mean of three costs of boxes: as given, and after either shape was warped towards the
+// other by the pairs that are most probable by all costs.
 Eigen::MatrixXd costs_after_warping(const Shape_features& a, const Shape_features& b,
                                     const Eigen::MatrixXd& costs_of_kind, const Part_matching_options& options)
 {
@@ -122,20 +122,19 @@ Eigen::MatrixXd costs_after_warping(const Shape_features& a, const Shape_feature
                              3;
 }
 
-// Distances of the points of the parts of one shape from the parts of another, in one piece of memory.
+// Distances of the points of one shape's parts from the other shape's parts, stored contiguously.
 class Point_distances
 {
 public:
   Point_distances(const Shape_features& from, const Shape_features& to);
 
-  // Of the points of a part from a part of the other shape that is in a union.
+  // The distances of a part's points from a part of the other shape. \pre the other part is in a union
   Eigen::Map<const Eigen::ArrayXd> of(std::size_t part, std::size_t other) const
   {
     return {values_.data() + place(part, other), count(part)};
   }
   double sum(std::size_t part, std::size_t other) const { return sums_(Eigen::Index(part), Eigen::Index(other)); }
   double mean(std::size_t part, std::size_t other) const { return sum(part, other) / double(count(part)); }
-  // Points of a part.
   Eigen::Index count(std::size_t part) const { return from_.surfaces[part].rows(); }
 
   void set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared);
@@ -144,13 +143,13 @@ private:
   Eigen::Index place(std::size_t part, std::size_t other) const { return begin_[part] + number_[other] * count(part); }
 
   const Shape_features& from_;
-  std::vector<Eigen::Index> begin_;  // of the values of a part
-  std::vector<Eigen::Index> number_; // of the other shape's parts in unions; -1 for those in none
+  std::vector<Eigen::Index> begin_;  // for each part, the index of its first value in `values_`
+  std::vector<Eigen::Index> number_; // for each part of the other shape, its rank among those in unions; -1: in none
   Eigen::ArrayXd values_, scratch_;
-  Eigen::MatrixXd sums_; // part × other part
+  Eigen::MatrixXd sums_; // sums of distances by part and other part
 };
 
-// The distances of the points of all parts of either shape from all parts of the other.
+// The distances between the points of all parts of either shape and all parts of the other.
 struct Surface_distances
 {
   Point_distances a_from_b, b_from_a;
@@ -163,7 +162,7 @@ void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
   if (numbers.size() < count) numbers.resize(count);
 }
 
-// The values from parts in no union, which would take gigabytes for shapes of thousands of parts, are summed up only.
+// Single distances are kept only for parts in unions; those of all parts would take gigabytes for thousands of parts.
 Point_distances::Point_distances(const Shape_features& from, const Shape_features& to)
     : from_(from),
       number_(to.surfaces.size(), -1),
@@ -182,7 +181,8 @@ Point_distances::Point_distances(const Shape_features& from, const Shape_feature
   scratch_.resize(most + 1);
 }
 
-// How Eigen adds numbers up depends on the address of the first: it is even where it was as all values were kept.
+// The order in which Eigen adds numbers depends on whether the address of the first is even (in doubles); the parity is
+// the one that an array of all distances would have.
 void Point_distances::set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared)
 {
   const Eigen::Index n = count(part);
@@ -209,13 +209,13 @@ Surface_distances::Surface_distances(const Shape_features& a, const Shape_featur
   }
 }
 
-// The chamfer distance of two parts: the mean distance of the points of either from the other.
+// The chamfer distance of two parts: the mean distance of the points of either part from the other part.
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t j)
 {
   return (a_from_b.mean(i, j) + b_from_a.mean(j, i)) / 2;
 }
 
-// The chamfer distance of a part and the union of several.
+// The chamfer distance between a part and a union of parts.
 double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
                const std::vector<std::size_t>& parts)
 {
@@ -229,7 +229,7 @@ double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a,
   return (nearest.mean() + sum / n) / 2;
 }
 
-// Lowers the costs to those of parts of `a` and unions that the parts of `b` are in.
+// Lowers the costs of pairs of parts to the costs between a part of `a` and a union that contains the part of `b`.
 template <typename Costs>
 void lower_to_unions(const Shape_features& a, const Shape_features& b, const Point_distances& a_from_b,
                      const Point_distances& b_from_a, const Part_matching_options& options, const Deadline& deadline,
@@ -252,7 +252,7 @@ void lower_to_unions(const Shape_features& a, const Shape_features& b, const Poi
   }
 }
 
-// The costs that warps do not change. \param surfaces null: they are not compared
+// The costs that warping does not change. \param surfaces null: surfaces are not compared
 Eigen::MatrixXd costs_of_kind(const Shape_features& a, const Shape_features& b, const Surface_distances* surfaces,
                               const Part_matching_options& options)
 {
@@ -283,7 +283,7 @@ double mean_least_cost(const Eigen::MatrixXd& costs)
   return costs.rowwise().minCoeff().mean() + costs.colwise().minCoeff().mean();
 }
 
-// In canonical order, since sums of the warp run over pairs source by source.
+// The shapes are in canonical order, since the sums of the warp run over pairs source by source.
 Eigen::MatrixXd part_costs(const Shape_features& source, const Shape_features& target,
                            const Part_matching_options& options, const Deadline* deadline)
 {

@@ -33,7 +33,7 @@ std::shared_ptr<const Shape_features> Prepared_shape::Alignments::features(int q
   return result;
 }
 
-// The roles keep the aligned shapes that they are told from, and may outlive the prepared shape.
+// The roles hold the aligned shapes that they were predicted from, and may outlive the prepared shape.
 Turned_roles Prepared_shape::Alignments::roles(const std::shared_ptr<const Role_model>& model)
 {
   const std::lock_guard<std::mutex> lock(roles_mutex_);

@@ -34,7 +34,7 @@ Matching_problem problem_of(const Matching_problem::Shared_shape& source, const 
   return {source, target, options.matching, coarse_candidates(source, target, options, deadline), deadline};
 }
 
-// \throw Too_large if exact search, which has four tables of the size of those of the energy at a time, cannot have them
+// \throw Too_large if there is no memory for exact search, which holds four tables of the size of the energy's
 void check_exact_tables(const Pairwise_energy& energy)
 {
   double values = 0;
@@ -52,7 +52,7 @@ std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::v
   return result;
 }
 
-// The energy of every contact, and half of it for either of its groups.
+// Gives every contact its energy, and half of it to each of its two groups.
 std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assignment& assignment,
                                      Correspondence& correspondence)
 {
@@ -81,7 +81,7 @@ std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assi
 
 Curve_segment segment_of(const Piece& piece) { return {short(piece.index), short(piece.count)}; }
 
-// What the parts of the deformed shape become.
+// Adds the pairs of a label: each part of the deformed shape with its images.
 void collect_pairs(const Group_label& label, const Aligned_shape& shape, const Aligned_shape& other,
                    Correspondence& correspondence)
 {
@@ -122,7 +122,7 @@ void collect_groups(const Matching_problem& problem, const Assignment& assignmen
   std::sort(correspondence.pairs.begin(), correspondence.pairs.end(), is_before);
 }
 
-// Whether a search had to leave the paper's rule that a group becomes a group or a self-symmetric part.
+// Whether a label breaks the paper's rule that a group becomes a group or a self-symmetric part.
 bool merges_into_asymmetric_part(const Search_run& run, const Assignment& assignment)
 {
   if (run.result.summary.method == "parts") return false;

@@ -13,9 +13,9 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double no_variance = 1e-12; // in a direction, over the largest: less counts as none
+constexpr double no_variance = 1e-12; // variance in a direction, over the largest one, below which it counts as zero
 
-// Square root of the covariance, of Frobenius norm 1: what is long where, whatever the size.
+// Square root of the covariance matrix, of Frobenius norm 1: form and orientation of a part, independent of size.
 Eigen::Matrix3d orientation(const Surface& surface)
 {
   const Surface centred = surface.rowwise() - surface.colwise().mean();
@@ -24,7 +24,7 @@ Eigen::Matrix3d orientation(const Surface& surface)
   const Eigen::Array3d squares = eigen.values;
   const double largest = squares.maxCoeff();
   if (!(largest > zero_squared_length)) return Eigen::Matrix3d::Zero();
-  // A surface in a plane has no variance across it: the root of rounding noise would not be small
+  // The variance of a plane surface across the plane is rounding noise, the square root of which would not be small
   const Eigen::Vector3d lengths = (squares > no_variance * largest).select(squares.sqrt(), 0.);
   const double norm = lengths.norm();
   return eigen.vectors * (lengths / norm).asDiagonal() * eigen.vectors.transpose();
@@ -64,7 +64,7 @@ void add_box(Boxes& boxes, Eigen::Index row, const Surface& surface)
   boxes.high.row(row) = surface.colwise().maxCoeff();
 }
 
-// Groups and panels, as one part each.
+// Adds the groups and panels that may match one part as unions.
 void add_unions(Shape_features& result)
 {
   const Aligned_shape& shape = result.shape;
@@ -90,9 +90,9 @@ void add_unions(Shape_features& result)
   result.union_boxes = Measured_boxes(boxes, options.tolerance);
 }
 
-constexpr Eigen::Index most_kept_parts = 128; // 96 bytes for each pair of parts
+constexpr Eigen::Index most_kept_parts = 128; // limit for caching, which takes 96 bytes for each pair of parts
 
-// \param others an even number of ends: the exponential of a scalar has other bits than that of a vector
+// \param others an even number of ends, since the vectorized exponential and the scalar one differ in bits
 template <typename Ends>
 auto closeness_to(const Ends& others, double end, double width)
 {

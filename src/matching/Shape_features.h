@@ -28,18 +28,18 @@ struct Boxes
   Eigen::ArrayX3d low, high;
 };
 
-// Boxes with what their costs need of one shape alone.
+// Boxes with the derived values of one shape that their costs need.
 struct Measured_boxes : Boxes
 {
   Eigen::ArrayXd volumes;
-  Eigen::ArrayX3d logs; // of the extents
+  Eigen::ArrayX3d logs; // logarithms of the extents
 
   Measured_boxes() = default;
   Measured_boxes(const Boxes& boxes, double tolerance);
 };
 
-// How much the ends of boxes move with each other in a warp, along each axis: 1 at the same place, less with distance,
-// in units of `width`. Of part i, the low end is number 2 i and the high end number 2 i + 1.
+// The influence of the ends of boxes on each other in a warp, along each axis: 1 at the same coordinate, decreasing
+// with distance in units of `width`. The low end of part i has index 2 i, its high end 2 i + 1.
 class Closeness
 {
 public:
@@ -52,38 +52,37 @@ public:
 private:
   double width_ = 1;
   std::array<Eigen::ArrayXd, 3> ends_;
-  std::array<Eigen::MatrixXd, 3> kept_; // one column per end, symmetric; empty for shapes of many parts
+  std::array<Eigen::MatrixXd, 3> kept_; // one column for each end, symmetric; empty for shapes of many parts
 };
 
-// A part, or several as one.
+// The properties of a part, or of a union of parts.
 struct Part_extent
 {
   Eigen::Matrix3d orientation;
   bool on_ground = false;
-  bool is_board = false;    // upright, as high and as wide as a wall
-  bool is_in_chain = false; // a ring of a chain
+  bool is_board = false;    // upright, and as high and as wide as a wall
+  bool is_in_chain = false; // one of the rings of a chain
 };
 
-// An order of shapes that does not depend on turns about the up axis; it breaks ties independently of which shape is
-// the source.
+// Sort key of shapes, invariant to turns about the up axis, by which ties are broken whichever shape is the source.
 using Shape_rank = std::tuple<std::size_t, Steps, Steps>;
 
 Shape_rank rank_of(const Aligned_shape& shape);
 
-// What `match_parts()` knows of a shape: its parts in its unit box. Threads may share it.
+// The features of a shape that `match_parts()` compares, in the shape's unit box. Thread-safe.
 struct Shape_features
 {
   const Aligned_shape& shape;
   Part_matching_options options;
-  Part_assemblies assemblies; // those that the options ask for
+  Part_assemblies assemblies; // the assemblies found with the options
 
   std::vector<Surface> surfaces;
-  std::vector<Point_lanes> lanes; // of the surfaces
+  std::vector<Point_lanes> lanes; // points of the surfaces, by part
   std::vector<Part_extent> parts;
   Measured_boxes boxes;
-  Closeness closeness; // of the ends of the boxes
+  Closeness closeness; // closeness of the ends of the boxes
 
-  std::vector<std::vector<std::size_t>> unions; // sets of parts that may correspond to one part as a whole
+  std::vector<std::vector<std::size_t>> unions; // sets of parts that may correspond to one part
   std::vector<Part_extent> union_parts;
   Measured_boxes union_boxes;
 
@@ -94,7 +93,7 @@ struct Shape_features
   std::size_t size() const { return shape.parts.size(); }
 };
 
-// Whether the features of a shape are the same by both options.
+// Whether a shape has the same features under both options.
 bool have_same_features(const Part_matching_options& a, const Part_matching_options& b);
 
 } // namespace CGAL::Shape_correspondence::internal

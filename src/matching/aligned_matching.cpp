@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Log of the extent sideways over that to the front; 0 for what has neither.
+// Logarithm of width over depth; 0 if one of them vanishes.
 double log_proportion(const Aligned_shape& shape)
 {
   Point low = shape.parts[0].surface.col(0), high = low;
@@ -25,7 +25,7 @@ double log_proportion(const Aligned_shape& shape)
   return std::min(extent.x(), extent.z()) > comparison_grid ? std::log(extent.x() / extent.z()) : 0;
 }
 
-// Pairs of the geometric match that either part has alone, at a cost of no more than `largest_cost`.
+// The pairs of the geometric match whose two parts are in no other pair, of cost at most `largest_cost`.
 Part_pairs same_parts(const Part_matching& geometric, double largest_cost)
 {
   std::vector<int> of_source(std::size_t(geometric.costs.rows())), of_target(std::size_t(geometric.costs.cols()));
@@ -141,7 +141,7 @@ Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weight
 
 void state_confidences(const Confidence_weights& weights, Part_matching& matching)
 {
-  if (weights == usual_confidence_weights()) return; // to the last bit
+  if (weights == usual_confidence_weights()) return; // leaves the confidences bitwise unchanged
   for (Part_correspondence& pair : matching.pairs)
     pair.confidence = confidence(pair.confidence, weights);
   matching.probabilities = matching.probabilities.unaryExpr([&](double p) { return confidence(p, weights); }).eval();

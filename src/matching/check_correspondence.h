@@ -14,8 +14,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// \param function that is called \throw Invalid_input if a correspondence names parts that two shapes of so many parts
-/// do not have
+/// Checks the part indices of a correspondence against the numbers of parts of the two shapes.
+/// \param function name of the caller, for the message \throw Invalid_input if an index is out of range
 inline void check_correspondence(const std::string& function, const Correspondence& c, std::size_t source_parts,
                                  std::size_t target_parts)
 {

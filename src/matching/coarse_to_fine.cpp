@@ -27,7 +27,7 @@ bool have_common(const Groups& a, const Groups& b)
   return std::any_of(a.begin(), a.end(), [&](std::size_t g) { return b.count(g) > 0; });
 }
 
-/// By group, the coarse ones that are nearest to it by contacts; itself if it is one.
+/// For each group, the coarse groups nearest to it in the graph; for a coarse group, itself.
 std::vector<Groups> nearest_coarse(const Aligned_shape& shape, const std::vector<char>& is_coarse)
 {
   const std::size_t n = shape.number_of_groups();
@@ -54,7 +54,7 @@ std::vector<Groups> nearest_coarse(const Aligned_shape& shape, const std::vector
   return result;
 }
 
-/// A contact of two parts where their samples are nearest.
+/// The contact of two parts at their nearest samples, with the distance of these.
 std::pair<double, Aligned_shape::Contact> nearest_samples(const Aligned_shape& shape, std::size_t a, std::size_t b)
 {
   if (a > b) std::swap(a, b);
@@ -70,13 +70,13 @@ std::pair<double, Aligned_shape::Contact> nearest_samples(const Aligned_shape& s
   return result;
 }
 
-/// A shape, and the same with its most prominent parts only.
+/// A shape, and its restriction to the most prominent parts.
 struct Coarse_shape
 {
   const Aligned_shape& fine;
-  std::vector<char> is_kept;                  ///< by part
-  std::vector<std::size_t> group_of_original; ///< of the fine shape, by index in the structural graph
-  std::vector<Groups> nearest;                ///< by fine group, `nearest_coarse()`
+  std::vector<char> is_kept;                  ///< indexed by part
+  std::vector<std::size_t> group_of_original; ///< group of the fine shape, by index in the structural graph
+  std::vector<Groups> nearest;                ///< indexed by fine group, see `nearest_coarse()`
   Shared_shape coarse;
 
   Coarse_shape(const Aligned_shape& shape, std::size_t count) : fine(shape), is_kept(most_prominent_parts(shape, count))
@@ -93,8 +93,8 @@ struct Coarse_shape
     coarse = std::make_shared<Deformable_shape>(restricted(bridged, is_kept));
   }
 
-  /// Coarse groups that only small parts connect count as in contact, each part with the nearest one of the other
-  /// group: otherwise nothing would tell how they lie to each other.
+  /// Connects coarse groups that only small parts connect, each part with the nearest one of the other group: otherwise
+  /// the energy would not see their relative position.
   void add_bridges(std::vector<Aligned_shape::Contact>& contacts) const
   {
     std::set<std::array<std::size_t, 2>> pairs;
@@ -107,7 +107,7 @@ struct Coarse_shape
       if (is_kept[contact.parts[0]] && is_kept[contact.parts[1]]) pairs.erase({std::min(a, b), std::max(a, b)});
     }
     for (const auto& [a, b] : pairs) {
-      std::map<std::array<std::size_t, 2>, Aligned_shape::Contact> found; // by parts
+      std::map<std::array<std::size_t, 2>, Aligned_shape::Contact> found; // key: the two parts
       for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
         for (std::size_t part : fine.group(from).parts) {
           if (!is_kept[part]) continue;
@@ -127,7 +127,7 @@ struct Coarse_shape
 
   std::size_t fine_group(std::size_t coarse_part) const { return group_of_original[coarse->original[coarse_part]]; }
 
-  /// By fine group, the coarse ones that are nearest to it or to a group that touches it.
+  /// For each fine group, the coarse groups nearest to it or to a group in contact with it.
   std::vector<Groups> near_coarse() const
   {
     std::vector<Groups> result = nearest;
@@ -138,7 +138,7 @@ struct Coarse_shape
   }
 };
 
-/// The pinned pairs of parts that both take part in the coarse match.
+/// The pinned pairs whose two parts are in the coarse shapes.
 std::vector<Part_pair> coarse_pins(const std::vector<Part_pair>& pinned, const Coarse_shape& source,
                                    const Coarse_shape& target)
 {
@@ -148,7 +148,7 @@ std::vector<Part_pair> coarse_pins(const std::vector<Part_pair>& pinned, const C
   return result;
 }
 
-/// By fine group of the source, the fine groups of the target that its coarse parts became.
+/// For each fine group of the source, the fine groups of the target that its coarse parts correspond to.
 std::vector<Groups> images_of(const Search_run& run, const Coarse_shape& source, const Coarse_shape& target)
 {
   std::vector<Groups> result(source.fine.number_of_groups());

@@ -18,22 +18,23 @@
 namespace CGAL::Shape_correspondence {
 namespace {
 
-constexpr double other_role_weight = .5; // of a pair whose parts have different roles
-constexpr double weak_bridge = .5;       // mean weight between two sets over that inside either
+constexpr double other_role_weight = .5; // weight of a pair whose parts have different roles
+// Mean weight of the pairs between two sets, over that inside them, below which they stay apart
+constexpr double weak_bridge = .5;
 
-/// Parts of both shapes, those of the target numbered after the source's.
+/// Parts of both shapes; indices of target parts follow those of the source.
 struct Part_set
 {
   std::size_t sources = 0, targets = 0;
-  double inside = 0;                     ///< weight of its pairs
-  std::size_t changes = 0;               ///< that it has gone through
-  std::map<std::size_t, double> between; ///< weight of the pairs with another set
+  double inside = 0;                     ///< total weight of the pairs within the set
+  std::size_t changes = 0;               ///< number of times that it was united with others
+  std::map<std::size_t, double> between; ///< weight of the pairs with each other set
 
   bool has_both() const { return sources > 0 && targets > 0; }
   double mean() const { return inside / double(sources * targets); }
 };
 
-/// The sets of parts, to begin with one for each part, and the weights of the pairs between them.
+/// A partition of the parts, initially into single parts, and the weights of the pairs between its sets.
 class Part_sets
 {
 public:
@@ -61,8 +62,7 @@ public:
       push_bridges(set);
   }
 
-  /// Unites the sets with the greatest mean weight between them, all where several are equal. \return whether there are
-  /// any
+  /// Unites the sets with the greatest mean weight between them, all if tied. \return whether there were any
   bool unite_closest()
   {
     std::vector<Bridge> closest;
@@ -173,11 +173,11 @@ private:
   }
 
   internal::Disjoint_sets set_of_;
-  std::vector<Part_set> sets_; ///< by their first part
+  std::vector<Part_set> sets_; ///< indexed by first part
   std::priority_queue<Bridge> bridges_;
 };
 
-/// The most frequent role of the parts; of several, the first in the alphabet.
+/// The most frequent role of the parts; of equally frequent ones, the first in alphabetical order.
 std::string role_of(const Correspondence_block& block, const Correspondence& c)
 {
   std::map<std::string, int> counts;

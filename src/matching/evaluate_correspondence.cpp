@@ -45,7 +45,7 @@ Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_trut
 Evaluation mean_scores(const std::vector<Scored_correspondence>& scores)
 {
   if (scores.empty()) throw Invalid_input("there are no scores to take means of; give one or more");
-  std::map<std::string, Mean_score> categories; // sums at first
+  std::map<std::string, Mean_score> categories; // sums, divided below
   const auto add = [](Mean_score& sum, double precision, double recall, double f1, double weight) {
     sum.precision += weight * precision;
     sum.recall += weight * recall;

@@ -20,7 +20,7 @@ using namespace internal;
 
 namespace {
 
-// Pairs of connected parts, and parts that touch nothing.
+// The number of pairs of connected parts and of isolated parts.
 std::size_t number_of_counted_pairs(const Aligned_shape& shape)
 {
   std::vector<char> touches(shape.parts.size(), 0);
@@ -38,7 +38,7 @@ bool has_too_many_groups(const Aligned_shape& deformed, Search_method method)
   return deformed.number_of_groups() > (method == Search_method::BEAM ? most_beam_groups : most_exact_groups);
 }
 
-// A lower bound of the energy; 0 where its tables take too much memory.
+// A lower bound of the energy; 0 if its tables would take too much memory.
 double least_energy_of(const Matching_problem::Shared_shape& deformed, const Matching_problem::Shared_shape& other,
                        const Matching_options& options)
 {
@@ -166,7 +166,7 @@ double Correspondence_finder::Impl::lower_bound(const Prepared_shape& target, do
     bound = std::min(bound, lower_bound(source_, shape, unmatched_energy));
     if (both_directions) bound = std::min(bound, lower_bound(shape, source_, unmatched_energy));
   }
-  constexpr double rounding = 1e-9; // sums are added up in another order
+  constexpr double rounding = 1e-9; // relative and absolute margin, since sums are added up in another order
   return std::max(0., bound * (1 - rounding) - rounding);
 }
 
@@ -180,11 +180,11 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
   if (options_.matching.norm == Energy_norm::POOLED) return 0;
   Matching_options matching = options_.matching;
   matching.cut_curves = false;
-  matching.pinned.clear(); // without them the energy is not greater
+  matching.pinned.clear(); // dropping constraints cannot raise the least energy
   matching.forbidden.clear();
   matching.role_costs.resize(0, 0);
   matching.unmatched_cost = unmatched_energy;
-  if (other->parts.size() > maximum_labels) return 0; // not every part would be a label
+  if (other->parts.size() > maximum_labels) return 0; // not every part could be a label
   return least_energy_of(std::make_shared<Deformable_shape>(deformed->ungrouped()),
                          std::make_shared<Deformable_shape>(other->ungrouped()), matching) /
          pairs;

@@ -22,7 +22,7 @@ using namespace internal;
 
 namespace {
 
-// The indices in one alignment of a shape of the parts of another one.
+// For each part of `from`, its index in `to`, another alignment of the same shape.
 std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligned_shape& to)
 {
   std::vector<std::size_t> result;
@@ -31,10 +31,10 @@ std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligne
   return result;
 }
 
-// Whether the energy of a matching is computed fast: counterparts of parts that touch are compared each with each.
+// Whether the energy of a matching is computed fast: all counterparts of parts in contact are compared pairwise.
 bool is_rated_fast(const Part_matching& matching, const Aligned_shape& source)
 {
-  constexpr double most_comparisons = 2e8; // of counterparts; they take about two seconds
+  constexpr double most_comparisons = 2e8; // number of pairs of counterparts that takes about two seconds
   std::vector<double> counterparts(source.parts.size(), 0);
   for (const Part_correspondence& pair : matching.pairs)
     ++counterparts[pair.source];
@@ -44,7 +44,7 @@ bool is_rated_fast(const Part_matching& matching, const Aligned_shape& source)
   return comparisons <= most_comparisons;
 }
 
-// With the likeliest counterpart of every source part; of several, the first.
+// The matching reduced to the likeliest counterpart of every source part, of several the first.
 Part_matching likeliest_only(const Part_matching& matching)
 {
   std::map<std::size_t, Part_correspondence> best;
@@ -94,7 +94,7 @@ std::vector<Alignment_candidate> Correspondence_finder::Impl::candidates(const P
     if (category.index < model.categories.size() && !(options_.alignments == 1 && options_.front_is_sure))
       result = candidates_by_roles(target, category.index);
   }
-  // Of alignments of equal cost the first is taken: the same one, whichever shape is the source
+  // Ties of alignments go to the first; this order makes it the same one, whichever shape is the source
   if (!result.empty() && rank_of(*aligned(target, 0)) < rank_of(*source_))
     std::stable_sort(result.begin(), result.end(), [](const Alignment_candidate& a, const Alignment_candidate& b) {
       return a.target_front < b.target_front;
@@ -116,7 +116,7 @@ Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& targ
   const Pair_category given =
       category_of_pair(*a.roles(options_.roles)[0], *b.roles(options_.roles)[0], model, options_.parts);
   if (given.index < model.categories.size() || options_.front_is_sure) return given;
-  Role_options clearly_nearest = options_.parts; // the trees are asked for the front already
+  Role_options clearly_nearest = options_.parts; // the front is decided by the trees below
   clearly_nearest.category_distance = 0;
   const Pair_category turned = by_any_front(clearly_nearest);
   const auto turns = [&](Alignments& shape) {
@@ -159,8 +159,8 @@ Part_matching Correspondence_finder::Impl::matched_in(const Prepared_shape& targ
   if (alignment.by_roles)
     return matched_in_frames(target, *shape, given_quarter_turns(source_frame_) + alignment.source_front,
                              given_quarter_turns(structure(target.graph()).frame) + alignment.target_front, deadline);
-  // Costs treat the side and the front differently, so with an odd quarter turn it matters in whose frame shapes are
-  // compared: in that of the first in canonical order, whichever is the source
+  // Costs treat side and front differently, so that with an odd quarter turn the result depends on the frame of
+  // comparison: that of the shape which is first in canonical order, whichever is the source
   if (alignment.turn % 2 != 0 && rank_of(*shape) < rank_of(*source_))
     return matched_in_frames(target, *shape, -alignment.turn, 0, deadline);
   return match_parts(*features(prepared_source_, source_, 0), *features(target, shape, alignment.turn), options_.parts,
@@ -182,7 +182,7 @@ Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shap
       found.end = time_is_over;
     if (!found.end.empty()) break;
     const Shared_shape shape = aligned(target, alignment.turn);
-    // The first one always has a result: by surfaces, for which a moment is left, or by boxes
+    // The first alignment always gets a result: with surfaces, for which some time is reserved, or with boxes only
     const Deadline of_first(std::max(limit.left(), small_time));
     Part_matching matching;
     try {
@@ -267,7 +267,7 @@ std::vector<Transferred_label> Correspondence_finder::Impl::transferred_labels(c
   if (has_no_pairs(target)) return std::vector<Transferred_label>(structure(target.graph()).parts.size());
   const Part_match_result best = matched_parts(target, deadline());
   std::vector<Transferred_label> result(structure(target.graph()).parts.size());
-  if (best.tried == 0) return result; // it was cancelled
+  if (best.tried == 0) return result; // the search was cancelled
   for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
     const Part_correspondence from = likeliest_source(best.matching, j);
     result[best.target->original[j]] = {labels[source_->original[from.source]], from.confidence};
@@ -345,7 +345,7 @@ std::optional<Role_votes_of_pair> Correspondence_finder::Impl::votes_of(const Pr
   }
   const auto votes_of_shape = [&](const Prepared_shape& shape, int front, std::vector<std::string>& names) {
     const std::shared_ptr<const Shape_roles> roles = shape.alignments_->roles(options_.roles)[std::size_t(front)];
-    const std::shared_ptr<const Role_votes> votes(roles, &roles->votes(category.index)); // keeps the roles
+    const std::shared_ptr<const Role_votes> votes(roles, &roles->votes(category.index)); // keeps the roles alive
     for (const Part_label& label : votes->labels)
       names.push_back(label.coarse);
     return votes;

@@ -37,7 +37,7 @@ Matching_problem::Shared_shape participating(Matching_problem::Shared_shape shap
 
 namespace {
 
-// The parts to match: the most prominent of the chosen ones; of equals the same in every alignment.
+// The parts to match: the most prominent of the chosen ones, with ties broken alike in every alignment.
 // \param shape in its own frame \param maximum_parts 0: all
 std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shape,
                                       const std::vector<std::size_t>& chosen, int maximum_parts)
@@ -61,7 +61,8 @@ void check(const Search_options& options)
     throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
   if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
     throw Invalid_input("find_correspondence: the least confidence must be between 0 and 1");
-  if (options.roles && !options.category.empty()) options.roles->roles(options.category); // throws if there is none
+  // Throws if the category does not exist
+  if (options.roles && !options.category.empty()) options.roles->roles(options.category);
   if (!(options.time_limit >= 0))
     throw Invalid_input("find_correspondence: the time limit must be a number of seconds, or 0 for none");
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
@@ -111,7 +112,7 @@ Correspondence_finder::Impl::Impl(const Prepared_shape& source, const Search_opt
 {
   check(options);
   check_indices(options.matching, &Part_pair::source, number_of_parts_, "source");
-  if (number_of_parts_ == 0) return; // it has no pairs
+  if (number_of_parts_ == 0) return; // there will be no pairs
   source_ = source.alignments_->aligned(0);
   source_ = participating(source_, participants(source_, options.source_parts, options.maximum_parts), pinned_.source);
   if (options.maximum_parts > 0 && !options.coarse_target) options_.both_directions = false;

@@ -40,13 +40,12 @@ void check(const Part_matching_options& options)
 
 using Match_matrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-// Parts of both shapes that correspond as sets: a block of the matrix of matches.
+// Parts of both shapes that correspond as sets: a block in the matrix of matches.
 struct Block
 {
   std::vector<std::size_t> source, target;
 };
 
-// The blocks that confident pairs and panels make.
 std::vector<Block> blocks_of(const Match_matrix& confident, const Shape_features& source, const Shape_features& target)
 {
   const std::size_t n = source.size(), all = n + target.size();
@@ -72,7 +71,7 @@ std::vector<Block> blocks_of(const Match_matrix& confident, const Shape_features
   return result;
 }
 
-// Pairs that are the best one of a part, and exceed the least costs of both parts by at most `excess` in sum.
+// The pairs that are the best of a part, and whose cost exceeds the least costs of both by at most `excess` in sum.
 Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
 {
   const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
@@ -87,8 +86,8 @@ Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
   return result;
 }
 
-// Pairs copies of a part one to one, in their order, where a shape has as many of them in one place as the other one
-// has, as levels of detail and meshes for collisions are: all pairs of them cost the same.
+// Pairs coincident copies of a part one to one, in their order, if both shapes have equally many, since all their pairs
+// cost the same. Levels of detail and collision meshes are such copies.
 void separate_copies(const Eigen::MatrixXd& costs, double tolerance, Match_matrix& pairs)
 {
   const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
@@ -101,7 +100,7 @@ void separate_copies(const Eigen::MatrixXd& costs, double tolerance, Match_matri
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < m; ++j)
       if (are_tied(i, j)) sets.unite(std::size_t(i), std::size_t(n + j));
-  std::map<std::size_t, std::array<std::vector<Eigen::Index>, 2>> copies; // of both shapes, by set
+  std::map<std::size_t, std::array<std::vector<Eigen::Index>, 2>> copies; // for each set, the parts of either shape
   for (Eigen::Index k = 0; k < n + m; ++k)
     copies[sets[std::size_t(k)]][k < n ? 0 : 1].push_back(k < n ? k : k - n);
   for (const auto& [set, of_shape] : copies) {
@@ -115,7 +114,7 @@ void separate_copies(const Eigen::MatrixXd& costs, double tolerance, Match_matri
   }
 }
 
-// The number of pairs of each of the rows with the columns.
+// For each row, the number of its pairs with the columns.
 std::vector<std::size_t> number_of_pairs(const Match_matrix& pairs, const std::vector<std::size_t>& rows,
                                          const std::vector<std::size_t>& columns)
 {
@@ -169,7 +168,7 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Matches all parts of a block with all where they differ in number, or are in panels and not the same.
+// Completes blocks to all pairs, where the numbers of parts differ, or panels do not pair one to one.
 void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
                      const Shape_features& source, const Shape_features& target, const Part_matching_options& options,
                      Match_matrix& pairs)
@@ -185,7 +184,7 @@ void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confi
       match_all(block.source, block.target, pairs);
 }
 
-// Whether every leg of the shape with fewer legs pairs with a leg of its own, and the legs left over are on the ground.
+// Whether every leg of the shape with fewer legs has a leg of its own, and all remaining legs stand on the ground.
 bool supports_pair_one_to_one(const Match_matrix& confident, const Part_assemblies& fewer, const Part_assemblies& more)
 {
   const std::vector<std::size_t> of_fewer = number_of_pairs(confident, fewer.legs, more.legs),
@@ -204,7 +203,7 @@ bool support_as_sets(const Match_matrix& confident, const Part_assemblies& a, co
                                           : supports_pair_one_to_one(confident.transpose(), b, a));
 }
 
-// Removes the pairs of a leg and a part outside of the support.
+// Removes the pairs of a leg with a part outside of the other shape's support.
 void separate_supports(const Shape_features& source, const Shape_features& target, Match_matrix& pairs)
 {
   const std::vector<char> a = flags(source.assemblies.support, source.size()),
@@ -231,7 +230,7 @@ Match_matrix matched(const Eigen::MatrixXd& costs, const Shape_features& source,
   return pairs;
 }
 
-// Mirrored at a level plane, so that left and right, front and back stay.
+// The shape reflected in a horizontal plane, which keeps left and right, front and back.
 Aligned_shape turned_over(Aligned_shape shape)
 {
   for (Sampled_part& part : shape.parts)
@@ -239,7 +238,7 @@ Aligned_shape turned_over(Aligned_shape shape)
   return shape;
 }
 
-// By pair, the cost of the best pair of either part that was not taken, minus that of the pair.
+// For each pair, the least cost of the other pairs of its two parts that were not taken, minus its own cost.
 Eigen::MatrixXd margins(const Eigen::MatrixXd& costs, const Match_matrix& pairs)
 {
   const Eigen::MatrixXd others = pairs.select(
@@ -248,10 +247,10 @@ Eigen::MatrixXd margins(const Eigen::MatrixXd& costs, const Match_matrix& pairs)
   return of_source.replicate(1, costs.cols()).cwiseMin(of_target.transpose().replicate(costs.rows(), 1)) - costs;
 }
 
-// Logistic in the margin. Pairs of blocks may have negative margins and are as often right as those of margin 0.
+// Logistic function of the margin. Pairs of blocks with negative margins are right as often as those of margin 0.
 double confidence(double margin) { return std::min(1 / (1 + std::exp(-std::max(0., margin))), 1 - least_doubt); }
 
-// The cost of a pair that is not allowed: more than all others.
+// Cost of a pair that is not allowed; greater than all others.
 constexpr double forbidden_cost = 1e4;
 
 Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,
@@ -310,7 +309,7 @@ Part_matching match_parts(const Shape_features& a, const Shape_features& b, cons
   if (a.assemblies.has_chain() == b.assemblies.has_chain())
     return matching_of(costs_of(a, b, options, constraints, deadline), a, b, options, constraints);
 
-  // What has a chain hangs from it: one of the two is turned over, whichever costs less
+  // A shape with a chain hangs from it: of the two shapes, the one is turned over for which the costs are lower
   const Aligned_shape source_over = turned_over(a.shape), target_over = turned_over(b.shape);
   const Shape_features a_over(source_over, options), b_over(target_over, options);
   Eigen::MatrixXd target_turned = costs_of(a, b_over, options, constraints, deadline),

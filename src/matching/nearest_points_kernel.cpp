@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Compiled without -frounding-math, with which compilers use no vector instructions for comparisons.
+// Compiled with -fno-rounding-math, without which compilers do not vectorize comparisons.
 
 #include "matching/nearest_points_kernel.h"
 
@@ -15,7 +15,7 @@ CGAL_SHAPE_CORRESPONDENCE_CLONED
 void find_nearest_squared(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* __restrict q_from_p)
 {
   constexpr int lanes = Point_lanes::block_lanes;
-  constexpr int at_once = 4; // points of p
+  constexpr int at_once = 4; // number of points of p compared at a time
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::fill_n(q_from_p, q.padded(), infinity);
   const double *px = p[0], *py = p[1], *pz = p[2], *qx = q[0], *qy = q[1], *qz = q[2];
@@ -32,7 +32,7 @@ void find_nearest_squared(const Point_lanes& p, const Point_lanes& q, double* p_
         for (int i = 0; i < at_once; ++i) {
           const double dx = x - px[first + i], dy = y - py[first + i], dz = z - pz[first + i];
           const double squared = dx * dx + dy * dy + dz * dz;
-          least[i][k] = squared < least[i][k] ? squared : least[i][k]; // not for padding, where it is not a number
+          least[i][k] = squared < least[i][k] ? squared : least[i][k]; // false for padding, where the distance is NaN
           nearest = squared < nearest ? squared : nearest;
         }
         q_from_p[block + k] = nearest;

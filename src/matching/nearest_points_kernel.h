@@ -9,11 +9,11 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Points, coordinate by coordinate, padded with points at infinity.
+// Points as arrays of x, y and z, padded with points at infinity.
 class Point_lanes
 {
 public:
-  static constexpr Eigen::Index block_lanes = 8; // doubles of the widest vector
+  static constexpr Eigen::Index block_lanes = 8; // number of doubles in the widest vector register
 
   explicit Point_lanes(const Eigen::ArrayX3d& points)
       : count_(points.rows()), coordinates_((points.rows() + block_lanes - 1) / block_lanes * block_lanes, 3)
@@ -31,9 +31,9 @@ private:
   Eigen::ArrayX3d coordinates_;
 };
 
-// The least squared distance of every point of `p` from `q`, and of every point of `q` from `p`; both at once, since
-// they need the same distances. There is room for the padding. Every set of vector instructions gives the same bits:
-// a squared distance is x² + y² + z² in that order, and a least one is the same in any order.
+// The least squared distance of every point of `p` from `q`, and of every point of `q` from `p`; computed together,
+// since they need the same distances. The arrays have room for the padding. Every instruction set gives the same bits:
+// a squared distance is x² + y² + z² in that order, and a minimum does not depend on the order.
 void find_nearest_squared(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p);
 
 } // namespace CGAL::Shape_correspondence::internal

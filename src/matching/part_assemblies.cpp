@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t no_surface = std::size_t(-1);
 
-// Finds the assemblies one kind after the other.
+// Finds the assemblies, one kind after the other.
 class Assembly_finder
 {
 public:
@@ -48,7 +48,7 @@ private:
     return group.symmetry.type == Symmetry_type::TRANSLATION && group.parts.size() >= options_.repetition;
   }
 
-  // Whether the two parts are rings, neither twice as large as the other nor around it (a wheel and its tyre).
+  // Whether two parts are rings, neither twice as large as the other nor around it (a wheel and its tyre).
   bool may_be_chained(std::size_t ring, std::size_t next) const
   {
     if (shape_.parts[next].kind != Sampled_part::Kind::CLOSED_CURVE) return false;
@@ -89,7 +89,7 @@ private:
     return lowest;
   }
 
-  // By part, whether it is connected to the main surface by other parts than the one left out.
+  // For each part, whether it is connected to the main surface by paths that avoid the part left out.
   std::vector<char> connected_to_main_surface(std::size_t left_out = no_surface) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);
@@ -99,7 +99,7 @@ private:
     return result;
   }
 
-  // Whether the part stands on the ground, or connects such a part to the main surface.
+  // Whether the part stands on the ground, or is needed to connect such a part to the main surface.
   bool supports(std::size_t part, const std::vector<char>& is_connected) const
   {
     if (layout_.is_on_ground[part]) return true;
@@ -137,7 +137,7 @@ private:
     return has_legs ? result : support;
   }
 
-  // Panels that share parts are one.
+  // Adds a panel, united with those that share parts with it.
   static void add_panel(std::vector<std::size_t> panel, std::vector<std::vector<std::size_t>>& panels)
   {
     for (std::size_t k = panels.size(); k-- > 0;) {
@@ -157,7 +157,7 @@ private:
            !is_less(depth, std::abs(layout_.boxes[part].centre()[axis] - side));
   }
 
-  // By part, whether it lies flat in this side of the shape, above the main surface.
+  // For each part, whether it lies flat in this side of the shape, above the main surface.
   std::vector<char> parts_in_side(Eigen::Index axis, double side) const
   {
     std::vector<char> result(layout_.boxes.size(), 0);

@@ -9,8 +9,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Takes out the pairs of lower confidence than `least`, and returns them. Parts that are in no other pair become
-// unmatched. Pairs without a confidence stay.
+// Removes and returns the pairs of confidence below `least`, but none without a confidence; updates unmatched parts.
 std::vector<Part_correspondence> remove_unlikely_pairs(Correspondence& correspondence, double least);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// The sample of a piece at a sample of its part; none if that is on another piece.
+// The sample of a piece for a sample of its part; none if that is on another piece.
 std::optional<std::size_t> sample_on_piece(const Piece& piece, std::size_t sample)
 {
   constexpr int last = samples_per_side - 1;
@@ -91,7 +91,7 @@ double Partial_energy::operator()(const Assignment& assignment, std::size_t grou
   return energy;
 }
 
-// Sets the state of a group from its label.
+// Updates the state of a group from its label.
 void Partial_energy::assign(std::size_t group, const Assignment& assignment)
 {
   matched_[group] = assignment[group] != unassigned && !problem_.is_unmatched(group, std::size_t(assignment[group]));
@@ -110,7 +110,7 @@ double Partial_energy::rate(const Assignment& assignment, double least, double g
     keeps_place_[part] = assignment[group] == parent_[group] &&
                          (matched_[group] || rating_.motions[part] == parent_rating_.motions[part]);
   }
-  // A pooled E_d is no sum over contacts
+  // The pooled E_d is not a sum over contacts
   const bool adds_up = problem_.options().norm != Energy_norm::POOLED;
   for (std::size_t contact : order_) {
     const auto& parts = shape_.contacts[contact].parts;
@@ -123,7 +123,7 @@ double Partial_energy::rate(const Assignment& assignment, double least, double g
   return deformation_energy(problem_.terms(assignment, rating_.energies), problem_.options().weights);
 }
 
-// Displacement of the contact point of a matched part; the mean of its clones.
+// Displacement of the contact point of a matched part, averaged over its clones.
 Point Partial_energy::contact_movement(std::size_t contact, std::size_t side, std::size_t label) const
 {
   const Points& samples = shape_.parts[shape_.contacts[contact].parts[side]].samples;
@@ -174,10 +174,10 @@ Rod_energy Partial_energy::contact_energy(std::size_t contact, const Assignment&
   const auto groups = problem_.groups_of_contact(contact);
   if (matched_[groups[0]] && matched_[groups[1]]) return problem_.contact_energy(contact, assignment);
   for (std::size_t group : groups)
-    if (!matched_[group] && assignment[group] != unassigned) return {}; // left unmatched, has its own cost
+    if (!matched_[group] && assignment[group] != unassigned) return {}; // left unmatched, which has a cost of its own
 
   if (!matched_[groups[0]] && !matched_[groups[1]]) {
-    // Parts that are displaced alike and not stretched keep their rods
+    // Rods between parts that are displaced alike and not stretched do not change
     const Part_motion &first = rating_.motions[parts[0]], &second = rating_.motions[parts[1]];
     if ((first.shift - second.shift).squaredNorm() + first.stretch.squaredNorm() + second.stretch.squaredNorm() <
         zero_rod)
@@ -185,7 +185,7 @@ Rod_energy Partial_energy::contact_energy(std::size_t contact, const Assignment&
     return shape_.rods(contact, 1, 1).energy(moved_samples(parts[0]), moved_samples(parts[1]));
   }
 
-  // The unassigned part keeps to the nearest clone of the matched one
+  // The unassigned part stays connected to the nearest clone of the matched one
   const std::size_t side = matched_[groups[0]] ? 0 : 1;
   const Sample_lanes& unassigned_part = moved_samples(parts[1 - side]);
   Rod_energy best;
@@ -201,7 +201,7 @@ Rod_energy Partial_energy::contact_energy(std::size_t contact, const Assignment&
   return best;
 }
 
-// The rods of a contact between a piece of the matched part at a side and the whole part at the other.
+// The rods of a contact between a piece of the matched part at a side and the whole part at the other side.
 const Structural_rods& Partial_energy::rods(std::size_t contact, std::size_t side, const Fitted_piece& fitted)
 {
   const std::array<int, 2> repeats{side == 0 ? fitted.repeats : 1, side == 1 ? fitted.repeats : 1};

@@ -13,22 +13,22 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The deformation that a partial solution was rated by.
+// The deformation of the shape under a partial solution, and the energies of its contacts.
 struct Rating
 {
-  std::vector<Part_motion> motions; // by part, of unmatched parts
-  std::vector<Rod_energy> energies; // by contact
+  std::vector<Part_motion> motions; // indexed by part; defined for unmatched parts
+  std::vector<Rod_energy> energies; // indexed by contact
 };
 
 // The energy of a partial solution: that of the whole shape, with the parts of unassigned groups moved by structure
 // preservation (paper, section 5). Contacts between assigned groups are looked up in the tables of the problem.
-// Solutions are rated as expansions of a parent: contacts whose parts stay where they are keep their energies.
+// Solutions are rated as expansions of a parent: contacts whose parts do not move keep their energies.
 class Partial_energy
 {
 public:
   explicit Partial_energy(const Matching_problem& problem);
 
-  // Of the solution rated last; at first of the empty one.
+  // The rating of the last solution; initially that of the empty one.
   const Rating& rating() const { return rating_; }
 
   // Sets the solution whose expansions are rated next.
@@ -37,12 +37,12 @@ public:
   // The energy of the parent with a group assigned, without the contacts of unassigned groups.
   double lower_bound(const Assignment& assignment, std::size_t group);
 
-  // The energy of the parent with a group assigned. If it is above `greatest`, any value above that: rating then stops
-  // early. `least` is its lower bound.
+  // The energy of the parent with a group assigned. \param least its lower bound \param greatest rating stops early,
+  // with some value above `greatest`, once the energy exceeds it
   double operator()(const Assignment& assignment, std::size_t group, double least, double greatest);
 
 private:
-  // Rods from a piece of a matched part to a whole part.
+  // The rods from a piece of a matched part to a whole part.
   struct Piece_rods
   {
     std::size_t side, piece; // side of the contact, index of the source piece
@@ -62,22 +62,23 @@ private:
   const Matching_problem& problem_;
   const Deformable_shape& shape_;
   Structure_preservation preserve_structure_;
-  std::vector<std::vector<std::size_t>> contacts_of_; // by group
-  std::vector<std::vector<Point>> contact_movement_;  // of the contact point of a matched part, by side and label
-  std::vector<std::deque<Piece_rods>> piece_rods_;    // by contact
+  std::vector<std::vector<std::size_t>> contacts_of_; // indexed by group
+  // Displacement of the contact point of a matched part, by side and label
+  std::vector<std::vector<Point>> contact_movement_;
+  std::vector<std::deque<Piece_rods>> piece_rods_; // indexed by contact
 
   Assignment parent_;
   Rating parent_rating_;
-  std::vector<Rod_energy> assigned_energies_; // by contact; 0 where a group is not assigned
-  std::vector<std::size_t> order_;            // of contacts, the ones with the highest energy in the parent first
+  std::vector<Rod_energy> assigned_energies_; // indexed by contact; 0 if one of its groups is not assigned
+  std::vector<std::size_t> order_;            // contacts by their energy in the parent, the highest first
 
-  // Of the solution that is being rated
+  // The state of the solution that is being rated
   Rating rating_;
-  std::vector<char> matched_; // by group
+  std::vector<char> matched_; // indexed by group
   std::vector<std::array<Point, 2>> contact_displacement_;
-  std::vector<char> keeps_place_; // by part, whether it is where it is in the parent
+  std::vector<char> keeps_place_; // for each part, whether it is where it is in the parent
 
-  // Samples of unmatched parts after a motion, kept since most motions repeat
+  // Samples of unmatched parts after a motion, cached since most motions recur
   std::vector<Sample_lanes> moved_;
   std::vector<Part_motion> moved_by_;
 };

@@ -14,17 +14,17 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The energy with its root terms replaced by tangents: a sum of terms of one and of two variables, nowhere above the
-// energy, since -sqrt is convex.
+// The energy with root terms replaced by tangents: a sum of unary and binary terms, a lower bound, since -sqrt is
+// convex.
 struct Tangent_bound
 {
   Mini_bucket_bound tables;
-  double offset = 0; // added to the bound of the tables
+  double offset = 0; // constant term of the bound
 
   double bound() const { return offset + tables.bound(); }
 };
 
-// Makes tangent bounds. Variables are numbered by their position in the order; the energy is kept by reference.
+// Computes tangent bounds. Variables are numbered by their position in the order; the energy is kept by reference.
 class Tangents
 {
 public:
@@ -32,16 +32,16 @@ public:
   Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit,
            const Deadline& deadline = Deadline());
 
-  // Whether the bounds are exact for the tangents.
+  // Whether the bounds are exact minima of the tangent energy.
   bool exact() const { return buckets_->exact(); }
-  // Grows with the number of buckets that are split.
+  // Number of tables, which grows with the number of buckets that are split.
   std::size_t number_of_tables() const { return buckets_->number_of_tables(); }
-  // Entries of the tables of a bound.
+  // Number of entries of the tables of a bound.
   std::size_t number_of_values() const { return buckets_->number_of_values(); }
 
   Tangent_bound make() const { return {Mini_bucket_bound(*buckets_)}; }
 
-  // Sets the bound whose tangents touch the root terms at the sums `touched`. \throw Out_of_time
+  // Sets the bound whose tangents touch the root terms where these have the sums `touched`. \throw Out_of_time
   void touch(const std::vector<double>& touched, Tangent_bound& bound);
 
 private:
@@ -51,7 +51,7 @@ private:
   const std::vector<std::size_t>& order_;
   const Deadline deadline_;
   std::unique_ptr<const Mini_buckets> buckets_;
-  std::vector<char> is_turned_; // by edge: its second variable comes first
+  std::vector<char> is_turned_; // for each edge, whether its second variable comes first in the order
   std::vector<Eigen::VectorXd> unary_;
   std::vector<Pair_cost> pairs_;
   Message_passing pass_messages_;

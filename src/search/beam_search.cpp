@@ -18,7 +18,7 @@ using namespace internal;
 
 namespace {
 
-// The order of assignment: the group with most contacts first, then always the one with most contacts to those before.
+// The order of assignment: first the group with most contacts, then always the one with most to assigned groups.
 std::vector<std::size_t> assignment_order(const Aligned_shape::Graph& graph)
 {
   const std::size_t n = num_vertices(graph);
@@ -46,10 +46,10 @@ std::vector<std::size_t> assignment_order(const Aligned_shape::Graph& graph)
 // A partial solution with one more group assigned.
 struct Expansion
 {
-  Steps energy; // quantized, so that ties are settled by the indices
+  Steps energy; // quantized, so that indices settle ties
   std::size_t parent;
   int label;
-  std::size_t rating; // index in the expander
+  std::size_t rating; // index in `Expander::ratings_`
 
   bool operator<(const Expansion& other) const
   {
@@ -57,9 +57,8 @@ struct Expansion
   }
 };
 
-// Expands a parent by all labels of a group: appends the `count` best expansions (k), without those that `most` others
-// of the level (K) are better than. Labels are rated in the order of their lower bounds, so that most need no full
-// rating.
+// Expands a parent by all labels of a group: appends its `count` best expansions (k), except those that are not among
+// the `most` best (K) of the level so far. Labels are rated by ascending lower bound, so that most need no full rating.
 class Expander
 {
 public:
@@ -67,7 +66,7 @@ public:
       : energy_(energy), count_(count), most_(most), deadline_(deadline)
   {}
 
-  // Frees the ratings of the level before.
+  // Frees the ratings of the previous level.
   void start_level()
   {
     spare_.resize(ratings_.size());
@@ -90,7 +89,7 @@ public:
     for (const auto& [bound, label] : bounds_) {
       Steps worst = kept_before;
       if (level.size() == begin + count_) worst = std::min(worst, level.back().energy);
-      // One step above the worst, since energies are rounded
+      // The limit is one grid step above the worst energy, since energies are rounded
       const double greatest = worst == std::numeric_limits<Steps>::max() ? std::numeric_limits<double>::infinity()
                                                                          : double(worst + 1) * comparison_grid;
       if (bound > greatest || (!level.empty() && deadline_.is_over())) break;
@@ -119,7 +118,7 @@ private:
     return place;
   }
 
-  // The energy of the last of the `most_` best expansions.
+  // The energy of the worst of the `most_` best expansions.
   Steps nth_energy(const std::vector<Expansion>& level)
   {
     sorted_ = level;
@@ -133,7 +132,7 @@ private:
   const Deadline& deadline_;
   std::vector<std::pair<double, int>> bounds_; // lower bounds and labels
   std::vector<Expansion> sorted_;
-  std::vector<Rating> ratings_;    // of the expansions of a level
+  std::vector<Rating> ratings_;    // ratings of the expansions of a level
   std::vector<std::size_t> spare_; // indices of free ratings
 };
 

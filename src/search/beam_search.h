@@ -12,10 +12,9 @@
 namespace CGAL::Shape_correspondence {
 
 /// Pruned beam search (paper, section 5): groups are assigned one by one, from the best-connected one outwards, so that
-/// no state is found twice. Partial solutions are rated by `internal::Partial_energy`. Of every solution the k best
-/// expansions are kept, of all expansions at a level the K best; ties go to the better parent, then to the lower label.
-/// A group may take any of its labels at any level, so that the search always ends with complete assignments, of which
-/// up to K are returned.
+/// no state is found twice. Partial solutions are rated by `internal::Partial_energy`. The k best expansions of every
+/// solution are kept, and the K best of every level; ties go to the better parent, then to the lower label. A group may
+/// take any of its labels at any level, so that the search always ends with up to K complete assignments.
 ///
 /// When the time is over, only the first expansion of every level is kept.
 /// \throw Invalid_input if the width or the number of expansions is under 1

@@ -22,14 +22,15 @@ using namespace internal;
 
 namespace {
 
-// Energies closer than this count as equal; the solution found first stays.
+// Difference of energies below which they count as equal; the solution found first stays.
 constexpr double energy_tolerance = 1e-9;
 
-constexpr std::size_t patience = 1u << 16;       // nodes without a proof before the tables of the bound are enlarged
-constexpr std::size_t table_growth = 16;         // factor of it
-constexpr std::size_t largest_tables = 1u << 20; // entries
+// Number of nodes without a proof after which the tables of the bound are enlarged
+constexpr std::size_t patience = 1u << 16;
+constexpr std::size_t table_growth = 16;         // factor by which the tables are enlarged
+constexpr std::size_t largest_tables = 1u << 20; // largest number of entries of a table
 
-// The energy, checked: indices out of range would be fatal.
+// The energy, after checks of its sizes and indices.
 const Pairwise_energy& checked(const Pairwise_energy& energy)
 {
   const std::size_t n = energy.number_of_variables();
@@ -99,7 +100,7 @@ public:
     result.solutions = solutions_;
     result.optimal = !stopped_ && !is_late_;
     result.out_of_time = is_late_;
-    // Roundings of the bound must not put it above the energy
+    // Rounding must not put the bound above the energy
     result.summary.lower_bound =
         result.optimal ? result.best().energy : std::min(result.best().energy, std::max(energy_.lower_bound(), bound_));
     result.summary.states = result.summary.evaluations = nodes;
@@ -147,7 +148,7 @@ private:
           "exact search: min-marginals are asked for of the result of another energy; give that of this one");
   }
 
-  // Sets up the bound; where the time does not suffice for it, a solution without.
+  // Sets up the bound; if there is no time for it, finds a solution without one.
   void prepare()
   {
     try {
@@ -164,8 +165,8 @@ private:
     keep();
   }
 
-  // Each tangent touches at the first solution found with the one before; the first at the greatest sums. Keeps the one
-  // with the greatest bound.
+  // Computes tangents, the first at the greatest sums, each next one at the first solution found with the one before,
+  // and keeps the one with the greatest bound.
   void choose_tangent()
   {
     constexpr int maximum_tangents = 5;
@@ -208,7 +209,7 @@ private:
 
   bool can_refine() const { return !tangents_->exact() && table_limit_ * table_growth <= largest_tables; }
 
-  // Enlarges the tables until fewer buckets are split, if that is possible.
+  // Enlarges the tables, if possible, until fewer buckets are split.
   void refine()
   {
     while (can_refine()) {
@@ -217,7 +218,7 @@ private:
         auto finer = std::make_unique<Tangents>(energy_, order_, table_limit_, deadline_);
         if (finer->number_of_tables() == tangents_->number_of_tables()) continue;
         if (2 * sizeof(double) * finer->number_of_values() > most_bytes_of_tables) {
-          table_limit_ = largest_tables; // as they are
+          table_limit_ = largest_tables; // stops growth
           return;
         }
         tangent_.reset();
@@ -258,17 +259,17 @@ private:
     }
   }
 
-  // Limits count only once there is a solution.
+  // Checks the limits, which apply only once there is a solution.
   void check_limits()
   {
     if (solutions_.empty() || first_leaf_only_) return;
-    constexpr std::size_t interval = 1024; // nodes between two looks at the clock
+    constexpr std::size_t interval = 1024; // number of nodes between two readings of the clock
     stopped_ = stopped_ || nodes_ >= node_limit_;
     is_late_ = is_late_ || (nodes_ % interval == 0 && deadline_.is_over());
     stopped_ = stopped_ || is_late_;
   }
 
-  // Changes labels one at a time while the energy falls and there is time.
+  // Changes labels one at a time as long as the energy falls and time remains.
   void improve()
   {
     for (bool changed = true; changed;) {
@@ -282,7 +283,7 @@ private:
     }
   }
 
-  // Inserts the current assignment into the best ones; of equal ones, the one found first is first.
+  // Inserts the current assignment into the best ones; of equal ones, the one found first stays first.
   void keep()
   {
     const double energy = energy_(assignment_);
@@ -310,16 +311,16 @@ private:
   std::vector<std::size_t> order_;
   std::size_t table_limit_;
   std::unique_ptr<Tangents> tangents_;
-  std::optional<Tangent_bound> tangent_;                    // the best one; none if there was no time for it
-  double bound_ = -std::numeric_limits<double>::infinity(); // the greatest of all tangents
+  std::optional<Tangent_bound> tangent_;                    // the best tangent bound; none if there was no time for it
+  double bound_ = -std::numeric_limits<double>::infinity(); // the greatest bound of all tangents
   const Mini_bucket_bound* current_ = nullptr;
 
   std::size_t maximum_labels_ = 0;
-  std::vector<double> costs_, bounds_; // by level and label
+  std::vector<double> costs_, bounds_; // indexed by level and label
   std::vector<int> children_;
-  std::vector<int> labels_; // by level
+  std::vector<int> labels_; // indexed by level
   Assignment assignment_;
-  std::vector<Solution> solutions_; // the best `wanted_` so far
+  std::vector<Solution> solutions_; // the best `wanted_` solutions so far
   std::size_t wanted_ = 1;
   std::size_t forbidden_level_ = std::size_t(-1);
   int forbidden_label_ = unassigned;

@@ -50,7 +50,7 @@ void Message_passing::pass(const Eigen::VectorXd& unary, const std::vector<Pair_
     sum_ += to_second_[e];
   sum_ /= double(std::max<std::size_t>(1, std::max(around.forward.size(), around.backward.size())));
   for (std::size_t e : is_forward ? around.forward : around.backward) {
-    const Eigen::MatrixXd& cost = is_forward ? transposed_[e] : pairs[e].cost; // a column a label of v
+    const Eigen::MatrixXd& cost = is_forward ? transposed_[e] : pairs[e].cost; // one column for each label of v
     Eigen::VectorXd& message = is_forward ? to_second_[e] : to_first_[e];
     moved_ = sum_ - (is_forward ? to_first_[e] : to_second_[e]);
     message = cost.col(0).array() + moved_[0];

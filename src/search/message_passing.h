@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// A term of two variables, the first one before the second in the order.
+// A term of two variables, the first of which comes earlier in the order.
 struct Pair_cost
 {
   std::size_t first, second;
@@ -20,9 +20,9 @@ struct Pair_cost
 };
 
 // Sequential tree-reweighted message passing (TRW-S, Kolmogorov 2006): moves costs between terms that share a variable,
-// so that the sum of the least costs of all terms rises and no assignment's cost changes. Repeated for similar costs of
-// the same variables, it starts from the last messages. Neither Boost nor CGAL has it, or mini-buckets; the exact
-// search is tested against the program toulbar2.
+// so that the sum of the least costs of all terms rises while the cost of every assignment stays the same. When
+// repeated for similar costs of the same variables, it starts from the last messages. Neither Boost nor CGAL provides
+// it or mini-buckets; the exact search is tested against toulbar2.
 class Message_passing
 {
 public:
@@ -35,16 +35,17 @@ public:
 private:
   struct Pairs_of
   {
-    std::vector<std::size_t> forward, backward; // to later and to earlier variables
+    std::vector<std::size_t> forward, backward; // pairs with later and with earlier variables
   };
 
   void start(const std::vector<Eigen::VectorXd>& unary, const std::vector<Pair_cost>& pairs);
 
   void pass(const Eigen::VectorXd& unary, const std::vector<Pair_cost>& pairs, std::size_t v, bool is_forward);
 
-  std::vector<Pairs_of> pairs_of_;                    // by variable
-  std::vector<Eigen::VectorXd> to_first_, to_second_; // by pair, the cost moved to either variable
-  std::vector<Eigen::MatrixXd> transposed_;           // costs, second × first
+  std::vector<Pairs_of> pairs_of_; // indexed by variable
+  // For each pair, the cost moved to its first and its second variable
+  std::vector<Eigen::VectorXd> to_first_, to_second_;
+  std::vector<Eigen::MatrixXd> transposed_; // costs, second × first
   Eigen::VectorXd sum_, moved_;
 };
 

@@ -11,7 +11,7 @@ std::vector<std::size_t> min_fill_order(std::size_t n, const std::vector<std::pa
                                         const Deadline& deadline)
 {
   std::vector<char> adjacent(n * n, 0);
-  std::vector<std::vector<std::size_t>> neighbours(n); // not yet eliminated
+  std::vector<std::vector<std::size_t>> neighbours(n); // among vertices that are not yet eliminated
   const auto connect = [&](std::size_t a, std::size_t b) {
     if (a == b || adjacent[a * n + b]) return;
     adjacent[a * n + b] = adjacent[b * n + a] = 1;
@@ -45,7 +45,7 @@ std::vector<std::size_t> min_fill_order(std::size_t n, const std::vector<std::pa
     for (std::size_t a : around)
       for (std::size_t b : around)
         connect(a, b);
-    // The fill of a vertex depends on the edges among its neighbours
+    // The fill of a vertex depends on the edges among its neighbours, which changed
     std::fill(touched.begin(), touched.end(), 0);
     for (std::size_t a : around) {
       touched[a] = 1;

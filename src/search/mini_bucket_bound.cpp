@@ -25,7 +25,7 @@ Mini_buckets::Mini_buckets(std::vector<std::size_t> labels, std::size_t table_li
                            std::vector<std::vector<std::size_t>> scopes, const Deadline& deadline)
     : labels_(std::move(labels)), table_limit_(table_limit), levels_(labels_.size())
 {
-  std::vector<std::vector<std::size_t>> buckets(labels_.size()); // tables by last variable
+  std::vector<std::vector<std::size_t>> buckets(labels_.size()); // tables by their last variable
   for (std::vector<std::size_t>& scope : scopes) {
     buckets[scope.back()].push_back(tables_.size());
     levels_[scope.back()].complete.push_back(tables_.size());
@@ -39,7 +39,7 @@ Mini_buckets::Mini_buckets(std::vector<std::size_t> labels, std::size_t table_li
       std::vector<std::size_t> scope;
       for (std::size_t table : mini)
         scope = united(scope, tables_[table].scope);
-      scope.pop_back(); // v, the greatest
+      scope.pop_back(); // removes v, the last variable
       for (std::size_t level = scope.empty() ? 0 : scope.back(); level < v; ++level)
         (!scope.empty() && level == scope.back() ? levels_[level].arriving : levels_[level].passing)
             .push_back(tables_.size());

@@ -14,10 +14,10 @@ namespace CGAL::Shape_correspondence::internal {
 // variable runs fastest, so that a row over it is contiguous.
 struct Cost_table
 {
-  std::vector<std::size_t> scope, strides; // by variable of the scope
-  std::size_t begin = 0;                   // of its values among those of all tables
+  std::vector<std::size_t> scope, strides; // indexed by variable of the scope
+  std::size_t begin = 0;                   // index of its first value among those of all tables
 
-  // Where the row over the last variable begins.
+  // Index of the first entry of the row over the last variable.
   std::size_t row(const std::vector<int>& labels) const
   {
     std::size_t offset = begin;
@@ -28,12 +28,12 @@ struct Cost_table
 };
 
 // Mini-bucket elimination: lower bounds on the sum of cost tables for every partial assignment of a prefix of
-// variables, exact if no bucket is split. This is the part that depends on the scopes of the tables alone.
+// variables, exact if no bucket is split. This class holds what depends on the scopes of the tables alone.
 class Mini_buckets
 {
 public:
-  // Tables over `scopes`, for variables with `labels` labels; messages have at most `table_limit` entries jointly with
-  // their variable. \throw Out_of_time
+  // Tables over `scopes`, for variables with `labels` labels. A message has at most `table_limit` entries jointly with
+  // its variable. \throw Out_of_time
   Mini_buckets(std::vector<std::size_t> labels, std::size_t table_limit, std::vector<std::vector<std::size_t>> scopes,
                const Deadline& deadline = Deadline());
 
@@ -44,15 +44,14 @@ public:
 private:
   friend class Mini_bucket_bound;
 
-  // Replaces tables that share a variable by a message, the minimum of their sum over its labels.
+  // Replaces tables that share a variable by a message: the minimum of their sum over its labels.
   struct Elimination
   {
     std::size_t variable;
     std::vector<std::size_t> tables;
     std::size_t message;
   };
-  // Tables in the bound of a variable: given ones that become complete with it, messages to it, and messages past it to
-  // earlier variables.
+  // Tables in the bound of a variable: given ones completed by it, messages to it, and messages past it.
   struct Level
   {
     std::vector<std::size_t> complete, arriving, passing;
@@ -60,21 +59,20 @@ private:
 
   void add(std::vector<std::size_t> scope);
 
-  // The tables of a bucket in mini-buckets whose joint tables are small enough, packed first-fit.
+  // Partitions the tables of a bucket into mini-buckets with small enough joint tables, by first fit.
   std::vector<std::vector<std::size_t>> mini_buckets(std::vector<std::size_t> bucket) const;
 
   std::size_t entries(const std::vector<std::size_t>& scope) const;
 
-  std::vector<std::size_t> labels_; // number of labels by variable
+  std::vector<std::size_t> labels_; // number of labels, by variable
   std::size_t table_limit_;
-  std::vector<Cost_table> tables_; // the given ones, then messages
+  std::vector<Cost_table> tables_; // the given tables, then messages
   std::vector<Elimination> eliminations_;
   std::vector<Level> levels_;
-  std::size_t values_ = 0; // of all tables
+  std::size_t values_ = 0; // number of values of all tables
   bool exact_ = true;
 };
 
-// The values of the tables.
 class Mini_bucket_bound
 {
 public:
@@ -95,11 +93,10 @@ public:
     }
   }
 
-  // Lower bound on the sum of all tables over all assignments.
   double bound() const { return bound_; }
 
-  // For every label of v, given labels of the earlier variables: in `costs`, `cost` plus the tables that become
-  // complete with v; in `bounds`, a lower bound on that plus all other tables.
+  // For every label of v, given labels of the earlier variables: `costs` receives `cost` plus the tables that become
+  // complete with v; `bounds` a lower bound on that plus all other tables.
   void extend(std::size_t v, const std::vector<int>& labels, double cost, double* costs, double* bounds) const;
 
 private:

@@ -14,12 +14,12 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double least_position_tolerance = 0.01; ///< of small parts, over the shape's height
+constexpr double least_position_tolerance = 0.01; ///< tolerance for small parts, over the shape's height
 constexpr double hull_noise = 0.003;              ///< mean deviation of hulls due to noise, over the diagonal
 constexpr double least_elongation = 1.5;          ///< length over width of a shape with two different ends
 constexpr double plane_tolerance = 0.02;          ///< distance of a pair's centre from a mirror plane, over the height
-constexpr double main_plane_support = 0.4;        ///< mirrored share of the surface, for the main plane
-constexpr double other_plane_support = 0.7;       ///< and for the other one
+constexpr double main_plane_support = 0.4;        ///< distance of a pair's centre from a mirror plane, over the height
+constexpr double other_plane_support = 0.7;       ///< least mirrored share of the surface for the main plane
 
 /// The linear maps that every pair of parts is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
@@ -38,8 +38,7 @@ inline Eigen::Matrix3d mirror_matrix(const Point& normal)
   return Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
 }
 
-/// The congruences between parts, which are in a canonical order. All pairs are compared by their hulls; `confirm()`
-/// compares surfaces.
+/// The congruences between parts in canonical order. All are compared by their hulls, and by surfaces in `confirm()`.
 class Part_relations
 {
 public:
@@ -64,7 +63,7 @@ public:
   std::size_t size() const { return parts_.size(); }
   const Part_signature& operator[](std::size_t i) const { return parts_[i]; }
 
-  /// Largest mean deviation of a part from the image of another that is congruent to it.
+  /// Largest mean deviation between a part and the image of another for them to be congruent.
   double deviation_limit(std::size_t i, std::size_t j) const
   {
     return std::max(tolerance_ * std::max(parts_[i].diagonal, parts_[j].diagonal), noise_);
@@ -72,7 +71,7 @@ public:
 
   double noise() const { return noise_; }
 
-  /// Largest distance of a part from its place in a group.
+  /// Largest distance of a part's centre from its ideal position in a symmetry group.
   double position_tolerance(std::size_t i) const
   {
     return std::max(least_position_tolerance, tolerance_ * parts_[i].diagonal);
@@ -90,7 +89,7 @@ public:
 
   bool same_size(std::size_t i, std::size_t j) const { return have_same_size(parts_[i], parts_[j], tolerance_); }
 
-  /// Whether the surfaces of two parts agree; if not, they are not related from now on.
+  /// Compares the surfaces of two parts. If they do not agree, the parts are unrelated from now on.
   bool confirm(std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
   {
     if (surfaces_agree(parts_[i], parts_[j], map, deviation_limit(i, j))) return true;
@@ -99,8 +98,8 @@ public:
     return false;
   }
 
-  /// Whether two parts are displaced along the normal of a mirror plane alone. Parts that cross each other are not
-  /// displaced at all, but mirror images of each other and not of themselves.
+  /// Whether two parts are displaced along the normal of a mirror plane only. Parts that cross each other in one place
+  /// count, too, if they mirror each other but not themselves.
   bool displaced_along(std::size_t i, std::size_t j, Basic_map mirror) const
   {
     Point d = parts_[i].centre - parts_[j].centre;
@@ -112,15 +111,15 @@ public:
     return along > std::max(least_position_tolerance, across) || cross;
   }
 
-  /// The mirror plane under which more of the surface is symmetric: the one of left and right.
+  /// The mirror plane that mirrors the larger share of the surface; it separates left and right.
   Basic_map main_mirror() const { return main_mirror_; }
   Basic_map other_mirror() const { return main_mirror_ == MIRRORED_X ? MIRRORED_Z : MIRRORED_X; }
 
-  /// The offset of the mirror plane x or z = offset under which most of the surface is symmetric, if it is enough.
+  /// The offset d of the mirror plane x = d or z = d of most surface; none if its support is too small.
   const std::optional<double>& plane(Basic_map map) const { return planes_[map]; }
 
-  /// Whether two parts are at the two ends of a long shape that differ, such as a bed's head and foot or a bicycle's
-  /// front and rear. Ends do not differ if a part covers both, as a table's top does, nor if the only mirror plane is
+  /// Whether two parts are at different ends of an elongated shape, such as a bed's head and foot or a bicycle's front
+  /// and rear. The ends do not differ if one part covers both, as a tabletop does, nor if the only mirror plane is
   /// across the length, as in an aeroplane of wide span.
   bool are_at_different_ends(std::size_t i, std::size_t j) const
   {
@@ -132,8 +131,7 @@ public:
     return !are_covered(i, j) && !is_wheel(i);
   }
 
-  /// Whether a part is an upright disc or ring, perhaps with an axle, a hub or a sprocket: nearly a body of revolution
-  /// about a horizontal axis.
+  /// Whether a part is an upright disc or ring, maybe with axle or hub: nearly round about a horizontal axis.
   bool is_wheel(std::size_t i) const
   {
     const Point size = boxes_[i].sizes();
@@ -153,7 +151,7 @@ private:
                                part.centre + part.extremes.rowwise().maxCoeff());
   }
 
-  /// Whether a third part is above the centres of both.
+  /// Whether a third part covers the centres of both from above.
   bool are_covered(std::size_t i, std::size_t j) const
   {
     const double top = std::max(boxes_[i].max().y(), boxes_[j].max().y());
@@ -195,11 +193,11 @@ private:
     double offset = 0;
   };
 
-  /// Every mirrored pair and every self-symmetric part votes for an offset; the offset with most surface wins.
+  /// Takes votes from every mirrored pair and self-symmetric part. \return the plane with most surface
   Supported_plane best_plane(Basic_map map, const std::optional<double>& wanted) const
   {
     const int axis = axis_of(map);
-    std::vector<std::pair<double, std::size_t>> votes; // offset, part
+    std::vector<std::pair<double, std::size_t>> votes; // (offset, part)
     double total = 0;
     for (std::size_t i = 0; i < size(); ++i) {
       total += weight(i);
@@ -216,7 +214,7 @@ private:
     return best_window(votes, total);
   }
 
-  /// The window of offsets, of the width of the plane's tolerance, whose parts have most surface.
+  /// The interval of offsets, as wide as the plane's tolerance, whose parts have the largest total surface.
   Supported_plane best_window(const std::vector<std::pair<double, std::size_t>>& votes, double total) const
   {
     Supported_plane best;
@@ -239,10 +237,10 @@ private:
     return best;
   }
 
-  /// Of two mirror planes with equal support, the one across the length is the main one.
+  /// Finds the mirror planes. Of two planes with equal support, the one across the length is the main one.
   void find_planes()
   {
-    constexpr double clearly = 0.01; // difference of supports or extents
+    constexpr double clearly = 0.01; // least difference of supports or relative extents that decides
     const std::optional<double> at_origin = 0.0, anywhere;
     std::array<Supported_plane, 3> found;
     for (Basic_map map : {MIRRORED_X, MIRRORED_Z})
@@ -259,11 +257,11 @@ private:
   }
 
   std::vector<Part_signature> parts_;
-  std::vector<Eigen::AlignedBox3d> boxes_; ///< of the parts
+  std::vector<Eigen::AlignedBox3d> boxes_;
   const Shape_frame& frame_;
   double tolerance_;
   double noise_;
-  Point extent_; ///< of the shape
+  Point extent_; ///< extent of the shape
   std::array<std::vector<char>, 3> related_;
   std::array<std::optional<double>, 3> planes_;
   Basic_map main_mirror_ = MIRRORED_X;

@@ -16,16 +16,15 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-/// Samples of an abstraction in the place of a surface that is unknown.
-constexpr int sheet_samples = 16; ///< along each side
+/// Numbers of samples of an abstraction whose part has no surface.
+constexpr int sheet_samples = 16; ///< along each side of a sheet
 constexpr int curve_samples = 64;
 /// Limits for congruent parts.
-constexpr double area_ratio = 1.35;    ///< ratio of areas
+constexpr double area_ratio = 1.35;
 constexpr double volume_ratio = 1.5;   ///< ratio of volumes, which are uncertain for open meshes
-constexpr double largest_factor = 2.5; ///< largest deviation, over the mean one allowed
+constexpr double largest_factor = 2.5; ///< largest deviation, over the allowed mean deviation
 
-/// Directions of support functions: the lattice points on the surface of a cube, which reflection in a coordinate plane
-/// permutes.
+/// Directions of support functions: lattice points on a cube, which reflections in coordinate planes permute.
 class Directions
 {
 public:
@@ -40,7 +39,7 @@ public:
     for (std::size_t i = 0; i < lattice_.size(); ++i) {
       const double length = lattice_[i].cast<double>().norm();
       vectors_.row(i) = lattice_[i].cast<double>() / length;
-      weights_[i] = 1 / (length * length * length); // the solid angle of a cell of the cube
+      weights_[i] = 1 / (length * length * length); // solid angle of a lattice cell, up to a factor
     }
     weights_ /= weights_.sum();
   }
@@ -49,7 +48,7 @@ public:
   const Eigen::MatrixX3d& vectors() const { return vectors_; }
   const Eigen::VectorXd& weights() const { return weights_; }
 
-  /// Index of the opposite direction: the lattice is symmetric, and its points are in lexicographic order.
+  /// Index of the opposite direction. The lattice is symmetric, and its points are in lexicographic order.
   Eigen::Index opposite(Eigen::Index i) const { return size() - 1 - i; }
 
   /// The permutation of the directions by reflection along an axis.
@@ -75,7 +74,7 @@ inline const Directions& support_directions()
   return directions;
 }
 
-/// Mean distance of a point from its nearest neighbour in the set.
+/// Mean distance of a point of the set from its nearest neighbour.
 inline double spacing(const Points& points)
 {
   double sum = 0;
@@ -87,28 +86,28 @@ inline double spacing(const Points& points)
   return points.cols() > 1 ? sum / double(points.cols()) : 0;
 }
 
-/// Support function of the points: their extent in each of some directions.
+/// Support function of the points in the given directions.
 inline Eigen::VectorXd support(const Eigen::MatrixX3d& directions, const Points& points)
 {
   return (directions * points).rowwise().maxCoeff();
 }
 
-/// The measures of a part that congruence is decided by, in frame coordinates. Points are relative to `centre`, the
+/// The measures of a part by which congruence is decided, in frame coordinates. Points are relative to `centre`, the
 /// Steiner point of the convex hull, which moves with the part and does not depend on its mesh.
 struct Part_signature
 {
   Point centre = Point::Zero();
   Points extremes;         ///< vertices of the hull
   Points surface;          ///< points spread over the surface
-  Eigen::VectorXd support; ///< of the hull in `support_directions()`
-  double spacing = 0;      ///< of `surface`
+  Eigen::VectorXd support; ///< support function of the hull in `support_directions()`
+  double spacing = 0;      ///< mean distance of nearest neighbours in `surface`
   double width = 0;        ///< mean half width
-  double diagonal = 0;     ///< of the bounding box
+  double diagonal = 0;     ///< diagonal of the bounding box
   double volume = 0;
   double area = 0;
 };
 
-/// The points that are extreme in one of many directions.
+/// The points that are extreme in one of the directions of a fine lattice.
 inline Points extreme_points(const Points& points)
 {
   static const Directions directions(4);
@@ -155,14 +154,14 @@ inline bool ratio_within(double a, double b, double limit)
   return std::max(a, b) <= limit * std::min(a, b);
 }
 
-/// Whether the invariants of two parts agree: width, area and volume.
+/// Whether width, area and volume of two parts agree.
 inline bool have_same_size(const Part_signature& a, const Part_signature& b, double tolerance)
 {
   return std::abs(a.width - b.width) <= tolerance * std::max(a.width, b.width) * 2 &&
          ratio_within(a.area, b.area, area_ratio) && ratio_within(a.volume, b.volume, volume_ratio);
 }
 
-/// Ratios of two bodies' widths in all directions, ascending; `noise` is added to the widths.
+/// Ratios of the widths of two bodies in all directions, ascending; `noise` is added to every width.
 inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b,
                                         double noise)
 {
@@ -177,8 +176,8 @@ inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const 
   return result;
 }
 
-/// Root mean square difference of two support functions; infinite if that is above the tolerance, or the largest
-/// difference is above the tolerance times `maximum_factor`.
+/// Root mean square difference of two support functions; infinite if it is above the tolerance, or the largest
+/// difference above the tolerance times `maximum_factor`.
 inline double support_deviation(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance,
                                 double maximum_factor = largest_factor)
 {
@@ -193,7 +192,7 @@ inline Eigen::VectorXd moved_support(const Part_signature& part, const Eigen::Ma
   return support(support_directions().vectors() * map, part.extremes);
 }
 
-/// Whether the mean distance of points to others is within tolerance and spacing, and 95 % are not much above.
+/// Whether points are on others: up to tolerance + spacing in the mean, 95 % up to `largest_factor` times that.
 inline bool lie_on(const Points& points, const Points& others, double tolerance, double spacing)
 {
   Eigen::ArrayXd distances(points.cols());
@@ -205,7 +204,7 @@ inline bool lie_on(const Points& points, const Points& others, double tolerance,
   return mean <= tolerance + spacing && *percentile <= largest_factor * (tolerance + spacing);
 }
 
-/// Whether the surface of a after the map agrees with that of b. \param limit of the mean distance
+/// Whether the surface of `a` after the map agrees with that of `b`. \param limit largest mean distance
 inline bool surfaces_agree(const Part_signature& a, const Part_signature& b, const Eigen::Matrix3d& map, double limit)
 {
   const double spacing = std::max(a.spacing, b.spacing);

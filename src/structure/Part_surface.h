@@ -23,7 +23,7 @@ inline Box widened(const Box& box, double by)
 /// A convex polygon: a clipped triangle.
 using Polygon = std::vector<Point>;
 
-/// The polygon clipped to the half-space sign · coordinate <= sign · bound.
+/// The polygon clipped to the half-space sign · coordinate ≤ sign · bound.
 inline Polygon clipped(const Polygon& polygon, int axis, double bound, double sign)
 {
   Polygon result;
@@ -59,7 +59,7 @@ inline void add_fan(const Polygon& polygon, std::vector<Sampled_triangle>& trian
 class Part_surface
 {
 public:
-  /// \param points of the mesh, in the coordinates of the queries
+  /// \param points vertices of the mesh, in the coordinates of the queries
   Part_surface(const Points& points, const Eigen::Matrix3Xi& triangles) : tree_(proper_triangles(points, triangles)) {}
 
   const Box& box() const { return tree_.box(); }
@@ -78,12 +78,12 @@ public:
     return odd >= 2;
   }
 
-  /// About `n` points on the marked triangles inside `region`, and the corners of these, without area, if they are few.
+  /// About `n` samples of the marked triangles inside `region`; if these are few, also clipped corners, with area 0.
   Surface_samples sample(const std::vector<char>& marked, const Box& region, int n) const
   {
     std::vector<Sampled_triangle> pieces;
     std::vector<Point> vertices;
-    std::vector<std::size_t> order; // that of the mesh
+    std::vector<std::size_t> order; // the triangles in the order of the mesh
     for (std::size_t t = 0; t < marked.size(); ++t)
       if (marked[t]) order.push_back(t);
     std::sort(order.begin(), order.end(),
@@ -103,7 +103,6 @@ public:
     return samples;
   }
 
-  /// The box of the marked triangles.
   Box box_of_marked(const std::vector<char>& marked) const
   {
     Box result;
@@ -113,10 +112,9 @@ public:
   }
 
 private:
-  /// The triangles that are not degenerate.
   static std::vector<Triangle> proper_triangles(const Points& points, const Eigen::Matrix3Xi& triangles)
   {
-    constexpr double least_relative_area = 1e-12; // twice the area over the square of the longest side
+    constexpr double least_relative_area = 1e-12; // twice the area, over the squared longest side
     std::vector<Triangle> result;
     for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
       const Triangle corners = {points.col(triangles(0, t)), points.col(triangles(1, t)), points.col(triangles(2, t))};

@@ -7,10 +7,10 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// The paper's e: a curve has e samples, a sheet e × e (the authors' value).
+/// The paper's e, with the authors' value: a curve has e samples, a sheet e × e.
 constexpr int samples_per_side = 6;
 
-/// Number of points on a part's surface that matching by parts uses.
+/// Largest number of surface points of a part that matching by parts uses.
 constexpr int surface_samples = 32;
 
 /// A part as the search sees it: the samples of its abstraction in the common frame.
@@ -19,9 +19,9 @@ struct Sampled_part
   enum class Kind { CURVE, CLOSED_CURVE, SHEET };
 
   Kind kind = Kind::CURVE;
-  Points samples; ///< e, or e × e row by row
+  Points samples; ///< e samples, or e × e row by row
   Point centroid; ///< mean of the samples
-  Points surface; ///< at most `surface_samples` points spread over the surface; the samples where it is unknown
+  Points surface; ///< at most `surface_samples` points spread over the surface; equal to `samples` if it is unknown
 };
 
 } // namespace CGAL::Shape_correspondence

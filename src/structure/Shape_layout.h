@@ -26,7 +26,6 @@ inline Axis_box joined(const Axis_box& a, const Axis_box& b) { return {a.low.min
 
 inline bool is_less(double a, double b) { return quantized(a) < quantized(b); }
 
-// Of every part, the parts that it touches.
 inline std::vector<std::vector<std::size_t>> touching_parts(const Aligned_shape& shape)
 {
   std::vector<std::vector<std::size_t>> result(shape.parts.size());
@@ -37,15 +36,15 @@ inline std::vector<std::vector<std::size_t>> touching_parts(const Aligned_shape&
   return result;
 }
 
-// Where the parts of a shape are, and which ones touch.
+// The bounds of a shape, the parts that stand on the ground, and the contacts between parts.
 struct Shape_layout
 {
   std::vector<Axis_box> boxes;
-  Axis_box bounds; // of the shape
+  Axis_box bounds; // bounding box of the shape
   std::vector<char> is_on_ground;
   std::vector<std::vector<std::size_t>> neighbours;
 
-  // A part that starts lower than `tolerance` of the height stands on the ground.
+  // \param tolerance height, over that of the shape, up to which a part starts on the ground
   Shape_layout(const Aligned_shape& shape, double tolerance) : neighbours(touching_parts(shape))
   {
     for (const Sampled_part& part : shape.parts)
@@ -57,7 +56,7 @@ struct Shape_layout
       is_on_ground.push_back(is_less(box.low.y() - bounds.low.y(), tolerance * bounds.sides().y()));
   }
 
-  // The part and what is connected to it by steps from one part to the next that are allowed, ascending.
+  // The part and all parts connected to it by chains of allowed steps between parts in contact, ascending.
   template <typename Is_step>
   std::vector<std::size_t> connected(std::size_t first, const Is_step& is_step) const
   {

@@ -18,7 +18,7 @@ namespace graph {
 
 constexpr std::size_t no_group = std::numeric_limits<std::size_t>::max();
 
-/// The contacts between every two groups, by the groups' indices, smaller first.
+/// The contacts between two groups, by the indices of the groups, the smaller first.
 using Contacts_of_pairs = std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>>;
 
 Contacts_of_pairs contacts_of_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& group)
@@ -55,7 +55,7 @@ bool is_finite(const Shape_frame& frame)
   return frame.origin.allFinite() && frame.axes.allFinite() && std::isfinite(frame.height);
 }
 
-/// The checks of `is_valid_structural_graph()`, up to the first that fails.
+/// The checks of `is_valid_structural_graph()`, which stop at the first failure.
 class Validity_check
 {
 public:

@@ -17,43 +17,43 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-/// Limits of what counts as a copy, not just as congruent.
-constexpr double copy_tolerance = 0.4;    ///< mean deviation, over the tolerance
-constexpr double copy_maximum = 1.75;     ///< largest deviation, over the mean one allowed
-constexpr double copy_area_ratio = 1.25;  ///< ratio of areas
+/// Limits for copies, which are stricter than for congruent parts.
+constexpr double copy_tolerance = 0.4; ///< mean deviation, over the tolerance
+constexpr double copy_maximum = 1.75;  ///< largest deviation, over the allowed mean deviation
+constexpr double copy_area_ratio = 1.25;
 constexpr double copy_width_ratio = 1.27; ///< ratio of widths, in any direction
 constexpr double copy_most_widths = 1.14; ///< ratio of widths in nine directions of ten, since noise is uneven
 
-/// Kinds of symmetry, the preferred ones first among candidates with equally many members.
+/// Kinds of symmetry, in the order of preference among candidates with equally many members.
 enum class Preference {
-  STAR,              ///< a ring whose members start at the axis
-  FOUR_MIRRORED,     ///< two orthogonal mirror planes
-  RING,              ///< any other ring
-  ROW,               ///< three or more along a vector
-  MIRRORED_IN_SHAPE, ///< a pair, in a mirror plane of the shape
-  TURNED,            ///< a pair, by half a turn about an axis in a mirror plane of the shape
+  STAR,          ///< a ring whose members start at the axis
+  FOUR_MIRRORED, ///< two orthogonal mirror planes
+  RING,
+  ROW,               ///< three or more parts along a vector
+  MIRRORED_IN_SHAPE, ///< a pair mirrored in a mirror plane of the shape
+  TURNED,            ///< a pair related by half a turn about an axis in a mirror plane of the shape
   TRANSLATED,        ///< a pair along a vector
-  MIRRORED_ANYHOW    ///< a pair, in the vertical plane midway
+  MIRRORED_ANYHOW    ///< a pair mirrored in the vertical plane midway between them
 };
 
 /// A possible symmetry group: parts and the symmetry that carries each into the next, in frame coordinates.
 struct Symmetry_candidate
 {
-  /// A linear map that must carry a member's surface into another's.
+  /// A linear map that must carry the surface of one member into that of another.
   struct Link
   {
     std::size_t from, to; ///< indices into `members`
     Eigen::Matrix3d map;
-    bool copy; ///< whether the two must be copies
+    bool copy; ///< whether the two parts must be copies, see `is_copy()`
   };
 
-  std::vector<std::size_t> members; ///< in the order along the generator
+  std::vector<std::size_t> members; ///< ordered along the generator
   Symmetry symmetry;
   Preference preference = Preference::MIRRORED_ANYHOW;
-  double cost = 0; ///< the least is preferred among candidates of one kind and size
+  double cost = 0; ///< decides among candidates of one kind and size, the least first
   std::vector<Link> links;
 
-  /// Better candidates are smaller; ties are broken by the canonical order of parts.
+  /// Sort key: better candidates are smaller; ties are broken by the canonical order of parts.
   auto rank() const { return std::make_tuple(-static_cast<long>(members.size()), preference, cost, members); }
 };
 
@@ -90,14 +90,14 @@ private:
   std::set<Key> rejected_;
 };
 
-/// Of two opposite horizontal normals the one that points right, or to the front.
+/// Of two opposite horizontal normals, the one that points to the right, or else to the front.
 inline Point rightward(const Point& normal)
 {
   const bool is_left = normal.x() < -1e-9 || (std::abs(normal.x()) <= 1e-9 && normal.z() < 0);
   return is_left ? Point(-normal) : normal;
 }
 
-/// Whether the largest component of a vector is negative.
+/// Whether the component of largest magnitude is negative.
 inline bool is_backward(const Point& vector)
 {
   Eigen::Index largest;
@@ -105,10 +105,10 @@ inline bool is_backward(const Point& vector)
   return vector[largest] < 0;
 }
 
-/// A cost rounded so that noise in the last digits breaks no ties.
+/// A cost rounded to 1e-4, so that rounding errors do not decide between candidates.
 inline double rounded(double cost) { return std::round(cost * 1e4) / 1e4; }
 
-/// Mean deviation of the members from their images, over all links.
+/// Mean deviation of the members from their images over all links.
 inline double link_residual(const Part_relations& parts, const Symmetry_candidate& candidate)
 {
   double sum = 0;
@@ -117,7 +117,6 @@ inline double link_residual(const Part_relations& parts, const Symmetry_candidat
   return candidate.links.empty() ? 0 : sum / double(candidate.links.size());
 }
 
-/// Whether the widths of two bodies agree in all directions.
 inline bool are_equally_wide(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b, double noise)
 {
   const std::vector<double> ratios = width_ratios(support_a, support_b, noise);
@@ -125,7 +124,7 @@ inline bool are_equally_wide(const Eigen::VectorXd& support_a, const Eigen::Vect
 }
 
 /// Whether a part is a copy of another, not just congruent within the tolerance. Members of rings, rows and translated
-/// pairs must be, or similar rails, shelves and cushions would be grouped; mirrored parts may be bent differently.
+/// pairs must be, or similar rails and shelves would be grouped; mirrored parts may be bent differently.
 inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
 {
   const double limit = copy_tolerance * parts.deviation_limit(i, j);
@@ -137,7 +136,7 @@ inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, c
          are_equally_wide(image, parts[j].support, parts.noise());
 }
 
-/// Whether the surfaces of the members agree with the candidate's links.
+/// Whether the surfaces of the members agree with the links of the candidate.
 inline bool confirm(Part_relations& parts, const Symmetry_candidate& candidate)
 {
   for (const Symmetry_candidate::Link& link : candidate.links) {

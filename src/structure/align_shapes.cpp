@@ -38,12 +38,12 @@ Sampled_part sampled_part(const Part_abstraction& part, const Shape_frame& frame
   return result;
 }
 
-// The part's volume; where it is unknown, that of its hull or of the thickened box of its abstraction.
+// The volume of a part; if unknown, that of its hull or of the thickened bounding box of its abstraction.
 double prominence(const Part_abstraction& part, const Sampled_part& sampled)
 {
   if (part.volume > 0) return part.volume;
   if (part.hull_volume > 0) return part.hull_volume;
-  constexpr double assumed_thickness = 0.02; // of the shape's height
+  constexpr double assumed_thickness = 0.02; // ratio to the shape's height
   const Point extent = sampled.samples.rowwise().maxCoeff() - sampled.samples.rowwise().minCoeff();
   return (extent.array() + assumed_thickness).prod();
 }
@@ -64,7 +64,6 @@ std::size_t nearest_sample(const Points& samples, const Point& p)
   return std::size_t(nearest);
 }
 
-// Makes the graph of the groups and of the contacts between them.
 void build_graph(const std::vector<Part_group>& groups, Aligned_shape& shape)
 {
   shape.graph = Aligned_shape::Graph();
@@ -100,7 +99,7 @@ double sampled_hull_volume(const Aligned_shape& shape, const std::vector<std::si
   return convex_hull_volume(all);
 }
 
-// The symmetry of two parts that are left of an orbit of two vertical mirror planes: one of them, or half a turn.
+// The symmetry of two parts that remain of an orbit under two vertical mirror planes: a reflection, or half a turn.
 Symmetry symmetry_of_pair(const Symmetry& orbit, const Point& a, const Point& b)
 {
   const Point second_normal = orbit.direction.cross(Point::UnitY());
@@ -118,8 +117,8 @@ Symmetry symmetry_of_pair(const Symmetry& orbit, const Point& a, const Point& b)
   return result;
 }
 
-// The rest of a group that keeps some of its parts. Its volumes are those of the group, reduced as the prominences and
-// the hull of the sampled surfaces are.
+// A group reduced to some of its parts. Its volume shrinks in proportion to the prominence of the parts, its hull
+// volume in proportion to the hull of the sampled surfaces.
 Part_group remaining(const Aligned_shape& shape, const Part_group& group, std::vector<std::size_t> parts)
 {
   Part_group result = group;
@@ -252,11 +251,11 @@ using Grid_point = std::array<Steps, 3>;
 
 Grid_point grid_point(const Point& p) { return {quantized(p.y()), quantized(p.x()), quantized(p.z())}; }
 
-// Parts are ordered by how far their centroids are along this direction: by height, then from side to side, then from
-// back to front. Two centroids are hardly ever equally far, so that rounding does not change the order.
+// Parts are ordered by their centroids along this direction: by height, then from side to side, then from back to
+// front. Its skew components make ties rare, so that rounding hardly ever changes the order.
 const Point direction_of_order(0.03, 1, 0.001);
 
-// The place along that direction, and the extent of a part.
+// Sort key of a part: its position along `direction_of_order` and its extent.
 using Place = std::pair<Steps, Grid_point>;
 
 Place place_of(const Sampled_part& part)
@@ -265,7 +264,7 @@ Place place_of(const Sampled_part& part)
           grid_point(part.samples.rowwise().maxCoeff() - part.samples.rowwise().minCoeff())};
 }
 
-// The samples of a part as a set, independent of their order: they differ for parts that cross each other.
+// The samples of a part as a sorted set, which tells parts with equal keys apart, such as parts that cross each other.
 std::vector<Grid_point> sample_set(const Sampled_part& part)
 {
   std::vector<Grid_point> result;
@@ -275,7 +274,7 @@ std::vector<Grid_point> sample_set(const Sampled_part& part)
   return result;
 }
 
-// Adds the parts in the order of their places. Returns the rank of each part of the file.
+// Adds the parts ordered by their keys. \return the rank of each part of the file
 std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Matrix3d& turn, Aligned_shape& result)
 {
   std::vector<Sampled_part> sampled;
@@ -316,7 +315,7 @@ std::vector<Part_group> aligned_groups(const Structural_graph& graph, const Eige
   return result;
 }
 
-// One contact for each pair of parts.
+// Adds one contact for each pair of touching parts.
 void add_contacts(const Shape_structure& shape, const Eigen::Matrix3d& turn, const std::vector<std::size_t>& rank,
                   Aligned_shape& result)
 {
@@ -357,7 +356,7 @@ Aligned_shape align_shape(const Structural_graph& graph, int quarter_turns)
 
 namespace {
 
-// The angle about up from the orientation of the file, x to the right as far as up allows, to the frame.
+// The angle about the up axis from the orientation of the file (x to the right, projected to the ground) to the frame.
 double given_turn(const Shape_frame& frame)
 {
   const Point up = frame.axes.col(1);
@@ -372,7 +371,7 @@ int given_quarter_turns(const Shape_frame& frame) { return int(std::lround(given
 
 std::vector<int> alignment_turns(const Shape_frame& source, const Shape_frame& target)
 {
-  // A frame differs from the orientation of its file by a small turn and by quarter turns
+  // A frame differs from the orientation of its file by a small turn plus quarter turns
   const double from = given_turn(source), to = given_turn(target), quarter = double(EIGEN_PI / 2);
   const double given = quarter * (given_quarter_turns(target) - given_quarter_turns(source));
   const auto off = [&](double angle, int q) {

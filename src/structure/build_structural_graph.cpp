@@ -30,7 +30,7 @@ void check_number_of_parts(const std::string& name, std::size_t parts)
   if (parts > most_parts) throw Invalid_input("shape '" + name + "': has " + too_many_parts(parts));
 }
 
-/// Checks numbers that come from the caller.
+/// Refuses a shape of the caller with coordinates, volumes or part indices out of range.
 void check_numbers(const Shape_structure& shape)
 {
   const auto fail = [&shape](const std::string& what) {
@@ -42,7 +42,7 @@ void check_numbers(const Shape_structure& shape)
   for (const Part_abstraction& part : shape.parts) {
     const Points& points = part.control_points();
     if (points.cols() < 2) fail("part '" + part.name + "' has fewer than two control points");
-    if (!(points.array().abs() <= largest_coordinate).all()) // nor is NaN
+    if (!(points.array().abs() <= largest_coordinate).all()) // NaN fails as well
       fail("part '" + part.name + "' has a control point that is not finite or beyond 1e15");
     for (double measure : {part.volume, part.hull_volume, part.area})
       if (!(measure >= 0 && measure <= largest_number))
@@ -53,14 +53,14 @@ void check_numbers(const Shape_structure& shape)
       fail("a contact does not name two of its parts");
 }
 
-/// Checks options; those of the abstraction are checked where they are used.
+/// Checks the options; those of the abstraction are checked where they are used.
 void check_options(const Structure_options& options)
 {
   check_number("build_structural_graph: the tolerance of symmetry", options.symmetry.tolerance, 0, 1);
   check_number("build_structural_graph: the tolerance of contacts", options.contacts.tolerance, 0, 1);
 }
 
-/// Groups come from the caller, too.
+/// Refuses groups from the caller that overlap or name a part that does not exist.
 void check_groups(const std::vector<Part_group>& groups, std::size_t parts)
 {
   std::vector<char> is_in_group(parts, 0);
@@ -73,7 +73,6 @@ void check_groups(const std::vector<Part_group>& groups, std::size_t parts)
     }
 }
 
-/// Names the parts that are abstracted by their bounding box.
 void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
 {
   for (const Part_abstraction& part : parts) {
@@ -87,7 +86,7 @@ void warn_of_fallbacks(const std::vector<Part_abstraction>& parts, std::vector<s
   }
 }
 
-/// Names the parts that branch, which are neither curves nor sheets.
+/// Warns of branching parts, which are neither curves nor sheets.
 void warn_of_branches(const std::vector<Part_abstraction>& parts, std::vector<std::string>& warnings)
 {
   std::string names;
@@ -98,7 +97,7 @@ void warn_of_branches(const std::vector<Part_abstraction>& parts, std::vector<st
                        ". Divide them into parts of one branch, for example into segments.");
 }
 
-/// Detects groups, unless they are given, and makes the graph.
+/// Detects groups, unless they are given, and builds the graph.
 Structural_graph assemble(Shape_structure shape, std::vector<Part_group> groups, const Structure_options& options)
 {
   if (groups.empty()) groups = detect_symmetry_groups(shape.parts, shape.frame, options.symmetry, &shape.warnings);

@@ -23,13 +23,14 @@ using namespace internal::contacts;
 
 namespace {
 
-constexpr double slack = 1 + 1e-9;      ///< so that a gap of exactly the tolerance is a contact in every pose
+/// Factor of the tolerance, so that a gap of exactly the tolerance is a contact in every pose.
+constexpr double slack = 1 + 1e-9;
 constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
-constexpr double region_gap = 1.0 / 6;  ///< distance between regions, over the diagonal of all near samples
-constexpr int region_samples = 64;      ///< on either part, to find the regions of a contact
-constexpr int abstraction_samples = 16; ///< of a curve, or along each side of a sheet
+constexpr double region_gap = 1.0 / 6;  ///< samples of either surface for finding the regions of a contact
+constexpr int region_samples = 64;      ///< samples of a curve, or along each side of a sheet
+constexpr int abstraction_samples = 16; ///< number on a curve, or along each side of a sheet
 
-/// Samples of two surfaces that are near the other one.
+/// Samples of two surfaces near the respective other surface.
 struct Near_samples
 {
   std::vector<Point> points;
@@ -37,7 +38,7 @@ struct Near_samples
   std::vector<char> is_first; ///< whether a sample is on the first surface
 };
 
-/// A region where two surfaces touch: its centre, and its area on both.
+/// A region where two surfaces touch: its centre, and the sum of its areas on both.
 struct Region
 {
   Point middle;
@@ -57,7 +58,7 @@ void add_near_samples(const Part_surface& from, const std::vector<char>& marked,
   }
 }
 
-/// Samples within `limit` of the other surface, the closest points of both first.
+/// Samples within `limit` of the other surface, after the two closest points.
 Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Closest_pair& closest, double limit)
 {
   const std::vector<char> near_a = a.tree().near_triangles(b.tree(), limit * limit);
@@ -69,7 +70,7 @@ Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Cl
   return result;
 }
 
-/// Clusters of the points by single linkage.
+/// Single-linkage clusters of the points.
 Disjoint_sets linked(const std::vector<Point>& points, double tolerance)
 {
   Box box;
@@ -83,8 +84,8 @@ Disjoint_sets linked(const std::vector<Point>& points, double tolerance)
   return pieces;
 }
 
-/// The region of one cluster. Its centre is the mean of the centroids on both surfaces, by area, or of the samples if
-/// they have no area.
+/// The region of one cluster. Its centre is the mean of the area-weighted centroids on both surfaces, or the mean of
+/// the samples if these have no area.
 Region region_of(const Near_samples& samples, const Disjoint_sets& pieces, std::size_t piece)
 {
   std::array<Point, 2> sums = {Point::Zero(), Point::Zero()};
@@ -108,10 +109,10 @@ Region region_of(const Near_samples& samples, const Disjoint_sets& pieces, std::
   return {sides > 0 ? Point(middle / sides) : Point(sum / count), areas[0] + areas[1]};
 }
 
-/// The regions where two surfaces touch, the largest first, without those under 5 % of it.
+/// The regions where two surfaces touch, the largest first; regions of less than `least_share` of its area are dropped.
 std::vector<Region> regions(const Near_samples& samples, double tolerance)
 {
-  constexpr double least_share = 0.05; // of the largest region's area
+  constexpr double least_share = 0.05; // ratio to the area of the largest region
   const Disjoint_sets pieces = linked(samples.points, tolerance);
   std::vector<Region> result;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
@@ -123,7 +124,7 @@ std::vector<Region> regions(const Near_samples& samples, double tolerance)
   return result;
 }
 
-/// Finds the contacts of parts with meshes, in the coordinates of a frame.
+/// Finds the contacts of parts with meshes, in the coordinates of the frame.
 class Mesh_contacts
 {
 public:
@@ -182,7 +183,7 @@ private:
     return result;
   }
 
-  /// The closest points of two parts, if they are nearer than `limit`.
+  /// The closest points of two parts, if they are closer than `limit`.
   Closest_pair closest(std::size_t a, std::size_t b, double limit = std::numeric_limits<double>::infinity()) const
   {
     Closest_pair result;
@@ -232,13 +233,12 @@ private:
   const std::vector<Part_abstraction>& parts_;
   const Shape_frame& frame_;
   std::vector<Part_surface> surfaces_;
-  std::vector<Closest_pair> closest_; ///< of the near pairs
+  std::vector<Closest_pair> closest_; ///< closest points by `Near_pair::region`
   bool closest_points_;
   double diagonal_;
   double tolerance_;
 };
 
-/// The length of a curve.
 double length(const Curve& curve)
 {
   const Eigen::Index n = curve.points.cols();
@@ -248,7 +248,6 @@ double length(const Curve& curve)
   return sum;
 }
 
-/// The area of a sheet.
 double area(const Sheet& sheet)
 {
   double sum = 0;
@@ -261,8 +260,7 @@ double area(const Sheet& sheet)
   return sum;
 }
 
-/// Distance of the surface from the abstraction for a part of even thickness: the radius of a rod, or half the
-/// thickness of a plate.
+/// Radius of a rod, or half the thickness of a plate, if even; 0 if unknown.
 double half_thickness(const Part_abstraction& part)
 {
   const double extent = part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry))

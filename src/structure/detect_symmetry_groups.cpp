@@ -19,7 +19,7 @@ using namespace internal::symmetry;
 
 namespace {
 
-/// Finds groups: takes the best candidates one after the other until every part is in a group.
+/// Takes the best candidates one after the other until every part is in a group.
 class Group_finder
 {
 public:
@@ -85,8 +85,8 @@ private:
     groups_.push_back(std::move(candidate));
   }
 
-  /// Collects candidates among the free parts and takes the best, until there are none. After the largest ones of a
-  /// round candidates are collected anew, since a row that lost members to a better one may leave a shorter row.
+  /// Collects candidates among the free parts and takes the best, until there are none. Candidates are collected anew
+  /// after the largest ones of a round, since a row that lost members to a better group may leave a shorter row.
   template <typename Collect>
   void take_while_found(const Collect& collect)
   {
@@ -109,11 +109,11 @@ private:
   std::vector<std::size_t> free_; ///< ascending
   std::vector<Symmetry_candidate> groups_;
   Largest_candidates found_;
-  std::size_t row_beginnings_ = 0; ///< so far
+  std::size_t row_beginnings_ = 0; ///< pairs of copies that rows were followed from
 };
 
-/// An order of the parts that does not depend on the file: by the place of the centre along a direction, size and, for
-/// parts that cross each other, support function, rounded.
+/// An order of the parts that does not depend on the file: by rounded position of the centre along a direction, size
+/// and, for parts that cross each other, support function.
 std::vector<std::size_t> canonical_order(const std::vector<Part_signature>& signatures)
 {
   constexpr double quantum = 1e-5;
@@ -142,7 +142,6 @@ Symmetry to_world(Symmetry symmetry, const Shape_frame& frame)
   return symmetry;
 }
 
-/// The volume of the hull of several parts' union.
 double hull_volume_of_union(const std::vector<Part_abstraction>& parts, const std::vector<std::size_t>& members)
 {
   if (members.size() == 1 && parts[members[0]].hull_volume > 0) return parts[members[0]].hull_volume;

@@ -19,12 +19,12 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace contacts {
 
-/// Two parts and their distance, 0 where they overlap.
+/// Two parts and their distance, which is 0 where they overlap.
 struct Near_pair
 {
   std::array<std::size_t, 2> parts;
   double distance;
-  std::size_t region; ///< index of the place in the caller's list
+  std::size_t region; ///< index into the caller's list of places
 };
 
 inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Near_pair& pair, double diagonal)
@@ -37,10 +37,10 @@ inline std::string join_warning(const std::vector<Part_abstraction>& parts, cons
          " % of the shape's diagonal, since the shape would fall into pieces otherwise.";
 }
 
-/// Connects the pieces that the near pairs leave, by the closest pairs (Kruskal's minimum spanning forest). A distance
-/// is computed when its lower bound is the least.
-/// \tparam LowerBound (part, part) to a bound of their distance
-/// \tparam Measure (part, part) to a `Near_pair`
+/// Connects the connected components that the near pairs leave, by the closest pairs (Kruskal's minimum spanning
+/// forest). A distance is computed only once its lower bound is the least.
+/// \tparam LowerBound maps two parts to a lower bound of their distance
+/// \tparam Measure maps two parts to a `Near_pair`
 template <typename LowerBound, typename Measure>
 void join_pieces(const std::vector<Part_abstraction>& parts, double diagonal, const LowerBound& lower_bound,
                  const Measure& measure, std::vector<Near_pair>& near, std::vector<std::string>& warnings)
@@ -50,7 +50,7 @@ void join_pieces(const std::vector<Part_abstraction>& parts, double diagonal, co
     pieces.unite(pair.parts[0], pair.parts[1]);
   if (pieces.number_of_sets() == 1) return;
 
-  // (distance or its bound, the two parts, whether it is the distance); the smallest first
+  // (distance or its lower bound, first part, second part, whether the distance is exact); the smallest first
   using Entry = std::tuple<double, std::size_t, std::size_t, bool>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (std::size_t a = 0; a < parts.size(); ++a)

@@ -8,8 +8,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A graph for uses that need only the surfaces of parts, such as roles: the curve of a part is the diagonal of its
-/// box, since abstraction takes most of the time of a graph, and every part is a group.
+/// A structural graph for uses that need only the surfaces of parts, such as roles, since abstraction takes most of the
+/// time: every part is a group, abstracted by the diagonal of its bounding box.
 Structural_graph outline_graph(const Segmented_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -8,8 +8,10 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double least_oblique_sine = 0.2; ///< of the angles of a turned pair's difference with plane and normal
-constexpr double plane_share = 0.1;        ///< distance of a pair's centre from a mirror plane, over its own distance
+/// Least sine of the angles between a turned pair's difference and the mirror plane and its normal.
+constexpr double least_oblique_sine = 0.2;
+/// Distance of a pair's centre from a mirror plane, over the distance of the two parts along its normal.
+constexpr double plane_share = 0.1;
 
 inline Symmetry mirror(const Point& point, const Point& normal)
 {
@@ -20,7 +22,7 @@ inline Symmetry mirror(const Point& point, const Point& normal)
   return result;
 }
 
-/// Of two opposite directions the one that points up, or to the front, or to the right.
+/// Of two opposite directions, the one that points up, or else to the front, or else to the right.
 inline Point upward(const Point& direction)
 {
   constexpr double level_limit = 1e-9;
@@ -30,14 +32,13 @@ inline Point upward(const Point& direction)
   return keep ? direction : Point(-direction);
 }
 
-/// Distance of a plane through a point from the shape's mirror plane of that direction; 1 if it has none.
+/// Distance between a parallel of a mirror plane through a point and the shape's mirror plane; 1 if there is none.
 inline double plane_distance(const Part_relations& parts, Basic_map map, const Point& middle)
 {
   return parts.plane(map) ? std::abs(middle[axis_of(map)] - *parts.plane(map)) : 1;
 }
 
-/// Completes an orbit of two orthogonal mirror planes from a corner i, its image j in the main plane and its image k in
-/// the other one.
+/// Completes an orbit under two mirror planes: a corner i, its image j in the main plane and k in the other one.
 inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
                      const std::vector<std::size_t>& free, Largest_candidates& result)
 {
@@ -59,7 +60,7 @@ inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, 
   }
 }
 
-/// Adds orbits of four under reflection in two orthogonal planes, such as the legs of a chair.
+/// Adds orbits of four parts under reflection in two orthogonal planes, such as the legs of a chair.
 inline void add_orbits_of_four(const Part_relations& parts, const std::vector<std::size_t>& free,
                                Largest_candidates& result)
 {
@@ -99,8 +100,7 @@ inline void add_pair_in_plane(const Part_relations& parts, std::size_t i, std::s
   result.add(pair);
 }
 
-/// Adds a pair that half a turn carries into each other, about an axis in one of the shape's mirror planes, at right
-/// angles to the difference of their centres.
+/// Adds a pair related by half a turn about an axis in a mirror plane of the shape, across the line of their centres.
 inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::size_t j, Basic_map map,
                             Largest_candidates& result)
 {
@@ -125,7 +125,6 @@ inline void add_turned_pair(const Part_relations& parts, std::size_t i, std::siz
   result.add(pair);
 }
 
-/// Adds a pair along a vector.
 inline void add_translated_pair(const Part_relations& parts, std::size_t i, std::size_t j, Largest_candidates& result)
 {
   Point vector = parts[j].centre - parts[i].centre;
@@ -165,7 +164,7 @@ inline void add_pair_mirrored_anyhow(const Part_relations& parts, std::size_t i,
   result.add(pair);
 }
 
-/// The symmetry of a part that is in no group with others: its own mirror plane, if it has one.
+/// The symmetry of a part that is in no group with others: reflection in its own mirror plane, if it has one.
 inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
 {
   for (const Basic_map map : {parts.main_mirror(), parts.other_mirror()}) {

@@ -10,15 +10,16 @@ namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 constexpr auto full_turn = double(2 * EIGEN_PI);
-constexpr double uneven_angle = 0.15;    ///< deviation of an angle between neighbours from the mean one, over it
-constexpr double star_core = 0.4;        ///< inner over outer radius of a star's members, at most
-constexpr double horizontal_limit = 0.1; ///< vertical component of an axis that counts as horizontal, at most
-constexpr std::size_t least_horizontal_ring = 5; ///< fewer about a horizontal axis must be a star: a frame is no ring
+constexpr double uneven_angle = 0.15; ///< deviation of an angle between neighbours from the mean angle, over the mean
+constexpr double star_core = 0.4;     ///< largest ratio of inner and outer radius of a star's members
+constexpr double horizontal_limit = 0.1; ///< largest vertical component of an axis that counts as horizontal
+/// Fewer members about a horizontal axis must be a star: a frame is no ring.
+constexpr std::size_t least_horizontal_ring = 5;
 
 struct Axis
 {
   Point point;
-  Point direction; ///< unit
+  Point direction; ///< unit vector
 };
 
 /// Cylindrical coordinates of a part's centre about an axis.
@@ -56,7 +57,6 @@ inline bool is_evenly_turned(const std::vector<Ring_place>& ring)
   return true;
 }
 
-/// Whether a part reaches inwards to the axis.
 inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
 {
   double inner = std::numeric_limits<double>::infinity(), outer = 0;
@@ -69,7 +69,7 @@ inline bool comes_from_axis(const Part_signature& part, const Axis& axis)
   return inner <= star_core * outer;
 }
 
-/// The ring that parts at one height and radius make, if they are evenly turned copies.
+/// The ring of parts at one height and radius; none if they are not evenly turned copies.
 inline std::optional<Symmetry_candidate> make_ring(const Part_relations& parts, const std::vector<Ring_place>& places,
                                                    const Axis& axis)
 {
@@ -93,7 +93,7 @@ inline std::optional<Symmetry_candidate> make_ring(const Part_relations& parts, 
   return ring;
 }
 
-/// Adds the rings about one axis; returns whether there are any.
+/// Adds the rings about one axis. \return whether there are any
 inline bool add_rings_about(const Part_relations& parts, const std::vector<std::size_t>& candidates, const Axis& axis,
                             Largest_candidates& result)
 {
@@ -126,7 +126,7 @@ inline Point mean_centre(const Part_relations& parts, const std::vector<std::siz
   return sum / set.size();
 }
 
-/// The directions in which the centres of a set spread least and most.
+/// The directions of least and most spread of the centres of a set.
 struct Spread
 {
   Point least, most;
@@ -143,7 +143,6 @@ inline Spread spread(const Part_relations& parts, const std::vector<std::size_t>
   return {axes.col(0), axes.col(2)};
 }
 
-/// Splits a set where its centres leave the widest gap along a direction.
 inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations& parts, std::vector<std::size_t> set,
                                                             const Point& direction)
 {
@@ -155,8 +154,8 @@ inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations
   return {{{set.begin(), set.begin() + cut}, {set.begin() + cut, set.end()}}};
 }
 
-/// Adds rings of parts of one size: about the vertical axis and a horizontal one through their mean, else those in the
-/// halves on either side of the widest gap.
+/// Adds rings of parts of one size: about the vertical axis and a horizontal axis through their mean; if there are
+/// none, those in the two subsets on either side of the widest gap.
 inline void add_rings_among(const Part_relations& parts, const std::vector<std::size_t>& set, int splits,
                             Largest_candidates& result)
 {
@@ -175,7 +174,6 @@ inline void add_rings_among(const Part_relations& parts, const std::vector<std::
     add_rings_among(parts, half, splits - 1, result);
 }
 
-/// Adds complete rings of three parts or more.
 inline void add_rings(const Part_relations& parts, const std::vector<std::size_t>& free, Largest_candidates& result)
 {
   constexpr int most_splits = 3;

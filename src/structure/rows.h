@@ -15,8 +15,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
-constexpr double uneven_spacing = 0.3; ///< deviation of a step of a row from the mean step, over it
-constexpr double crookedness = 0.1;    ///< distance of a member from the row's line, over the row's length
+constexpr double uneven_spacing = 0.3; ///< deviation of a step of a row from the mean step, over the mean
+constexpr double crookedness = 0.1;    ///< distance of a member from the row's line, over the length of the row
 
 /// Parts of which each is a translated copy of another one, and the tree of their centres.
 struct Copies
@@ -90,7 +90,7 @@ inline bool is_even_and_straight(const Part_relations& parts, const std::vector<
   return true;
 }
 
-/// The row that starts with two parts.
+/// The row that starts with two given parts, continued as long as there is a next member.
 inline std::vector<std::size_t> follow_row(const Part_relations& parts, std::size_t first, std::size_t second,
                                            const Copies& copies)
 {

@@ -10,7 +10,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The pixel that a texture has at a place in its row or column, or outside of it.
+/// The pixel, within the image, that a texture repeats at a pixel outside of it.
 int wrapped(int pixel, int size, Texture_wrap wrap)
 {
   const int period = wrap == Texture_wrap::MIRROR ? 2 * size : size;

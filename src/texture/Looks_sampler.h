@@ -11,7 +11,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The value at a point of a triangle, between those of its corners. \param weights barycentric coordinates
+/// The value at a point of a triangle, interpolated from its corners. \param weights barycentric coordinates
 template <typename Number, typename Vector>
 auto value_at(const std::vector<Vector>& of_corners, std::size_t triangle, const Eigen::Vector3d& weights)
 {
@@ -22,14 +22,14 @@ auto value_at(const std::vector<Vector>& of_corners, std::size_t triangle, const
   return result;
 }
 
-/// The colours of points of a shape's surface, in linear light.
+/// Samples the colours of a shape's surface, in linear light.
 class Looks_sampler
 {
 public:
-  /// \param appearance is kept by reference \param neutral the colour where nothing is known
+  /// \param appearance kept by reference \param neutral colour of parts without an appearance
   Looks_sampler(const Shape_appearance& appearance, const Eigen::Vector3d& neutral);
 
-  /// Whether anything is known of a part.
+  /// Whether a part has an appearance.
   bool is_known(std::size_t part) const;
 
   /// \param weights barycentric coordinates in the triangle
@@ -40,7 +40,7 @@ private:
 
   const Shape_appearance& appearance_;
   Eigen::Vector3d neutral_;
-  std::array<double, 256> linear_; ///< by byte
+  std::array<double, 256> linear_; ///< linear light, by byte of an sRGB channel
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -12,15 +12,15 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Share of the covered pixels that may be covered twice: along the edges of triangles
+// Share of the covered pixels that may be covered twice, along the edges of triangles
 constexpr double most_overlap = 0.01;
-// Share of the surface that may have no area in the picture
+// Share of the surface's area that may have no area in the image
 constexpr double most_collapsed = 0.01;
-// Cosine of the steepest face that joins a chart of its neighbours; its texture is stretched by 1 / cosine
+// Least cosine of a face's angle to its chart; its texture is stretched by up to 1 / cosine
 constexpr double steepest = 0.4;
-constexpr double off_border = 1e-6; // barycentric: pixels whose middles are on an edge are of no triangle
+constexpr double off_border = 1e-6; // barycentric margin: a pixel whose centre is on an edge belongs to no triangle
 
-/// Triangles of a part that lie side by side; the box of their corners is from (0, 0) on, in the units of the shape.
+/// Adjacent triangles of a part in a plane; their bounding box begins at (0, 0), in the units of the shape.
 struct Chart
 {
   std::size_t part;
@@ -28,11 +28,10 @@ struct Chart
   Eigen::Vector2d extent;
 };
 
-/// Cuts a part into charts.
 class Chart_maker
 {
 public:
-  /// \param flat gets the triangles' places in their charts
+  /// \param flat receives the triangles' corners within their charts
   Chart_maker(std::size_t part, const Part_mesh& mesh, const Eigen::Matrix3d& frame, std::vector<Flat_triangle>& flat)
       : part_(part),
         triangles_(mesh.triangles),
@@ -62,10 +61,10 @@ private:
     return (direction % 2 ? -1. : 1.) * unit[direction / 2];
   }
 
-  /// Each triangle faces one of six directions, that which its normal is nearest to or that of most of its neighbours.
+  /// Assigns to each triangle one of six directions: that nearest to its normal, or that of most of its neighbours.
   void assign_directions()
   {
-    constexpr double alike = 1e-6; // equal cosines, but for rounding
+    constexpr double alike = 1e-6; // tolerance for equal cosines
     for (std::size_t t = 0; t < neighbours_.size(); ++t) {
       int best = 0;
       for (int d = 1; d < 6; ++d)
@@ -78,11 +77,11 @@ private:
   Flat_triangle projected(std::size_t t) const
   {
     const int axis = directions_[t] / 2;
-    const bool is_mirrored = directions_[t] % 2 == 1; // seen from outside, right is right
+    const bool is_mirrored = directions_[t] % 2 == 1; // keeps left and right as seen from outside
     Flat_triangle result;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point p = points_.col(triangles_(Eigen::Index(k), Eigen::Index(t)));
-      // Up is up in the picture, whose rows go down
+      // Rows of the image run downwards
       const double right = axis == 0 ? -p.z() : p.x(), down = axis == 1 ? p.z() : -p.y();
       result[k] = {is_mirrored ? -right : right, down};
     }
@@ -118,11 +117,11 @@ private:
     return result;
   }
 
-  /// The triangles that do not overlap earlier ones in a coarse picture. The first one never does.
+  /// The triangles that do not overlap earlier ones in a coarse image. The first one is always included.
   std::vector<int> without_overlap(const std::vector<int>& triangles) const
   {
     constexpr int size = 256;
-    constexpr std::size_t few = 2; // pixels on edges
+    constexpr std::size_t few = 2; // number of shared pixels, on edges
     const Eigen::AlignedBox2d box = bounds(triangles);
     const double extent = box.sizes().maxCoeff();
     if (!(extent > 0) || triangles.size() == 1) return triangles;
@@ -146,7 +145,7 @@ private:
     return result;
   }
 
-  /// Moves a chart to (0, 0), its longer side along x.
+  /// Moves a chart to (0, 0), with its longer side along x.
   void lay_down(Chart& chart)
   {
     if (const Eigen::Vector2d sizes = bounds(chart.triangles).sizes(); sizes.y() > sizes.x())
@@ -162,13 +161,13 @@ private:
 
   std::size_t part_;
   const Eigen::Matrix3Xi& triangles_;
-  Points points_; ///< in the frame
+  Points points_; ///< vertices in the frame
   std::vector<std::vector<int>> neighbours_;
   std::vector<int> directions_;
   std::vector<Flat_triangle>& flat_;
 };
 
-/// Puts charts into rows. \return their places, or none if they do not fit
+/// Packs charts into rows. \return their positions; none if they do not fit
 std::optional<std::vector<Eigen::Vector2d>> packed(const std::vector<Chart>& charts, double scale, int size, int margin)
 {
   std::vector<Eigen::Vector2d> places;
@@ -244,7 +243,7 @@ Texture_layout new_layout(const Segmented_shape& shape, const Eigen::Matrix3d& f
     (packed(charts, middle, size, margin) ? low : high) = middle;
   }
   std::optional<std::vector<Eigen::Vector2d>> places = packed(charts, low, size, margin);
-  for (; !places && margin > 0; --margin) // more charts than there is room for their margins
+  for (; !places && margin > 0; --margin) // reduces margins that leave too little room
     places = packed(charts, low, size, margin - 1);
   for (std::size_t i = 0; i < charts.size(); ++i)
     for (int t : charts[i].triangles)

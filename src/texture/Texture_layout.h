@@ -16,13 +16,13 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The corners of a triangle in a square picture, in pixels.
+/// The corners of a triangle in a square image, in pixels.
 using Flat_triangle = std::array<Eigen::Vector2d, 3>;
 
-/// Where the triangles of all parts lie in a picture, by part and triangle.
+/// The positions in an image of the triangles of all parts, by part and triangle.
 using Texture_layout = std::vector<std::vector<Flat_triangle>>;
 
-/// Barycentric coordinates of a point; not finite for a triangle without area.
+/// Barycentric coordinates of a point; not finite for a degenerate triangle.
 inline Eigen::Vector3d barycentric_coordinates(const Flat_triangle& t, const Eigen::Vector2d& p)
 {
   const double area = cross(t[1] - t[0], t[2] - t[0]);
@@ -30,12 +30,11 @@ inline Eigen::Vector3d barycentric_coordinates(const Flat_triangle& t, const Eig
   return {a, b, 1 - a - b};
 }
 
-/// The number of a pixel in a picture, row by row.
+/// The index of a pixel in an image, row by row.
 inline std::size_t pixel_at(int x, int y, int size) { return std::size_t(y) * std::size_t(size) + std::size_t(x); }
 
-/// Calls `visit` for the pixels whose middle is in the triangle.
-/// \param inside the least barycentric coordinate: more than 0 leaves out those on its border, which are on another
-/// triangle's, too
+/// Calls `visit` for the pixels whose centres are in the triangle.
+/// \param inside least barycentric coordinate; if positive, pixels on borders between triangles are left out
 template <typename Visit>
 void for_each_pixel(const Flat_triangle& t, int size, const Visit& visit, double inside = -1e-9)
 {
@@ -46,20 +45,20 @@ void for_each_pixel(const Flat_triangle& t, int size, const Visit& visit, double
       if (barycentric_coordinates(t, {x + 0.5, y + 0.5}).minCoeff() >= inside) visit(pixel_at(x, y, size));
 }
 
-/// The layout by the texture coordinates of a shape; none if a part has none, they are outside of [0, 1], or triangles
-/// overlap, so that a pixel would have to have several colours.
+/// The layout given by the texture coordinates of a shape; none if a part has no coordinates, if they are outside of
+/// [0, 1], or if triangles overlap, so that a pixel would need several colours.
 std::optional<Texture_layout> given_layout(const Segmented_shape& shape, const Shape_appearance& appearance, int size);
 
-/// A new layout: charts of connected triangles that face alike along the axes of `frame`, a rotation; projected along
-/// them, and packed at one scale, `margin` pixels from each other's margins.
+/// A new layout: charts of connected triangles that face the same axis direction of `frame` (a rotation), projected
+/// along it and packed at one scale, `margin` pixels from each other's margins.
 Texture_layout new_layout(const Segmented_shape& shape, const Eigen::Matrix3d& frame, int size, int margin);
 
-/// The linear colour of a point of a part's triangle, by barycentric coordinates. Called from several threads.
+/// The linear colour of a point in a triangle of a part, by barycentric coordinates. Called from several threads.
 using Colour_of_point =
     std::function<Eigen::Vector3d(std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights)>;
 
-/// Paints the triangles of a layout into a picture; every pixel is the mean of `samples`² points. Colours go on past
-/// the borders of triangles by `margin` pixels; all other pixels have the colour `background`.
+/// Paints the triangles of a layout into an image; every pixel is the mean of `samples`² points. Colours are extended
+/// across the borders of triangles by `margin` pixels; all other pixels have the colour `background`.
 Image bake(const Texture_layout& layout, int size, int margin, int samples, const Eigen::Vector3d& background,
            const Colour_of_point& colour);
 

@@ -23,11 +23,11 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Of a coloured mesh
-constexpr double edges_across = 100; // the diagonal of the shape, over the longest edge
+// Resolution of a mesh with vertex colours
+constexpr double edges_across = 100; // diagonal of the shape over the longest edge
 constexpr std::size_t most_triangles = 200000;
 
-/// One object per part; every corner has texture coordinates of its own.
+/// Writes one object for each part; every corner has its own texture coordinates.
 void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance,
                         const std::string& library)
 {
@@ -52,7 +52,7 @@ void write_textured_obj(std::ostream& out, const Segmented_shape& shape, const S
   }
 }
 
-/// A mesh whose triangles are divided until no edge is longer, as far as that makes no more than `most_triangles`.
+/// The mesh with edges subdivided to at most `longest_edge`, as far as this makes no more than `most_triangles`.
 Part_mesh divided(const Part_mesh& mesh, double longest_edge)
 {
   internal::Subdivision fine(mesh.points, mesh.triangles);
@@ -62,7 +62,7 @@ Part_mesh divided(const Part_mesh& mesh, double longest_edge)
   return {fine.points(), fine.triangles()};
 }
 
-/// The looks of triangles that are numbered: the number as the material, and where in the triangle a point is.
+/// An appearance that encodes locations: triangles as materials, locations in them as texture coordinates.
 Part_appearance numbered(Eigen::Index triangles)
 {
   Part_appearance result;
@@ -73,7 +73,7 @@ Part_appearance numbered(Eigen::Index triangles)
   return result;
 }
 
-/// A part, divided so that its texture becomes colours of vertices.
+/// A part subdivided so that its texture becomes colours of vertices.
 Ply_part coloured(const Segmented_shape& shape, std::size_t part, double longest_edge,
                   const Transferred_appearance& transferred, bool has_labels)
 {

@@ -19,7 +19,7 @@ namespace {
 
 using Corners = std::array<std::array<double, 3>, 3>;
 
-/// The corners of a triangle, the least first, in their order: equal for equal triangles of one orientation.
+/// The corners of a triangle in orientation order, the lexicographically least first, to compare triangles.
 Corners corners_of(const Part_mesh& mesh, Eigen::Index t)
 {
   Corners result;
@@ -29,7 +29,7 @@ Corners corners_of(const Part_mesh& mesh, Eigen::Index t)
   return result;
 }
 
-/// Barycentric coordinates in the plane of a triangle, also outside of it.
+/// Barycentric coordinates of the projection of a point to the plane of a triangle, also outside of the triangle.
 Eigen::Vector3d plane_coordinates(const Point& p, const internal::contacts::Triangle& triangle)
 {
   const auto& [a, b, c] = triangle;

@@ -11,10 +11,10 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The linear colours of a picture's pixels, where they are known.
+/// The linear colours of an image's pixels; none: unknown.
 using Colours = std::vector<std::optional<Eigen::Vector3f>>;
 
-/// The triangle that a pixel shows; -1: none.
+/// The triangle shown by a pixel; -1: none.
 struct Shown_triangle
 {
   int part = -1, triangle = -1;
@@ -29,7 +29,7 @@ std::vector<Shown_triangle> shown_triangles(const Texture_layout& layout, int si
   for (std::size_t part = 0; part < layout.size(); ++part)
     for (std::size_t t = 0; t < layout[part].size(); ++t)
       for_each_pixel(layout[part][t], size, [&](std::size_t pixel) { show(pixel, part, t); });
-  // Triangles that are thinner than a pixel
+  // Triangles that contain no centre of a pixel are shown by the pixel at their centroid
   for (std::size_t part = 0; part < layout.size(); ++part)
     for (std::size_t t = 0; t < layout[part].size(); ++t) {
       const Flat_triangle& flat = layout[part][t];
@@ -39,7 +39,7 @@ std::vector<Shown_triangle> shown_triangles(const Texture_layout& layout, int si
   return result;
 }
 
-/// Barycentric coordinates of the point of a triangle near a point of the picture.
+/// Barycentric coordinates of a point of a triangle near a point of the image.
 Eigen::Vector3d inside_coordinates(const Flat_triangle& flat, const Eigen::Vector2d& p)
 {
   const Eigen::Vector3d weights = barycentric_coordinates(flat, p);
@@ -48,7 +48,7 @@ Eigen::Vector3d inside_coordinates(const Flat_triangle& flat, const Eigen::Vecto
   return inside / inside.sum();
 }
 
-/// Lets colours go on into pixels that have none, one pixel far.
+/// Extends colours by one pixel into pixels without a colour.
 void grow(Colours& colours, int size)
 {
   const Colours before = colours;

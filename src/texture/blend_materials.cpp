@@ -16,9 +16,8 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr int fade_steps = 5; // of a colour in an animation
+constexpr int fade_steps = 5; // number of intermediate colours in an animation
 
-/// Draws a blend by the materials of the shapes.
 class Material_painter : public Blend_painter
 {
 public:
@@ -61,13 +60,13 @@ public:
   }
 
 private:
-  /// Two colours, one of which becomes the other.
+  /// The first and the last colour of a transition.
   using Fade = std::array<Eigen::Vector4d, 2>;
 
   struct Looks
   {
     Part_appearance appearance;
-    std::optional<Fade> fade; ///< where the parts at both ends are of one colour each
+    std::optional<Fade> fade; ///< defined if the parts at both ends have a single colour
   };
 
   std::optional<Fade> fade_of(const Blend_task& task) const

@@ -18,9 +18,9 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr int wrap_numbers[] = {10497, 33648, 33071}; // of Texture_wrap, in glTF
+constexpr int wrap_numbers[] = {10497, 33648, 33071}; // glTF codes of the values of `Texture_wrap`
 
-/// The appearance of a model as it is drawn; empty if the model has none, or its textures are too large.
+/// The appearance of a model on the drawn shape; empty if the model has none, or its textures are too large.
 Shape_appearance drawn_appearance(const Segmented_shape* model, const Shape_appearance& looks,
                                   const Segmented_shape* drawn, std::size_t most_bytes)
 {
@@ -35,7 +35,6 @@ Shape_appearance drawn_appearance(const Segmented_shape* model, const Shape_appe
   return result;
 }
 
-/// Values of corners as the columns of a matrix.
 template <typename Vector>
 auto columns(const std::vector<Vector>& values)
 {
@@ -104,7 +103,7 @@ std::vector<Blend_painter::Painted_mesh> Glb_materials::dressed(const Eigen::Mat
   struct Collector
   {
     std::map<std::tuple<int, std::array<float, 2>, std::array<float, 3>>, int> known;
-    std::vector<int> points, corners, triangles; ///< of each point, one of its corners
+    std::vector<int> points, corners, triangles; ///< for each point, one of its corners
   };
   const bool has_coordinates = !looks.coordinates.empty(), has_colours = !looks.colours.empty();
   std::map<int, Collector> by_material;
@@ -172,7 +171,7 @@ Add_scenes dressed_scenes(std::vector<std::pair<const Segmented_shape*, const Sh
 
 void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance)
 {
-  const auto turn = internal::least_rotation(shape.up(), Point::UnitY()).toRotationMatrix(); // glTF has y up
+  const auto turn = internal::least_rotation(shape.up(), Point::UnitY()).toRotationMatrix(); // the up axis of glTF is y
   Glb_file glb;
   Glb_materials materials(glb, appearance);
   std::vector<int> nodes;

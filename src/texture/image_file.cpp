@@ -31,7 +31,7 @@ std::string fault_of_image(std::string_view bytes)
 
 void Image_budget::take(std::size_t width, std::size_t height, std::size_t scans)
 {
-  constexpr std::size_t most_in_row = 8192; // and in a column
+  constexpr std::size_t most_in_row = 8192; // limit for width and height
   const std::string size = "has " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width == 0 || height == 0 || width > most_in_row || height > most_in_row)
     throw Invalid_input(size + "; at most " + std::to_string(most_in_row) + " in each direction are read");
@@ -74,7 +74,7 @@ void leave_jpeg(j_common_ptr decoder) { std::longjmp(reinterpret_cast<Jpeg_error
 
 void say_nothing(j_common_ptr, int) {}
 
-/// Scans of a JPEG: each begins with a marker that is not in its data.
+/// The number of scans of a JPEG; each begins with a marker that does not occur in its data.
 std::size_t number_of_scans(std::string_view bytes)
 {
   std::size_t result = 0;
@@ -83,8 +83,8 @@ std::size_t number_of_scans(std::string_view bytes)
   return result;
 }
 
-/// Decodes the pixels, or the size alone where there is no room for them. \return whether that works; no object with a
-/// destructor may live here: longjmp() passes them by
+/// Decodes the pixels, or only the size if there is no room for them. \return whether that succeeded. No object with a
+/// destructor may live here, since longjmp() skips destructors
 bool decode_jpeg(const std::string& bytes, Image& image)
 {
   jpeg_decompress_struct decoder;
@@ -121,7 +121,7 @@ Image decoded_jpeg(const std::string& bytes, Image_budget& budget)
   const auto decode = [&] {
     if (!decode_jpeg(bytes, image)) throw Invalid_input("is damaged");
   };
-  decode(); // the size
+  decode(); // reads the size
   budget.take(std::size_t(image.width), std::size_t(image.height), number_of_scans(bytes));
   image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
   decode();

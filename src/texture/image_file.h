@@ -11,7 +11,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// What is wrong with the bytes of an image file, as the end of a sentence; empty if they begin like a PNG or JPEG.
+/// The defect of an image file's first bytes, as the end of a sentence; empty if they begin like a PNG or JPEG.
 std::string fault_of_image(std::string_view bytes);
 
 bool is_png(std::string_view bytes);
@@ -19,18 +19,17 @@ bool is_png(std::string_view bytes);
 /// Limits on the decoded images of a model, since a few bytes may encode an image of any size.
 struct Image_budget
 {
-  std::size_t pixels = std::size_t(1) << 26; ///< four bytes each
-  std::size_t scanned =
-      std::size_t(1) << 30; ///< pixels, times the scans of a progressive JPEG, each of which takes its time
+  std::size_t pixels = std::size_t(1) << 26; ///< number of pixels, of four bytes each
+  /// Number of pixels times the number of scans of a progressive JPEG, each of which takes time.
+  std::size_t scanned = std::size_t(1) << 30;
 
-  /// Takes an image off. \throw Invalid_input if it is too large; the message ends a sentence
+  /// Subtracts an image. \throw Invalid_input if it is too large; the message ends a sentence
   void take(std::size_t width, std::size_t height, std::size_t scans);
 };
 
 /// Decodes a PNG or JPEG of at most 8192 pixels in each direction. \throw Invalid_input; the message ends a sentence
 Image decoded_image(const std::string& bytes, Image_budget& budget);
 
-/// A picture as a PNG file.
 std::string png_of(const Image& image);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The triangles on the other sides of a mesh's edges, by triangle; of edges of more than two triangles none.
+/// The triangles across the edges of a mesh, by triangle; none across edges of more than two triangles.
 inline std::vector<std::vector<int>> neighbours_of(const Part_mesh& mesh)
 {
   std::map<std::pair<int, int>, std::vector<int>> edges;
@@ -28,7 +28,7 @@ inline std::vector<std::vector<int>> neighbours_of(const Part_mesh& mesh)
   return result;
 }
 
-/// Gives triangles the value of most of their neighbours, in three rounds.
+/// Sets the value of each triangle to the most frequent one of its neighbours, in three rounds.
 /// \param may_have whether a triangle may have a value
 template <typename May_have>
 void smooth(const std::vector<std::vector<int>>& neighbours, std::vector<int>& values, const May_have& may_have)

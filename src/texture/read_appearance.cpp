@@ -17,18 +17,18 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes, of a library or a texture
-constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // of all of a model
-constexpr float largest_coordinate_of_texture = 1e4f;             // repetitions; beyond, single precision is too coarse
+constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes of a library or a texture
+constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // bytes of all files of a model
+constexpr float largest_coordinate_of_texture = 1e4f; // in repetitions; single precision is too coarse beyond
 
-/// A material of a library: its colour, and its texture without bytes; no name: none.
+/// A material of a library: its colour, and its texture before it is loaded; without a name: no texture.
 struct Library_material
 {
   Eigen::Vector4d colour = Eigen::Vector4d::Ones();
   Texture texture;
 };
 
-/// Reads the texture of a material. \return whether it has a name, which may have blanks, and options before it
+/// Reads the texture of a material. \return whether it has a name, which may contain blanks and follows options
 bool read_texture(std::string_view line, Texture& result)
 {
   Texture texture;
@@ -48,7 +48,7 @@ bool read_texture(std::string_view line, Texture& result)
   return true;
 }
 
-/// Reads a statement, or leaves it out if it is not understood. \return whether it is not damaged
+/// Reads a statement, ignoring unknown ones. \return whether it is undamaged
 bool read_statement(std::string_view keyword, std::string_view line, Library_material& material)
 {
   if (keyword == "map_kd") return read_texture(line, material.texture);
@@ -65,7 +65,6 @@ bool read_statement(std::string_view keyword, std::string_view line, Library_mat
   return true;
 }
 
-/// The materials of a library, by name.
 std::map<std::string, Library_material> read_library(std::string_view text, std::size_t& damaged_statements)
 {
   std::map<std::string, Library_material> result;
@@ -81,13 +80,13 @@ std::map<std::string, Library_material> read_library(std::string_view text, std:
   return result;
 }
 
-/// Materials by name, of all libraries of an OBJ file; the first of a name counts.
+/// The materials, by name, of all libraries of an OBJ file; of equal names, the first counts.
 std::map<std::string, Library_material>
 read_libraries(const Named_files& files, const std::vector<std::string>& statements, std::vector<std::string>& warnings)
 {
   std::map<std::string, Library_material> result;
   for (const std::string& statement : statements) {
-    // One name with blanks, or several
+    // A single name with blanks, or several names
     std::vector<std::pair<std::string, Named_file>> libraries{{statement, files.read(statement)}};
     if (!libraries[0].second.fault.empty()) {
       libraries.clear();
@@ -109,14 +108,14 @@ read_libraries(const Named_files& files, const std::vector<std::string>& stateme
   return result;
 }
 
-/// Looks up the materials of a file that has their names only. \return whether each is known
+/// Looks up materials that a file refers to by name. \return whether each was found
 std::vector<bool> look_up_materials(const Named_files& files, Model_content& content,
                                     std::vector<std::string>& warnings)
 {
   std::vector<bool> known(content.materials.size(), !content.materials_are_names);
   if (!content.materials_are_names) return known;
   const std::map<std::string, Library_material> library = read_libraries(files, content.libraries, warnings);
-  std::map<std::tuple<std::string, Texture_wrap, Texture_wrap>, int> textures; // their numbers
+  std::map<std::tuple<std::string, Texture_wrap, Texture_wrap>, int> textures; // index of every texture
   for (std::size_t i = 0; i < known.size(); ++i) {
     Surface_material& material = content.materials[i];
     const auto found = library.find(material.name);
@@ -129,7 +128,7 @@ std::vector<bool> look_up_materials(const Named_files& files, Model_content& con
         textures.emplace(std::tuple(texture.name, texture.wrap_u, texture.wrap_v), int(content.textures.size()));
     if (is_new) content.textures.push_back(texture);
     material.texture = number->second;
-    material.colour.head<3>().setOnes(); // the texture stands for the colour
+    material.colour.head<3>().setOnes(); // the texture replaces the colour
   }
   return known;
 }
@@ -150,7 +149,7 @@ void load_textures(const Named_files& files, Model_content& content, std::vector
       material.texture = -1;
 }
 
-/// Leaves out what does not fit the triangles. \param known whether each material of the model is known
+/// Drops appearance that does not fit the triangles. \param known by material, whether it was found
 void bound(Model_part& part, const std::vector<bool>& known)
 {
   Part_appearance& looks = part.appearance;
@@ -160,7 +159,7 @@ void bound(Model_part& part, const std::vector<bool>& known)
   for (int& material : looks.materials)
     if (material < 0 || std::size_t(material) >= known.size() || !known[std::size_t(material)]) material = -1;
   for (Eigen::Vector2f& at : looks.coordinates)
-    if (!(at.array().abs() <= largest_coordinate_of_texture).all()) at.setZero(); // nor is NaN
+    if (!(at.array().abs() <= largest_coordinate_of_texture).all()) at.setZero(); // NaN fails as well
   for (Eigen::Vector3f& colour : looks.colours)
     for (float& value : colour)
       value = value > 0 ? std::min(value, 1.f) : 0.f;
@@ -173,7 +172,7 @@ void complete_appearance(const Named_files& files, Model_content& content, std::
   load_textures(files, content, warnings);
   for (Surface_material& material : content.materials) {
     material.colour = material.colour.unaryExpr(&internal::clamped_to_unit);
-    if (material.colour[3] == 0) material.colour[3] = 1; // of exporters that mix the two ways to say it
+    if (material.colour[3] == 0) material.colour[3] = 1; // some exporters confuse transparency with opacity
   }
   for (Model_part& part : content.parts)
     bound(part, known);

@@ -30,7 +30,6 @@ void check_option(const std::string& name, int value, int least, int most)
                         std::to_string(most));
 }
 
-/// The areas of the parts, as shares of that of the shape.
 std::vector<Steps> sizes_of_parts(const Segmented_shape& shape)
 {
   std::vector<double> areas;
@@ -43,7 +42,7 @@ std::vector<Steps> sizes_of_parts(const Segmented_shape& shape)
   return result;
 }
 
-/// A transfer under way: where the pixels are, and what parts get.
+/// A transfer in progress: the layout of the target and the appearance of its parts.
 class Transfer
 {
 public:
@@ -71,7 +70,7 @@ public:
   const Point_map& map() const { return map_; }
   std::vector<Transferred_part>& parts() { return result_.parts; }
 
-  /// Looks come from the largest part of the source that has any; of several about as large, from the highest.
+  /// Takes the appearance of the largest source part that has one; of several about as large, of the highest.
   void take_from_sources(const Segmented_shape& source, const Shape_frame& frame, const Looks_sampler& looks)
   {
     constexpr double about_as_large = 0.8;
@@ -92,14 +91,14 @@ public:
     }
   }
 
-  /// Parts without looks from the source take those of parts that they touch, and then of parts that touch these.
+  /// Parts without an appearance from the source take that of the parts they touch, then of parts that touch these.
   void take_from_neighbours(const std::vector<Contact>& contacts, const Segmented_shape& target)
   {
     const std::vector<Steps> sizes = sizes_of_parts(target);
     const auto is_larger = [&](std::size_t a, std::size_t b) {
       return sizes[a] > sizes[b] || (sizes[a] == sizes[b] && a < b);
     };
-    std::map<std::size_t, std::size_t> found; // of a round
+    std::map<std::size_t, std::size_t> found; // for each part, the chosen neighbour in this round
     do {
       found.clear();
       for (const Contact& contact : contacts)
@@ -118,7 +117,7 @@ public:
     } while (!found.empty());
   }
 
-  /// Paints the target by the colours of places on the source, by target part.
+  /// Paints the target part by part with the colours of locations on the source.
   template <typename Colour>
   void paint(const Colour& colour)
   {
@@ -148,7 +147,7 @@ public:
   Transferred_appearance result() { return std::move(result_); }
 
 private:
-  /// Whether a part has a material of another one, or no looks that it could keep.
+  /// Whether a part has a material of another one, or no appearance of its own to keep.
   bool may_look_like(std::size_t part, std::size_t other) const
   {
     if (!target_looks_.is_known(part)) return true;
@@ -167,7 +166,6 @@ private:
   Transferred_appearance result_;
 };
 
-/// The label that most of a triangle is mapped to.
 int label_of_triangle(const Point_map& map, const std::vector<int>& labels, std::size_t part, Eigen::Index triangle)
 {
   std::map<int, int> votes;
@@ -195,7 +193,7 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
   const Looks_sampler looks(source_appearance, options.neutral);
   transfer.take_from_sources(source_shape, structure(source).frame, looks);
   transfer.take_from_neighbours(structure(target).contacts, target_shape);
-  // Of their own, so that a part of the source is not divided among a part and what touches it
+  // Two maps, so that a source part is not divided among its counterpart and the neighbours that copy it
   std::array<Correspondence, 2> pairs;
   const std::vector<Transferred_part>& parts = transfer.parts();
   const auto map_of = [&](std::size_t part) { return parts[part].origin == Looks_origin::NEIGHBOUR ? 1 : 0; };
@@ -205,7 +203,7 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
       like = parts[like].neighbour;
     if (parts[like].origin == Looks_origin::SOURCE) pairs[map_of(part)].pairs.push_back({parts[like].sources[0], part});
   }
-  std::deque<Point_map> maps; // by map_of()
+  std::deque<Point_map> maps; // index: map_of()
   for (Correspondence& chosen : pairs) {
     chosen.target_quarter_turns = correspondence.target_quarter_turns;
     maps.emplace_back(source, source_shape, target, target_shape, chosen);

@@ -14,7 +14,6 @@
 
 namespace hand_made {
 
-// Where a part of a graph is in its aligned shape.
 inline std::size_t index_of(const Aligned_shape& shape, std::size_t original)
 {
   return std::size_t(std::find(shape.original.begin(), shape.original.end(), original) - shape.original.begin());

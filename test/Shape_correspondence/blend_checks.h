@@ -3,7 +3,6 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is checked of blends by several tests.
 #ifndef SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 #define SHAPE_CORRESPONDENCE_BLEND_CHECKS_H
 
@@ -28,7 +27,7 @@ using CGAL::Shape_correspondence::Segmented_shape;
 using CGAL::Shape_correspondence::Shape_part;
 using CGAL::Shape_correspondence::internal::contacts::Triangle_tree;
 
-/// Whether every edge is run through as often in the one direction as in the other.
+/// Whether every edge is traversed equally often in both directions.
 inline bool is_closed(const Part_mesh& mesh)
 {
   std::map<std::pair<int, int>, int> balance;
@@ -40,7 +39,6 @@ inline bool is_closed(const Part_mesh& mesh)
   return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
-/// \param scale of the surfaces
 inline std::vector<Triangle_tree> trees_of(const Segmented_shape& shape, double scale = 1)
 {
   std::vector<Triangle_tree> result;
@@ -49,17 +47,17 @@ inline std::vector<Triangle_tree> trees_of(const Segmented_shape& shape, double 
   return result;
 }
 
-/// The widest gap that it takes to join all parts, over the shape's height.
+/// The width of the widest gap that has to be bridged to join all parts, over the shape's height.
 inline double widest_gap(const Segmented_shape& shape, double height)
 {
   const std::vector<Triangle_tree> trees = trees_of(shape, 1 / height);
   return CGAL::Shape_correspondence::internal::widest_gap(CGAL::Shape_correspondence::internal::pointers_to(trees));
 }
 
-/// Whether a point is in a closed mesh, by the solid angle under which it sees the surface.
+/// Whether a point is in a closed mesh, by the solid angle that the surface subtends.
 inline bool is_inside(const Point& p, const Part_mesh& mesh)
 {
-  double angle = 0; // half of it
+  double angle = 0; // half of the solid angle
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Point a = mesh.points.col(mesh.triangles(0, t)) - p, b = mesh.points.col(mesh.triangles(1, t)) - p;
     const Point c = mesh.points.col(mesh.triangles(2, t)) - p;
@@ -80,8 +78,8 @@ inline double area(const Part_mesh& mesh)
   return sum;
 }
 
-/// How far the vertices of one shape are from the surface of another.
-/// \param is_left_out of a part of `from`, and a point of it
+/// The largest distance of the vertices of one shape from the surface of another.
+/// \param is_left_out predicate of a part of `from` and a point of it
 template <typename Is_left_out>
 double distance(const Segmented_shape& from, const Segmented_shape& to, const Is_left_out& is_left_out)
 {
@@ -105,14 +103,14 @@ inline double distance(const Segmented_shape& from, const Segmented_shape& to)
   return distance(from, to, [](const Shape_part&, const Point&) { return false; });
 }
 
-/// The Hausdorff distance, as vertices tell.
+/// The Hausdorff distance, estimated at vertices.
 inline double hausdorff_distance(const Segmented_shape& a, const Segmented_shape& b)
 {
   return std::max(distance(a, b), distance(b, a));
 }
 
-/// How far what is seen of a shape of a blend is from an input, or the input from the shape. Not seen are parts that
-/// have shrunk to nothing, and what is inside the input's parts, where pieces of divided parts meet.
+/// The Hausdorff distance between the visible parts of an in-between shape and an input, without parts that have shrunk
+/// to nothing, and without what is inside the input's parts, where pieces of divided parts meet.
 inline double seen_distance(const Segmented_shape& blended, const Segmented_shape& input, double height)
 {
   constexpr double least_area = 1e-5;
@@ -124,26 +122,25 @@ inline double seen_distance(const Segmented_shape& blended, const Segmented_shap
   return std::max(distance(blended, input, is_left_out), distance(input, blended)) / height;
 }
 
-/// Whether a shape is another one moved by a rotation and a translation only: the same distances of points from some.
+/// Whether a shape is another one moved by a rotation and a translation, by distances of points from some fixed ones.
 inline bool is_moved(const Segmented_shape& a, const Segmented_shape& b)
 {
   constexpr double rounding = 1e-9;
   if (a.parts().size() != b.parts().size()) return false;
   const Points &first = a.parts()[0].mesh.points, &second = b.parts()[0].mesh.points;
   if (first.cols() != second.cols()) return false;
-  const auto orientation =
-      [](const Segmented_shape& shape) { // of points from all parts, a mirror image has another sign
-        Point middle = Point::Zero();
-        for (const Shape_part& part : shape.parts())
-          middle += part.mesh.points.rowwise().mean() / double(shape.parts().size());
-        double sum = 0;
-        for (const Shape_part& part : shape.parts())
-          for (const auto triangle : part.mesh.triangles.colwise()) {
-            const auto corner = [&](int i) { return Point(part.mesh.points.col(triangle[i]) - middle); };
-            sum += corner(0).dot(corner(1).cross(corner(2)));
-          }
-        return sum;
-      };
+  const auto orientation = [](const Segmented_shape& shape) { // a mirror image has another sign
+    Point middle = Point::Zero();
+    for (const Shape_part& part : shape.parts())
+      middle += part.mesh.points.rowwise().mean() / double(shape.parts().size());
+    double sum = 0;
+    for (const Shape_part& part : shape.parts())
+      for (const auto triangle : part.mesh.triangles.colwise()) {
+        const auto corner = [&](int i) { return Point(part.mesh.points.col(triangle[i]) - middle); };
+        sum += corner(0).dot(corner(1).cross(corner(2)));
+      }
+    return sum;
+  };
   if (std::abs(orientation(a) - orientation(b)) > rounding * std::abs(orientation(a))) return false;
   const std::array<Eigen::Index, 4> some = {0, first.cols() / 3, first.cols() / 2, first.cols() - 1};
   return std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), [&](const auto& p, const auto& q) {
@@ -157,7 +154,7 @@ inline bool is_moved(const Segmented_shape& a, const Segmented_shape& b)
   });
 }
 
-/// A blend whose shapes in between are measured; lengths over the height.
+/// A blend with measures of its in-between shapes; lengths are over the height.
 class Measured_blend
 {
 public:
@@ -170,7 +167,7 @@ public:
         tasks_(CGAL::Shape_correspondence::internal::ranked_schedules(blend_, {})[0].tasks)
   {}
 
-  /// By how much the gap of two parts that touch at both ends is wider than between the ends, at most.
+  /// The largest amount by which the gap of two parts that touch at both ends is wider than the interpolated gap.
   double gap(double t) const
   {
     const auto seen = Shape(blend_, tasks_, t).seen(); // matched parts come first
@@ -187,7 +184,7 @@ public:
     return worst;
   }
 
-  /// By how much farther it is from its mirror image than the ends.
+  /// Distance from the mirror image, minus that of the ends.
   double asymmetry(double t) const
   {
     CGAL::Shape_correspondence::internal::Tree_pointers trees;
@@ -222,7 +219,7 @@ private:
   std::vector<CGAL::Shape_correspondence::Blend_task> tasks_;
 };
 
-/// How much higher or lower a shape of a blend is than between the ends, whose sizes go over by equal factors.
+/// Deviation of the height of a shape of a blend from the geometric interpolation between the ends.
 inline double height_error(const CGAL::Shape_correspondence::Shape_blend& blend, double t)
 {
   const auto height = [&](double time) {

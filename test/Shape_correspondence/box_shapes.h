@@ -21,8 +21,7 @@ namespace box_shapes {
 
 using namespace CGAL::Shape_correspondence;
 
-/// A box of a size about its centre, every side split in n x n squares, turned by `yaw` about the up axis through the
-/// origin of the world.
+/// A box with n × n squares on each side, rotated by `yaw` about the up axis through the origin.
 inline Part_mesh box(const Point& centre, const Point& size, double yaw = 0, int n = 2)
 {
   std::vector<Point> points;
@@ -66,7 +65,7 @@ inline Segmented_shape table()
   return shape;
 }
 
-/// A box, with a knob on it since a shape has two parts.
+/// A box with a knob, since a shape has at least two parts.
 inline Segmented_shape knobbed_box(const Point& size)
 {
   Segmented_shape shape;
@@ -75,7 +74,7 @@ inline Segmented_shape knobbed_box(const Point& size)
   return shape;
 }
 
-/// A plate, and the same divided into three laths side by side along x.
+/// A plate, and the same plate divided into three laths side by side along x.
 inline Segmented_shape knobbed_plate() { return knobbed_box({1.2, 0.1, 0.6}); }
 inline Segmented_shape three_laths()
 {
@@ -102,7 +101,7 @@ inline Segmented_shape chair()
   return shape;
 }
 
-/// A stool: a post on a star of five feet, a seat on top.
+/// A stool: a seat on a post on a star of five feet.
 inline Segmented_shape star_stool()
 {
   Segmented_shape shape("star_stool");
@@ -125,7 +124,6 @@ struct Motion
   }
 };
 
-/// The shape moved, its parts in the order of a permutation.
 inline Segmented_shape moved(const Segmented_shape& shape, const Motion& motion, const std::vector<std::size_t>& order)
 {
   Segmented_shape result(shape.name());
@@ -152,7 +150,7 @@ inline Motion random_motion(std::mt19937& random)
   return {std::exp(3 * unit(random)), 3.14159 * unit(random), 10 * Point(unit(random), unit(random), unit(random))};
 }
 
-/// Vertices moved at random by up to a fraction of the shape's diagonal.
+/// The shape with vertices displaced at random by up to a fraction of the shape's diagonal.
 inline Segmented_shape noisy(const Segmented_shape& shape, double fraction, std::mt19937& random)
 {
   Eigen::AlignedBox3d bounds;
@@ -171,7 +169,7 @@ inline Segmented_shape noisy(const Segmented_shape& shape, double fraction, std:
   return result;
 }
 
-/// A part without a skeleton: a curve along its box's longest axis, and its surface.
+/// A part without a skeleton: the curve along its bounding box's longest axis, and its surface.
 inline Part_abstraction quick_part(const Shape_part& input)
 {
   Part_abstraction part;

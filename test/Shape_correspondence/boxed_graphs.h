@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Structural graphs of shapes by bounding boxes, and correspondences of them that are given by hand.
+// Structural graphs of shapes by bounding boxes, and correspondences given by hand.
 #ifndef SHAPE_CORRESPONDENCE_TEST_BOXED_GRAPHS_H
 #define SHAPE_CORRESPONDENCE_TEST_BOXED_GRAPHS_H
 
@@ -31,7 +31,7 @@ inline Correspondence pairing(std::vector<Part_correspondence> pairs)
   return result;
 }
 
-/// Every part corresponds to itself.
+/// The identity correspondence.
 inline Correspondence identity(const Segmented_shape& shape)
 {
   Correspondence result;

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-// The energies of all assignments that `is_allowed`, ascending.
+// The energies of all assignments that satisfy `is_allowed`, ascending.
 template <typename Predicate>
 std::vector<double> brute_force(const CGAL::Shape_correspondence::Pairwise_energy& energy, const Predicate& is_allowed)
 {

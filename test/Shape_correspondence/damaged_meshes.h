@@ -12,12 +12,12 @@
 #include <cstdint>
 #include <vector>
 
-/// Part meshes with every kind of damage, the same ones for the same seed everywhere.
+/// Part meshes with every kind of damage, reproducible by seed on all machines.
 namespace damaged_meshes {
 
 using namespace CGAL::Shape_correspondence;
 
-/// A small generator of random numbers that is the same on all machines (SplitMix64).
+/// A small random number generator with the same results on all machines (SplitMix64).
 class Random
 {
 public:
@@ -42,7 +42,7 @@ private:
 inline Part_mesh random_solid(Random& random, int rings, int sides)
 {
   const bool is_torus = random.with_probability(0.2);
-  const double power = random.uniform(0.15, 1); // of a superellipsoid: small ones are box-like
+  const double power = random.uniform(0.15, 1); // exponent of a superellipsoid; small values are box-like
   const Point size(random.uniform(0.02, 1), random.uniform(0.02, 1), random.uniform(0.02, 1));
   const auto bent = [&](double x) { return std::copysign(std::pow(std::abs(x), power), x); };
   Part_mesh mesh;
@@ -86,8 +86,8 @@ inline void keep_triangles(Part_mesh& mesh, const std::vector<Eigen::Index>& kep
   mesh.triangles = triangles;
 }
 
-/// Deletes, doubles, flips and flattens triangles, shakes vertices, pushes the mesh through itself: each with some
-/// probability, and then to a random extent.
+/// Deletes, duplicates, flips and flattens triangles, displaces vertices, and pushes the mesh through itself, each with
+/// some probability and to a random extent.
 inline void damage(Part_mesh& mesh, Random& random)
 {
   const auto extent = [&](double probability, double most) {
@@ -98,7 +98,7 @@ inline void damage(Part_mesh& mesh, Random& random)
   for (Eigen::Index i = 0; noise > 0 && i < mesh.points.size(); ++i)
     mesh.points.data()[i] += random.uniform(-noise, noise);
   if (random.with_probability(0.1)) mesh.points.row(random.below(3)) *= random.with_probability(0.5) ? 0 : 1e-7;
-  if (random.with_probability(0.15)) { // one half through the other
+  if (random.with_probability(0.15)) { // pushes one half through the other
     const double shift = random.uniform(-1, 1);
     for (Eigen::Index v = 0; v < mesh.points.cols() / 2; ++v)
       mesh.points.col(v) += Point(shift, 0.3 * shift, 0);
@@ -114,7 +114,7 @@ inline void damage(Part_mesh& mesh, Random& random)
   keep_triangles(mesh, kept);
 }
 
-/// \param largest about how many triangles a mesh may have
+/// \param largest approximate limit for the number of triangles
 inline Part_mesh damaged_mesh(std::uint64_t seed, double largest)
 {
   Random random(seed);

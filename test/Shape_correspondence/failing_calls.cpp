@@ -3,9 +3,9 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Preloaded into the program, it makes one system call on files fail that are written: the one of number FAILING_CALL,
-// counted from 1 over write(), writev(), fsync(), close() and rename(), with EIO; over one of these only, where
-// FAILING_NAME is its name. Standard streams, pipes and files that are read are not counted.
+// When preloaded into the program, makes one system call on a written file fail with EIO: the call number FAILING_CALL,
+// from 1 on, of write(), writev(), fsync(), close() and rename(), or only of the one named FAILING_NAME. Standard
+// streams, pipes and files that are read are not counted.
 
 #include <atomic>
 #include <cerrno>
@@ -25,7 +25,7 @@ Function* next(const char* name)
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
-/// Whether it is this call's turn to fail.
+/// Whether this call is to fail.
 bool fails(const char* name)
 {
   static std::atomic<long> calls{0};
@@ -69,7 +69,7 @@ int close(int descriptor)
 {
   static auto* const original = next<int(int)>("close");
   const bool fail = is_written_file(descriptor) && fails("close");
-  const int result = original(descriptor); // it is closed in any case
+  const int result = original(descriptor); // the file is closed in any case
   if (fail) errno = EIO;
   return fail ? -1 : result;
 }

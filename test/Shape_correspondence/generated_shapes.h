@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The models of data/ as shapes, with the structure that their generator states.
+// The models of data/ as shapes, with the structure given by their generator.
 #ifndef SHAPE_CORRESPONDENCE_TEST_GENERATED_SHAPES_H
 #define SHAPE_CORRESPONDENCE_TEST_GENERATED_SHAPES_H
 

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Structural graphs written by hand: no mesh, no detection, every number known.
+// Handwritten structural graphs: no mesh, no detection, all numbers known.
 #ifndef SHAPE_CORRESPONDENCE_TEST_HAND_MADE_GRAPHS_H
 #define SHAPE_CORRESPONDENCE_TEST_HAND_MADE_GRAPHS_H
 
@@ -37,7 +37,7 @@ inline Part_abstraction curve(const std::string& name, const Point& from, const 
   return part;
 }
 
-// The closed curve through the ends of two crossing segments: centre ± u, centre ± v.
+// The closed curve through the ends of two crossing segments, centre ± u and centre ± v.
 inline Part_abstraction ring(const std::string& name, const Point& centre, const Point& u, const Point& v)
 {
   Part_abstraction part;
@@ -72,9 +72,9 @@ inline Part_group group(std::vector<std::size_t> parts, Symmetry_type type = Sym
   return result;
 }
 
-// Parts without extent, by default a group each, and which of them are in contact. All samples of a part are in one
-// place, so that energies can be worked out on paper. A contact whose rod turns by an angle t has E_d = 1 - cos t (1
-// beyond a right angle) and, if the rod grows, E_c = 1; one whose parts fall together has E_d = 1 and E_c = 1/2.
+// A graph of parts without extent, by default one group each, with given contacts. All samples of a part are at one
+// place, so that energies can be computed by hand. A contact whose rod turns by an angle t has E_d = 1 - cos t (1
+// beyond a right angle) and, if the rod grows, E_c = 1; a contact whose parts coincide has E_d = 1 and E_c = 1/2.
 // \param places by part, ascending in y, then x, then z, so that labels are the indices of target groups
 inline Structural_graph point_graph(const std::vector<Point>& places,
                                     const std::vector<std::array<std::size_t, 2>>& contacts,
@@ -117,7 +117,7 @@ inline Structural_graph chair(bool symmetry = true)
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// The chair with a back of three slats (parts 1, 2, 3, a row along x) and legs 4 to 7 as before.
+// The chair with a back of three slats (parts 1, 2, 3, a row along x) and legs 4 to 7.
 inline Structural_graph slatted_chair()
 {
   Shape_structure shape;
@@ -141,7 +141,7 @@ inline Structural_graph slatted_chair()
                                 group({4, 5}, pair, Point::UnitX(), .1), group({6, 7}, pair, Point::UnitX(), .1)});
 }
 
-// A square top (part 0) on four legs (1 to 4) at its corners, 1 high. \param grouped the legs are one group
+// A square top (part 0) on four legs (1 to 4) at its corners, of height 1. \param grouped legs are one group
 inline Structural_graph table(bool grouped = true)
 {
   Shape_structure shape;
@@ -162,7 +162,7 @@ inline Structural_graph table(bool grouped = true)
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// The same top on one thick column in the middle, whose surface is known.
+// The table's top on one thick column in the middle, whose surface is known.
 inline Structural_graph pedestal_table()
 {
   Shape_structure shape;
@@ -175,7 +175,7 @@ inline Structural_graph pedestal_table()
   return make_structural_graph(std::move(shape), {group({0}), group({1})});
 }
 
-// The same graph with everything moved: turned about up, scaled, translated.
+// The graph rotated about the up axis, scaled and translated.
 inline Structural_graph moved(const Structural_graph& graph, double angle, double scale, const Point& shift)
 {
   Structural_graph result = graph;

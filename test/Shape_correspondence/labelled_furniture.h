@@ -22,7 +22,7 @@ namespace labelled_furniture {
 using namespace CGAL::Shape_correspondence;
 using hand_made::curve;
 
-// Points of a box's surface, the same for every box.
+// Points on a box's surface, at the same relative positions for every box.
 inline Points box_surface(const Point& low, const Point& high)
 {
   Points result(3, 32);
@@ -72,7 +72,7 @@ inline Furniture furniture(const std::string& category, std::vector<Part_abstrac
   return {make_structural_graph(std::move(shape), std::move(groups)), category, std::move(labels)};
 }
 
-// A chair of width 2, the legs as thick and the seat as high as asked for.
+// A chair of width 2 with given thickness of the legs and height of the seat.
 inline Furniture chair(double thickness, double seat)
 {
   std::vector<Part_abstraction> parts;
@@ -90,7 +90,6 @@ inline Furniture chair(double thickness, double seat)
                     {"back", ""}});
 }
 
-// A shelf: two sides and boards in between.
 inline Furniture shelf(double thickness, int boards)
 {
   std::vector<Part_abstraction> parts{box("left", {1 - thickness, 0, -0.5}, {1, 4, 0.5}),

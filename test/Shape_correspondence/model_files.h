@@ -20,7 +20,7 @@ namespace model_files {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for a test, removed at the end.
+/// A new folder for a test, removed at the end.
 class Temporary_folder
 {
 public:
@@ -35,7 +35,6 @@ public:
 
   std::string path(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Writes a file and returns its path.
   std::string write(const std::string& name, const std::string& text) const
   {
     fs::create_directories((path_ / name).parent_path());
@@ -62,7 +61,7 @@ inline std::string text_of(const std::string& file)
   return text.str();
 }
 
-/// The vertices of a box in OBJ, OFF or PLY, a line each. \param keyword what a line starts with
+/// The vertices of a box in OBJ, OFF or PLY, one in each line. \param keyword start of the lines
 inline std::string box_vertices(double x, double y, double z, double dx, double dy, double dz,
                                 const std::string& keyword)
 {
@@ -73,7 +72,7 @@ inline std::string box_vertices(double x, double y, double z, double dx, double 
   return out.str();
 }
 
-/// The six faces of a box as quads. \param first the number of its first vertex
+/// The six faces of a box as quads. \param first index of its first vertex
 inline std::string box_faces(int first, const std::string& keyword)
 {
   const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -87,14 +86,13 @@ inline std::string box_faces(int first, const std::string& keyword)
   return out.str();
 }
 
-/// A box as a part of an OBJ file. \param statement `o seat`, say \param index the number of parts before it
+/// A box as a part of an OBJ file. \param statement such as `o seat` \param index number of parts before it
 inline std::string obj_box(const std::string& statement, int index, double x, double y, double z, double dx, double dy,
                            double dz)
 {
   return statement + "\n" + box_vertices(x, y, z, dx, dy, dz, "v ") + box_faces(8 * index + 1, "f ");
 }
 
-/// A table with four legs as one OBJ file.
 inline std::string obj_table(const std::string& keyword = "o ")
 {
   return obj_box(keyword + "top", 0, -0.5, 0.7, -0.5, 1, 0.05, 1) +
@@ -104,7 +102,7 @@ inline std::string obj_table(const std::string& keyword = "o ")
          obj_box(keyword + "leg_4", 4, 0.4, 0, 0.4, 0.1, 0.7, 0.1);
 }
 
-/// What an `Invalid_input` thrown by `call` says; empty if it throws none.
+/// The message of an `Invalid_input` thrown by `call`; empty if it throws none.
 template <typename Call>
 std::string complaint(Call&& call)
 {

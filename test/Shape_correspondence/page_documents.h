@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-/// What web pages hold.
+/// Access to the data in web pages.
 namespace page_documents {
 
 /// The text of the script element with an id.

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes of single parts, by formula.
+// Meshes of single parts, given by formulas.
 #ifndef SHAPE_CORRESPONDENCE_TEST_PART_MESHES_H
 #define SHAPE_CORRESPONDENCE_TEST_PART_MESHES_H
 
@@ -33,7 +33,6 @@ inline Part_mesh box(const Point& low, const Point& high)
   return result;
 }
 
-/// Two apexes, each in the triangles over all sides of a polygon.
 inline Part_mesh bipyramid(int sides)
 {
   Part_mesh result;
@@ -49,7 +48,7 @@ inline Part_mesh bipyramid(int sides)
   return result;
 }
 
-/// A closed surface over a grid that wraps around in both directions; `f` of two angles.
+/// A closed surface over a grid that is periodic in both directions; `f` is a function of two angles.
 template <typename Function>
 inline Part_mesh torus_like(int n, int m, const Function& f)
 {
@@ -75,7 +74,7 @@ inline Part_mesh torus(double radius, double thickness)
   });
 }
 
-/// A closed surface of revolution about y through points (radius, height), from the axis to the axis.
+/// A closed surface of revolution about y with a profile of points (radius, height), which starts and ends on the axis.
 inline Part_mesh turned(const std::vector<Eigen::Vector2d>& profile, int n = 24)
 {
   const int rings = int(profile.size());
@@ -100,8 +99,8 @@ inline Part_mesh turned(const std::vector<Eigen::Vector2d>& profile, int n = 24)
   return result;
 }
 
-/// A cushion about the plane y = 0: its outline is a superellipse, an ellipse for exponent 2, nearly a rectangle for a
-/// large one.
+/// A cushion in the plane y = 0 with a superellipse as outline: an ellipse for exponent 2, nearly a rectangle for
+/// large.
 inline Part_mesh cushion(const Point& size, double exponent)
 {
   const int rings = 16;
@@ -120,7 +119,7 @@ inline Part_mesh cushion(const Point& size, double exponent)
   return result;
 }
 
-/// A plate of a thickness about half a cylinder of radius 1, `width` along its axis y.
+/// A plate of given thickness along half a cylinder of radius 1, with `width` along the axis y.
 inline Part_mesh half_pipe(double width, double thickness)
 {
   const int n = 24;

@@ -25,10 +25,10 @@ struct Run
   std::string error;
 };
 
-/// By value, so that it is chosen before std::quoted().
+/// Takes the word by value, so that overload resolution prefers it to std::quoted().
 inline std::string quoted(std::string word) { return "'" + word + "'"; }
 
-/// Runs the program. \param arguments as a shell takes them
+/// Runs the program. \param arguments in the syntax of the shell
 inline Run run(const std::string& arguments)
 {
   const model_files::Temporary_folder folder;
@@ -39,7 +39,6 @@ inline Run run(const std::string& arguments)
   return {WEXITSTATUS(status), model_files::text_of(folder.path("out")), model_files::text_of(folder.path("error"))};
 }
 
-/// Writes the graph into the folder. \return the path of the file
 inline std::string graph_file(const model_files::Temporary_folder& folder, const std::string& name,
                               const CGAL::Shape_correspondence::Structural_graph& graph)
 {

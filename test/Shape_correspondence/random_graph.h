@@ -18,7 +18,7 @@ namespace random_graph {
 
 using namespace CGAL::Shape_correspondence;
 
-/// Degenerate now and then: zero, tiny, huge, or a place of the grid that others have, too.
+/// A random coordinate, occasionally degenerate: zero, tiny, huge, or a grid point that recurs.
 inline double coordinate(std::mt19937& random)
 {
   switch (random() % 16) {
@@ -65,7 +65,7 @@ inline Part_abstraction part(std::mt19937& random, const std::string& name)
   return result;
 }
 
-/// A shape of up to so many parts; groups and contacts are random, or found by the library.
+/// A random shape of at most `most_parts` parts; groups and contacts are random, or detected by the library.
 inline Structural_graph graph(std::mt19937& random, std::size_t most_parts)
 {
   Shape_structure shape;

@@ -23,7 +23,7 @@ inline CGAL::Shape_correspondence::Pairwise_energy random_tables(std::mt19937& r
   for (std::size_t v = 0; v < variables; ++v) {
     energy.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
     split.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
-    // The neighbours lie among the `width` variables before, so that the graph's width is at most that
+    // Neighbours are among the `width` previous variables, which bounds the graph's width
     for (std::size_t u = v - std::min(v, width); u < v; ++u)
       energy.edges.push_back({u, v, Eigen::MatrixXd::NullaryExpr(labels, labels, [&] { return unit(random); })});
   }

@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-// Maps between curves and sheets of shapes of boxes, whose answers are known.
+// Maps between curves and sheets of shapes made of boxes, whose results are known.
 
 using namespace box_shapes;
 using namespace boxed_graphs;
@@ -48,7 +48,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
     const auto images = map({0, parameter});
     REQUIRE(images.size() == 1);
     ++hits[images[0].part];
-    // Lath and plate lie in the same place: the image is the lath's share of the way
+    // Lath and plate are in the same place: the image is the lath's share of the plate
     const Point place = evaluate(structure(from).parts[0], parameter);
     const Point image = evaluate(structure(to).parts[images[0].part], images[0].parameter);
     CHECK(std::abs(place.x() - image.x()) < 0.06);
@@ -56,7 +56,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
     if (part_before == images[0].part) CHECK((image - before).norm() < 2 * 1.2 / n);
     before = image;
     part_before = images[0].part;
-    // And back
+    // The inverse map returns to the lath
     bool returns = false;
     for (const Part_parameter& back : map.inverse()(images[0]))
       returns = returns || (back.part == 0 && (back.parameter - parameter).norm() < 1e-9);
@@ -67,7 +67,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
   CHECK(map.inverse()({1, {0.5, 0.5}}).size() == 1);
 }
 
-TEST_CASE("A curve that is cut becomes segments, at the border both")
+TEST_CASE("A curve that is cut becomes segments; its points between two segments have both as images")
 {
   Segmented_shape source = knobbed_box({0.1, 1, 0.1}), target("cut");
   target.add_part("low", box({0, 0.25, 0}, {0.1, 0.5, 0.1}));
@@ -83,7 +83,7 @@ TEST_CASE("A curve that is cut becomes segments, at the border both")
   CHECK(map({0, {0.5, 0}}).size() == 2);
 }
 
-TEST_CASE("A ring goes onto a ring whose curve runs the other way, every point to its place")
+TEST_CASE("A ring is mapped to a ring whose curve has the opposite direction, every point to its place")
 {
   const auto graph_of_ring = [](double sign) {
     Shape_structure shape;

@@ -23,15 +23,15 @@ TEST_CASE("Eq. 2 by hand: the cosine of the angle by which a rod turns")
   CHECK(rod_rotation({2, 0, 0}, {5, 0, 0}) == 1);
   CHECK(rod_rotation({2, 0, 0}, {3, 3 * std::sqrt(3), 0}) == Approx(0.5));
   CHECK(rod_rotation({2, 0, 0}, {0, 0, 1}) == 0);
-  CHECK(rod_rotation({2, 0, 0}, {-1, 1, 0}) == 0); // beyond a right angle
+  CHECK(rod_rotation({2, 0, 0}, {-1, 1, 0}) == 0); // a rotation beyond a right angle
   CHECK(rod_rotation({0, 0, 0}, {0, 1, 0}) == 1);
   CHECK(rod_rotation({2, 0, 0}, {0, 0, 0}) == 0);
 }
 
-TEST_CASE("Eq. 3 by hand: of the mean squared cosine of the rods")
+TEST_CASE("Eq. 3 by hand: from the mean squared cosine of the rods")
 {
   CHECK(distortion_energy(1) == 0);
-  CHECK(distortion_energy(1 + 1e-7) == 0); // rounding of single precision
+  CHECK(distortion_energy(1 + 1e-7) == 0); // rounding in single precision
   CHECK(distortion_energy(0) == 1);
   CHECK(distortion_energy((0.25 + 1) / 2) == Approx(1 - std::sqrt(1.25 / 2)));
 }

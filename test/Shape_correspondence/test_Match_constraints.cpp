@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Pinned and forbidden pairs, which every method keeps to.
+// Pinned and forbidden pairs, which all methods respect.
 
 #include "energy/Match_constraints.h"
 #include "hand_made_graphs.h"
@@ -63,7 +63,7 @@ TEST_CASE("A pinned pair corresponds, and its parts to nothing else, by every me
     CHECK(partners_of_source(c, 2) == Parts{3});
     CHECK(partners_of_target(c, 3) == Parts{2});
     CHECK(partners_of_source(c, 0) == Parts{0});
-    // The other legs are a group still
+    // The other legs are still a group
     if (method != Search_method::PARTS)
       CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {2, 3}, {3, 2}, {4, 4}, {5, 5}});
   }
@@ -88,11 +88,11 @@ TEST_CASE("A part that is pinned to several corresponds to all of them, whicheve
   }
 }
 
-TEST_CASE("A pin may cross what parts are for: what is left is matched without them")
+TEST_CASE("Pins may join parts of different function; the remaining parts correspond among themselves")
 {
   for (Search_method method : methods) {
     Search_options options = by(method);
-    options.matching.pinned = {{0, back}, {back, 0}}; // seat and back
+    options.matching.pinned = {{0, back}, {back, 0}}; // swaps seat and back
     const Correspondence c = find_correspondence(chair(), chair(), options);
     CHECK(partners_of_source(c, 0) == Parts{back});
     CHECK(partners_of_source(c, back) == Parts{0});
@@ -119,7 +119,7 @@ TEST_CASE("A forbidden pair does not correspond, by every method, and the next b
   }
 }
 
-TEST_CASE("A search that constraints leave nothing to choose says so; parts may stay unmatched instead")
+TEST_CASE("If constraints exclude all assignments, a search throws, unless parts may stay unmatched")
 {
   Search_options options = by(Search_method::EXACT);
   options.both_directions = false;
@@ -129,14 +129,14 @@ TEST_CASE("A search that constraints leave nothing to choose says so; parts may 
   options.matching.unmatched_cost = 1;
   const Correspondence c = find_correspondence(chair(), chair(), options);
   CHECK(c.unmatched_source == std::vector<std::size_t>{back});
-  // The default leaves parts unmatched anyway
+  // By default, parts may be unmatched anyway
   options = by(Search_method::PARTS);
   for (std::size_t part = 0; part < 6; ++part)
     options.matching.forbidden.push_back({back, part});
   CHECK(find_correspondence(chair(), chair(), options).unmatched_source == std::vector<std::size_t>{back});
 }
 
-TEST_CASE("Constraints that cannot be kept are errors")
+TEST_CASE("Constraints that cannot be satisfied are errors")
 {
   const auto matched_with = [](std::vector<Part_pair> pinned, std::vector<Part_pair> forbidden, int maximum_parts = 0) {
     Search_options options;
@@ -145,16 +145,16 @@ TEST_CASE("Constraints that cannot be kept are errors")
     options.maximum_parts = maximum_parts;
     return find_correspondence(chair(), slatted_chair(), options);
   };
-  CHECK_THROWS_AS(matched_with({{6, 0}}, {}), Invalid_input); // there are parts 0 to 5, and 0 to 7
+  CHECK_THROWS_AS(matched_with({{6, 0}}, {}), Invalid_input); // the shapes have parts 0 to 5 and 0 to 7
   CHECK_THROWS_AS(matched_with({{0, 8}}, {}), Invalid_input);
   CHECK_THROWS_AS(matched_with({}, {{6, 0}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({}, {{0, 8}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({{0, 0}}, {{0, 0}}), Invalid_input);
-  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // does not take part
+  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // the part is not in the coarse shape
   CHECK_NOTHROW(matched_with({}, {{2, 4}}, 1));
 }
 
-TEST_CASE("Constraints read from the other shape give the inverse match")
+TEST_CASE("Constraints with the shapes swapped give the inverse match")
 {
   Search_options options;
   options.matching.pinned = {{2, 5}};

@@ -153,7 +153,7 @@ TEST_CASE("Coarse correspondence: the most prominent groups only")
 {
   const Aligned_shape shape = align_shape(chair());
   const Matching_problem problem(restricted(shape, most_prominent_parts(shape, 2)), shape);
-  REQUIRE(problem.source().number_of_groups() == 2); // seat and back
+  REQUIRE(problem.source().number_of_groups() == 2); // seat and back remain
   for (const Part_group& group : groups(problem.source()))
     CHECK(group.parts.size() == 1);
   CHECK(problem.source().contacts.size() == 1);
@@ -199,7 +199,7 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
   for (std::size_t contact = 0; contact < source.contacts.size(); ++contact) {
     const auto& parts = source.contacts[contact].parts;
     if (std::minmax(parts[0], parts[1]) != std::minmax(seat, back)) continue;
-    // The slats lie at -.2, 0 and .2 and are as wide as each other: each is a third of the back, from left to right
+    // The slats are at -.2, 0 and .2 and equally wide: each gets a third of the back, from left to right
     const Sampled_part& sheet = source.parts[back];
     const bool along_u =
         std::abs(sheet.samples(0, samples_per_side * (samples_per_side - 1)) - sheet.samples(0, 0)) > .1;
@@ -225,8 +225,8 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
 
 TEST_CASE("Two parts that split: every clone counts with its nearest counterpart, every pair once")
 {
-  // 2 and 4 are nearest to 0 and 1, and 0 is nearest to 3. The rod from 0 to 3 is turned by an angle of cosine 0.8, no
-  // rod is longer than 2
+  // 2 and 4 are nearest to 0 and 1, 0 to 3. The rod from 0 to 3 turns by an angle of cosine 0.8; rods are at most 2
+  // long
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 2, 0}}, {{0, 1}});
   const Structural_graph target =
       point_graph({{0, 0, 0}, {10, 0, 0}, {0, 1, 0}, {.75, 1, 0}, {10, 2, 0}}, {{0, 2}, {0, 3}, {1, 4}},
@@ -261,7 +261,7 @@ TEST_CASE("A cut post costs nothing where the pieces stand on each other, and sp
     Assignment assignment(2);
     assignment[base] = int(base);
     assignment[posts] = int(labels) - 1;
-    // The pieces are where their segments were: nothing bends, nothing comes apart
+    // The pieces are in the places of their segments: no bending, no gaps
     CHECK(problem.terms(assignment).distortion == Approx(0).margin(1e-6));
     CHECK(problem.terms(assignment).connectedness == Approx(0).margin(1e-6));
     const double with_cut = problem.energy()(assignment);
@@ -272,7 +272,7 @@ TEST_CASE("A cut post costs nothing where the pieces stand on each other, and sp
 
 TEST_CASE("A cut part: its contacts count by the segment that touches, and between segments there are rods")
 {
-  // A post on a base; in the target, its upper half lies flat, 0.04 to the side of where it was joined
+  // A post on a base; in the target, its upper half lies flat, displaced sideways by 0.04 from the joint
   const auto shape_with = [](const std::vector<Part_abstraction>& curves) {
     Shape_structure shape;
     shape.parts.push_back(sheet("base", {-.2, 0, -.2}, {.4, 0, 0}, {0, 0, .4}));
@@ -297,7 +297,7 @@ TEST_CASE("A cut part: its contacts count by the segment that touches, and betwe
     const double distortion = rods.energy(sampled(low).samples, sampled(flat).samples).distortion;
     CHECK(distortion > 0.2);
     CHECK(problem.group_terms(1, cut).distortion == Approx(distortion).margin(1e-5));
-    CHECK(problem.group_terms(1, cut).connectedness == Approx(0.04)); // d = 0, d' = 0.04, f = 1
+    CHECK(problem.group_terms(1, cut).connectedness == Approx(0.04)); // Eq. 4 with d = 0, d' = 0.04, f = 1
   }
 }
 
@@ -307,7 +307,7 @@ TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is p
   const Aligned_shape few = align_shape(fence(5)), many = align_shape(fence(int(posts)));
   const Matching_problem problem(many, many);
   CHECK(problem.has_shortlists());
-  for (const std::size_t post : {std::size_t(0), posts - 1}) { // the leftmost and the rightmost
+  for (const std::size_t post : {std::size_t(0), posts - 1}) { // leftmost and rightmost
     REQUIRE(problem.number_of_labels(post) == maximum_labels);
     for (std::size_t label = 0; label < maximum_labels; ++label)
       CHECK(problem.label(post, label).target_group == (post == 0 ? label : label + 16));
@@ -317,7 +317,7 @@ TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is p
 
 TEST_CASE("A curve that is cut into three has rods between neighbouring segments only")
 {
-  // The target's curves are a stair, each 0.3 to the side of the one before
+  // The target's curves form a stair, with steps of 0.3 to the side
   const auto shape_with = [](const std::vector<Part_abstraction>& curves) {
     Shape_structure shape;
     shape.parts = curves;
@@ -345,6 +345,6 @@ TEST_CASE("Contacts inside a group are in the tables")
   const auto pair = [](double height) {
     return align_shape(point_graph({{0, 0, 0}, {1, height, 0}}, {{0, 1}}, {group({0, 1}, Symmetry_type::TRANSLATION)}));
   };
-  const Matching_problem problem(pair(0), pair(1)); // the rod turns by 45 degrees and grows
+  const Matching_problem problem(pair(0), pair(1)); // the rod rotates by 45 degrees and grows
   CHECK(problem.energy()({0}) == Approx(1 - std::sqrt(.5) + 0.6));
 }

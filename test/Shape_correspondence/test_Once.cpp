@@ -13,13 +13,13 @@
 
 using CGAL::Shape_correspondence::internal::Once;
 
-TEST_CASE("Work is done once, and is done when any of the threads goes on")
+TEST_CASE("Work is done once, and finished before any of the threads continues")
 {
   constexpr int rounds = 200, number_of_threads = 4;
   for (int round = 0; round < rounds; ++round) {
     Once once;
     std::atomic<int> times{0}, ready{0}, unfinished{0};
-    std::vector<int> result; // not atomic: the lock must make it visible
+    std::vector<int> result; // not atomic: the lock must make writes visible
     std::vector<std::thread> threads;
     for (int i = 0; i < number_of_threads; ++i)
       threads.emplace_back([&] {
@@ -39,7 +39,7 @@ TEST_CASE("Work is done once, and is done when any of the threads goes on")
   }
 }
 
-TEST_CASE("Work that failed is done by the next one who asks")
+TEST_CASE("Work that failed is repeated by the next thread that asks for it")
 {
   Once once;
   int times = 0;

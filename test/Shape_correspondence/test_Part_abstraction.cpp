@@ -116,7 +116,7 @@ TEST_CASE("Degenerate curves and sheets have values")
   CHECK(nearest_parameter(part(flat), Point::Zero()).allFinite());
 }
 
-TEST_CASE("Kinds")
+TEST_CASE("Abstractions are sheets, or open or closed curves")
 {
   CHECK(part(saddle()).is_sheet());
   CHECK_FALSE(part(corner()).is_sheet());

@@ -9,7 +9,7 @@
 
 using namespace CGAL::Shape_correspondence;
 
-TEST_CASE("A pair without a confidence says so, and equals the same pair without one")
+TEST_CASE("A pair without a confidence equals the same pair without a confidence")
 {
   const Part_correspondence pair{1, 2}, sure{1, 2, 1};
   CHECK_FALSE(pair.has_confidence());

@@ -22,7 +22,6 @@ Eigen::MatrixXd part_costs(const Aligned_shape& source, const Aligned_shape& tar
 
 constexpr Part_cost_weights no_weights{0, 0, 0, 0, 0, 0};
 
-// The index in the aligned shape of a part of the graph.
 Eigen::Index aligned(const Aligned_shape& shape, std::size_t part)
 {
   for (std::size_t i = 0; i < shape.original.size(); ++i)
@@ -31,14 +30,14 @@ Eigen::Index aligned(const Aligned_shape& shape, std::size_t part)
   return 0;
 }
 
-// The cost of two parts of one shape, as it is and one by one, with one weight 1 and the others 0.
+// The cost of two parts of one shape, matched with itself, with one weight 1 and all others 0.
 double cost(const Structural_graph& graph, double Part_cost_weights::*weight, std::size_t a, std::size_t b)
 {
   Part_matching_options options;
   options.weights = no_weights;
   options.weights.*weight = 1;
-  options.anchor = 1;  // no pair warps
-  options.whole = 1e6; // no part stands for several
+  options.anchor = 1;  // disables warping
+  options.whole = 1e6; // no part corresponds to several as a whole
   const Aligned_shape shape = align_shape(graph);
   return part_costs(shape, shape, options)(aligned(shape, a), aligned(shape, b));
 }
@@ -47,27 +46,27 @@ double cost(const Structural_graph& graph, double Part_cost_weights::*weight, st
 
 TEST_CASE("Part costs by hand, in the unit box: a table of width 1 and height 1")
 {
-  const Structural_graph table = hand_made::table(); // 0 top, 1 leg at (-, -), 2 at (+, -), 3 at (-, +), 4 at (+, +)
+  const Structural_graph table = hand_made::table(); // 0: top; legs: 1 at (-, -), 2 at (+, -), 3 at (-, +), 4 at (+, +)
   using W = Part_cost_weights;
 
   CHECK(cost(table, &W::place, 1, 1) == Approx(0).margin(1e-12));
-  CHECK(cost(table, &W::place, 1, 2) == Approx(1)); // sideways
-  CHECK(cost(table, &W::place, 1, 3) == Approx(1)); // to the front
-  CHECK(cost(table, &W::place, 1, 4) == Approx(2)); // both
-  CHECK(cost(table, &W::place, 0, 3) == Approx(1)); // half of each, of the centres
+  CHECK(cost(table, &W::place, 1, 2) == Approx(1)); // apart in x
+  CHECK(cost(table, &W::place, 1, 3) == Approx(1)); // apart in z
+  CHECK(cost(table, &W::place, 1, 4) == Approx(2)); // apart in both
+  CHECK(cost(table, &W::place, 0, 3) == Approx(1)); // half the distance in both axes
 
   CHECK(cost(table, &W::ground, 1, 2) == 0);
   CHECK(cost(table, &W::ground, 0, 2) == 1);
 
-  // a leg is long in y, the top in x and z alike
+  // A leg is elongated in y, the top extends equally in x and z
   CHECK(cost(table, &W::orientation, 1, 2) == Approx(0).margin(1e-12));
   CHECK(cost(table, &W::orientation, 0, 1) == Approx(std::sqrt(2.)));
 
-  // 1 against 0 along each axis
+  // Extents 1 and 0 along each axis, padded by .03
   CHECK(cost(table, &W::extent, 1, 2) == Approx(0).margin(1e-12));
   CHECK(cost(table, &W::extent, 0, 1) == Approx(3 * std::log(1.03 / .03)));
 
-  // legs have no place in common; each has its top, padded by .03, in the table's top
+  // Legs do not overlap; the upper end of each, padded by .03, overlaps the top
   CHECK(cost(table, &W::overlap, 1, 2) == Approx(1));
   CHECK(cost(table, &W::overlap, 1, 1) == Approx(0).margin(1e-12));
   CHECK(cost(table, &W::overlap, 0, 1) == Approx(1 - .03 / 1.03));
@@ -120,7 +119,7 @@ TEST_CASE("Part costs: the unit box makes a stretched shape the same")
 TEST_CASE("Part costs: the surface counts where it is known, the abstraction where not")
 {
   Structural_graph thick = hand_made::table();
-  Points surface(3, 2); // a leg ten times as wide as before, at the same place
+  Points surface(3, 2); // a leg ten times as wide at the same place
   surface << -.55, -.45, 0, 1, -.5, -.5;
   structure(thick).parts[1].surface = surface;
   using W = Part_cost_weights;

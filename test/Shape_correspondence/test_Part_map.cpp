@@ -26,9 +26,9 @@ TEST_CASE("The inverse map is sorted by the other side, with its confidences")
   CHECK(inverse(inverse(map)) == map);
 }
 
-TEST_CASE("Maps compose by the parts in between, each pair once, by its most probable way")
+TEST_CASE("Maps compose over intermediate parts; each pair has the probability of its most probable path")
 {
-  // 0 has two ways to 5, of .5 · .4 and .9 · .8; 1 splits into 6 and 7; 2 ends half-way
+  // 0 reaches 5 in two ways, .5 · .4 and .9 · .8; 1 splits into 6 and 7; 2 ends half-way
   const Part_map first{{{0, 0, .5}, {0, 1, .9}, {1, 2, 1}, {2, 3, 1}}};
   const Part_map second{{{0, 5, .4}, {1, 5, .8}, {2, 6, .25}, {2, 7, .75}, {4, 8, 1}}};
   const Part_map result = composed(first, second);
@@ -38,7 +38,7 @@ TEST_CASE("Maps compose by the parts in between, each pair once, by its most pro
   CHECK(result.pairs[2].confidence == .75);
 }
 
-TEST_CASE("The identity changes no map, and nothing comes of nothing")
+TEST_CASE("Composing with the identity changes no map; empty maps give empty maps")
 {
   const Part_map map{{{0, 2, .1}, {1, 0, .2}}};
   CHECK(composed(identity_part_map(2), map) == map);

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parts of models that have none: patches, their tree, its cut, and what is learned of them.
+// Parts of models without given parts: patches, their tree, its best cut, and features.
 #include "part_meshes.h"
 #include "roles/Boosted_trees.h"
 #include "roles/Part_model.h"
@@ -54,7 +54,7 @@ Surface_patches patches_of(const Part_mesh& mesh)
   return surface_patches(one_object(mesh), Eigen::Matrix3d::Identity());
 }
 
-/// A top and four legs of which the upper faces lie in the top's lower one, by the corners of the legs.
+/// A top and four legs whose upper faces lie in the top's lower face, by the corners of the legs.
 std::vector<Part_mesh> table_boxes(double leg_z = 0.1)
 {
   std::vector<Part_mesh> result{part_meshes::box({0, 1, 0}, {2, 1.1, 1})};
@@ -79,13 +79,13 @@ TEST_CASE("A box has six patches, whose borders are its edges")
 {
   const Surface_patches surface = patches_of(part_meshes::box({0, 0, 0}, {1, 2, 2}));
   REQUIRE(surface.patches.size() == 6);
-  // The diagonal, 3, is the unit
+  // The diagonal, 3, is the unit of length
   CHECK(surface.area == Approx(16. / 9));
   CHECK(surface.sides.isApprox(Point(1. / 3, 2. / 3, 2. / 3)));
   double border = 0;
   for (const Surface_patches::Contact& c : surface.contacts) {
     border += c.contact.border;
-    CHECK(c.contact.flat_border == Approx(0).margin(1e-9)); // right angles
+    CHECK(c.contact.flat_border == Approx(0).margin(1e-9)); // all angles are right angles
     CHECK(c.contact.concave_border == 0);
   }
   CHECK(border == Approx(4 * (1 + 2 + 2) / 3.));
@@ -105,7 +105,7 @@ TEST_CASE("The second moments of a square are those of the integral")
   square.triangles << 0, 0, 1, 2, 2, 3;
   const Surface_patches surface = patches_of(square);
   REQUIRE(surface.patches.size() == 1);
-  const double unit = std::sqrt(2.); // the diagonal
+  const double unit = std::sqrt(2.); // the diagonal is the unit of length
   const Surface_moments& m = surface.patches[0].moments;
   CHECK(m.area == Approx(1 / std::pow(unit, 2)));
   CHECK(m.second(0, 0) == Approx(1. / 3 / std::pow(unit, 4)));
@@ -140,7 +140,7 @@ TEST_CASE("Patches do not depend on diagonals and on the order of triangles")
   const Surface_patches shuffled = patches_of(other);
   CHECK(sorted_areas(shuffled) == sorted_areas(expected));
   REQUIRE(shuffled.patches.size() == expected.patches.size());
-  for (std::size_t i = 0; i < expected.patches.size(); ++i) // numbered by their place
+  for (std::size_t i = 0; i < expected.patches.size(); ++i) // patches are numbered by position
     CHECK(shuffled.patches[i].moments.first.isApprox(expected.patches[i].moments.first));
   REQUIRE(shuffled.contacts.size() == expected.contacts.size());
   for (std::size_t i = 0; i < expected.contacts.size(); ++i) {
@@ -156,7 +156,7 @@ TEST_CASE("Congruent patches have the same number")
   std::map<std::size_t, int> count;
   for (const Surface_patch& patch : surface.patches)
     ++count[patch.shape];
-  // Of the top: two faces, two long sides; two short ones like the 16 sides of legs; 8 ends of legs
+  // The top has two faces, two long sides, two short ones congruent to 16 sides of legs; there are 8 ends of legs
   std::multiset<int> sizes;
   for (const auto& [shape, n] : count)
     sizes.insert(n);
@@ -166,7 +166,7 @@ TEST_CASE("Congruent patches have the same number")
 TEST_CASE("Patches are merged in the order of their affinity")
 {
   const Surface_patches surface = patches_of(united(table_boxes()));
-  // Patches of the same sheet are of one part
+  // Patches of one sheet belong to one part
   const std::vector<Part_node> nodes =
       part_tree(surface, [&](const Part_node& a, const Part_node& b, const Merge_features&) {
         return a.sheets == b.sheets ? 0.9 : -1;
@@ -189,7 +189,7 @@ TEST_CASE("Patches are merged in the order of their affinity")
 
 TEST_CASE("The best cut of a tree is worked out by hand")
 {
-  // 0 and 1 make 4, 2 and 3 make 5, 4 and 5 make 6
+  // 4 is the union of 0 and 1, 5 of 2 and 3, 6 of 4 and 5
   std::vector<Part_node> nodes(7);
   const auto merge = [&](std::size_t a, std::size_t b, std::size_t c) {
     nodes[c].children = {a, b};
@@ -201,11 +201,11 @@ TEST_CASE("The best cut of a tree is worked out by hand")
   using Cut = std::vector<std::size_t>;
   CHECK(best_cut(nodes, {1, 1, -1, -1, 1, 1, 2}) == Cut{0, 1, 5}); // 1 + 1 + 1 is more than 1 + 1 and than 2
   CHECK(best_cut(nodes, {1, 1, -1, -1, 1, 1, 4}) == Cut{6});
-  CHECK(best_cut(nodes, {0, 0, 0, 0, 0, 0, 0}) == Cut{6});            // of equals the larger part
-  CHECK(best_cut(nodes, {-3, -3, -3, -3, -5, -5, -20}) == Cut{4, 5}); // the least bad
+  CHECK(best_cut(nodes, {0, 0, 0, 0, 0, 0, 0}) == Cut{6});            // among equal values, the largest part
+  CHECK(best_cut(nodes, {-3, -3, -3, -3, -5, -5, -20}) == Cut{4, 5}); // the least negative value
 }
 
-TEST_CASE("Boosted trees learn what no single feature tells, and are read as they were written")
+TEST_CASE("Boosted trees learn combinations of features, and read back as they were written")
 {
   std::mt19937_64 random(3);
   Byte_rows rows(400, 3);
@@ -213,7 +213,7 @@ TEST_CASE("Boosted trees learn what no single feature tells, and are read as the
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     for (Eigen::Index j = 0; j < rows.cols(); ++j)
       rows(i, j) = std::uint8_t(random() % 255);
-    targets.push_back((rows(i, 0) < 128) != (rows(i, 1) < 128)); // the third says nothing
+    targets.push_back((rows(i, 0) < 128) != (rows(i, 1) < 128)); // the third feature is irrelevant
   }
   const Boosted_trees trees(rows, targets, weights, {60, 8, 0.2, 5, 1, 1});
   int right = 0;
@@ -231,14 +231,14 @@ TEST_CASE("Boosted trees learn what no single feature tells, and are read as the
   CHECK(stored.size() == 0);
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
     CHECK(read.logit(&rows(i, 0)) == trees.logit(&rows(i, 0)));
-  for (std::size_t size = 0; size < bytes.size(); size += 7) { // cut off
+  for (std::size_t size = 0; size < bytes.size(); size += 7) { // truncated models
     Boosted_trees damaged;
     Stored_bytes part{begin, begin + size, nullptr};
     CHECK_FALSE(damaged.read(part, 3));
   }
   Boosted_trees other;
   Stored_bytes again{begin, begin + bytes.size(), nullptr};
-  CHECK_FALSE(other.read(again, 1)); // it asks for features that there are not
+  CHECK_FALSE(other.read(again, 1)); // it uses features that do not exist
 }
 
 TEST_CASE("Parts are learned from examples and found in others")

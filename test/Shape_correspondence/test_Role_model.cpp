@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Roles of parts: learning, predicting, writing and reading.
+// Roles of parts: training, prediction, writing and reading.
 #include "labelled_furniture.h"
 #include "model_files.h"
 #include "roles/Role_model_data.h"
@@ -105,7 +105,7 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
   CHECK_THROWS_WITH(IO::read_role_model(folder.path("damaged.roles")),
                     Contains("damaged.roles") && Contains("longer than 256 MB"));
 
-  // What no digest guards
+  // Errors that the digest does not detect
   const std::string whole = bytes(model);
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 50) {
     std::istringstream in(whole.substr(0, size));
@@ -115,7 +115,6 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
 
 namespace {
 
-/// Examples of three classes, by chance.
 std::vector<Role_example> random_examples(std::size_t count)
 {
   std::mt19937 random(7);
@@ -137,7 +136,7 @@ std::string bytes_of(const Role_forest& forest)
   return out.str();
 }
 
-/// Whether it is a forest, all of it; `forest` gets it.
+/// Reads a forest into `forest`. \return whether the entire text is a valid one
 bool is_read(const std::string& text, int trees, int roles, Role_forest& forest)
 {
   const auto owner = std::make_shared<const std::string>(text);
@@ -148,7 +147,7 @@ bool is_read(const std::string& text, int trees, int roles, Role_forest& forest)
 
 } // namespace
 
-TEST_CASE("A forest that was read votes as the one that was grown, whoever asks first")
+TEST_CASE("A forest that was read has the same votes as the trained one, whichever thread asks first")
 {
   constexpr int trees = 9, roles = 3;
   const Role_forest grown(random_examples(60), trees, 5);
@@ -172,7 +171,7 @@ TEST_CASE("A forest that was read votes as the one that was grown, whoever asks 
   CHECK(bytes_of(unasked) == bytes_of(grown));
 }
 
-TEST_CASE("What is no forest is refused when it is read, before anybody asks for votes")
+TEST_CASE("Invalid forests are refused when they are read, not only when they vote")
 {
   constexpr int trees = 9, roles = 3;
   const std::string whole = bytes_of(Role_forest(random_examples(60), trees, 5));
@@ -192,7 +191,7 @@ TEST_CASE("What is no forest is refused when it is read, before anybody asks for
   }
 }
 
-TEST_CASE("A forest of many roles, whose last ones take two bytes, is read as it was written")
+TEST_CASE("A forest with so many roles that they take two bytes reads back as it was written")
 {
   constexpr int trees = 5;
   for (int most : {3, 255 - ROLE_FEATURE_COUNT, 256 - ROLE_FEATURE_COUNT, 255}) {
@@ -212,7 +211,7 @@ TEST_CASE("A forest of many roles, whose last ones take two bytes, is read as it
   }
 }
 
-TEST_CASE("A model that is extended knows what all shapes teach together")
+TEST_CASE("A model that is extended equals one that is trained with all shapes at once")
 {
   const std::vector<Labelled_graph> all = labelled(examples());
   std::vector<Labelled_graph> chairs, shelves, first_half, second_half;
@@ -224,19 +223,19 @@ TEST_CASE("A model that is extended knows what all shapes teach together")
   CHECK(bytes(extend_role_model(train_role_model(chairs), shelves)) == bytes(together));
   CHECK(bytes(extend_role_model(Role_model(), all)) == bytes(together));
 
-  // Shapes of a category that is known: its roles are learned from the old and the new ones
+  // Shapes of a known category: its roles are learned from the old and the new shapes
   const Role_model extended = extend_role_model(train_role_model(first_half), second_half);
   for (const Furniture& shape : {chair(0.17, 1.9), shelf(0.08, 4)}) {
     const Part_roles a = part_roles(shape.graph, extended), b = part_roles(shape.graph, together);
     CHECK(a.probabilities == b.probabilities);
     CHECK(a.distance == b.distance);
   }
-  // Also after it was kept in a file
+  // The extended model is the same if the first one was stored in a file
   const Temporary_folder folder;
   IO::write_role_model(folder.path("half.roles"), train_role_model(first_half));
   CHECK(bytes(extend_role_model(IO::read_role_model(folder.path("half.roles")), second_half)) == bytes(extended));
 
-  // The forests have as many trees as those of the model
+  // The new forests have as many trees as the model's
   Role_training_options few;
   few.trees = 7;
   CHECK(Role_model_access::data(extend_role_model(train_role_model(chairs, few), shelves)).trees == 7);
@@ -260,7 +259,7 @@ TEST_CASE("The fewer shapes are labelled, the less their labels count")
         usual_pair_weights(2));
 }
 
-TEST_CASE("What cannot be learned from")
+TEST_CASE("Examples that cannot be learned from are refused")
 {
   std::vector<Labelled_graph> shapes = labelled(examples());
   shapes[0].labels.pop_back();
@@ -279,7 +278,7 @@ TEST_CASE("What cannot be learned from")
   CHECK_THROWS_WITH(train_role_model(labelled(examples()), options), Contains("trees"));
 }
 
-TEST_CASE("Fine labels are learned where all parts of a role have one, and the side is told from the place")
+TEST_CASE("Fine labels are learned where all parts of a role have one; the side follows from the position")
 {
   std::vector<Labelled_graph> shapes = labelled(examples());
   const Furniture shape = chair(0.17, 1.9);
@@ -293,7 +292,7 @@ TEST_CASE("Fine labels are learned where all parts of a role have one, and the s
   for (Labelled_graph& example : shapes)
     example.labels[0].fine = "";
   CHECK(fine_of_legs() == std::vector<std::string>(4, ""));
-  // All legs are taken to be alike, which does not tell them apart
+  // All legs get the same label, so that they are not told apart
   for (Labelled_graph& example : shapes)
     for (Part_label& label : example.labels)
       if (label.coarse == "leg") label.fine = "leg_front";

@@ -75,7 +75,7 @@ TEST_CASE("Parts are kept in their order")
   CHECK(shape.parts()[1].mesh.points == one_triangle().points);
 }
 
-TEST_CASE("What cannot be used is refused by name")
+TEST_CASE("Meshes that cannot be used are refused with the name of the part")
 {
   CHECK(message_of("leg", one_triangle()) == "");
   Part_mesh mesh = one_triangle();
@@ -179,7 +179,7 @@ TEST_CASE("Points are those of the vertex point map")
   CHECK(height(named) == 5);
   CHECK(named.parts()[0].name == "all");
 
-  // Parts that are views of one mesh share its map
+  // Parts that are views of one mesh share its point map
   using View = CGAL::Face_filtered_graph<Mesh>;
   const std::map<std::string, View> views{{"view", View(mesh, 0, ids)}};
   CHECK(height(Segmented_shape::from_meshes(views, "views", Point::UnitY(), vertex_points)) == 5);

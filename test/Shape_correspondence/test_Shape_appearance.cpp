@@ -40,7 +40,7 @@ Model read(const std::string& path)
   return model;
 }
 
-// Two tetrahedra, 'a' with a square face that is concave, to be divided
+// Two tetrahedra; 'a' has a concave quadrilateral face, which is triangulated
 const char* const two_parts = "mtllib some.mtl\n"
                               "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nv 1 1 2\n"
                               "vt 0 0\nvt 1 0\nvt 1 1\nvt .75 .25\nvt .25 .25\n"
@@ -79,7 +79,7 @@ TEST_CASE("Materials and texture coordinates of OBJ belong to the triangles that
     CHECK(looks.materials == std::vector<int>(std::size_t(mesh.triangles.cols()), int(part)));
     REQUIRE(looks.coordinates.size() == 3 * std::size_t(mesh.triangles.cols()));
   }
-  // In 'a' coordinates are a quarter of x and y, wherever the square was cut
+  // In 'a', texture coordinates are a quarter of x and y for any triangulation
   const Part_mesh& a = model.shape.parts()[0].mesh;
   CHECK(a.triangles.cols() == 4);
   for (Eigen::Index i = 0; i < a.triangles.size(); ++i) {
@@ -87,17 +87,17 @@ TEST_CASE("Materials and texture coordinates of OBJ belong to the triangles that
     CHECK((model.looks.parts[0].coordinates[std::size_t(i)] - Eigen::Vector2f(float(p.x() / 4), float(1 - p.y() / 4)))
               .norm() < 1e-6);
   }
-  // In 'b' a triangle has no coordinates, one has two corners at one place, one numbers that are none
+  // In 'b', one triangle has no texture coordinates, one has two equal corners, one has invalid numbers
   CHECK(model.shape.parts()[1].mesh.triangles.cols() == 3);
 }
 
-TEST_CASE("The geometry is the same whether looks are read or not")
+TEST_CASE("The geometry is the same whether the appearance is read or not")
 {
   const Temporary_folder folder;
   const std::string path = folder.write("model.obj", two_parts);
   const Segmented_shape plain = IO::read_segmented_shape(path);
   const Model model = read(path);
-  REQUIRE(model.looks.warnings.size() == 1); // there is no library
+  REQUIRE(model.looks.warnings.size() == 1); // the library is missing
   CHECK(model.looks.warnings[0].find("some.mtl") != std::string::npos);
   CHECK(model.looks.empty());
   for (std::size_t part = 0; part < 2; ++part) {
@@ -106,7 +106,7 @@ TEST_CASE("The geometry is the same whether looks are read or not")
   }
 }
 
-TEST_CASE("Damaged libraries and textures are told and left out")
+TEST_CASE("Damaged material libraries and textures are left out with warnings")
 {
   const Temporary_folder folder;
   folder.write("some.mtl",
@@ -140,14 +140,14 @@ TEST_CASE("Every truncation of an image is an error or an image, and none ends t
   IO::Image_budget budget;
   const Image image = IO::decoded_image(png, budget);
   CHECK(image.width == 128);
-  CHECK(image.pixels[4 * (128 * 20 + 40)] == 60 + 25 * 2); // red of the third column
+  CHECK(image.pixels[4 * (128 * 20 + 40)] == 60 + 25 * 2); // red channel of the third column
   CHECK(IO::decoded_image(IO::png_of(image), budget).pixels == image.pixels);
   for (std::size_t size = 0; size < png.size(); size += 97)
     CHECK_THROWS_AS(IO::decoded_image(png.substr(0, size), budget), Invalid_input);
   CHECK_THROWS_AS(IO::decoded_image("\xff\xd8\xff\xe0 no jpeg", budget), Invalid_input);
 }
 
-TEST_CASE("Images of a model may take so many pixels and scans in all, the rest is left out and told")
+TEST_CASE("Images beyond the limits on a model's pixels and scans are left out with warnings")
 {
   IO::Image_budget budget;
   budget.take(8192, 4096, 1);
@@ -189,7 +189,7 @@ TEST_CASE("A model names files of its folder only, unless others are allowed")
   CHECK(looks.warnings.empty());
   REQUIRE(looks.textures.size() == 1);
   CHECK(looks.textures[0].bytes == gen::test_picture());
-  // A pipe is none of the files that are read, wherever it is
+  // A pipe is never read, wherever it is
   REQUIRE(mkfifo(folder.path("model/some.mtl").c_str(), 0600) == 0);
   text.replace(text.find("../other/"), 9, "");
   IO::read_shape_and_appearance(folder.write("model/model.obj", text), looks, Point::UnitY(), nullptr, options);
@@ -244,7 +244,7 @@ TEST_CASE("Parts that are split off have the materials of their triangles, and w
 {
   const Temporary_folder folder;
   std::string text = "mtllib m.mtl\nvt 0 0\nvt 1 0\nvt 0 1\n";
-  for (int i = 0; i < 4; ++i) { // four far tetrahedra in one object
+  for (int i = 0; i < 4; ++i) { // four distant tetrahedra in one object
     const std::string x = std::to_string(10 * i), x1 = std::to_string(10 * i + 1);
     text += "usemtl m" + std::to_string(i) + "\nv " + x + " 0 0\nv " + x1 + " 0 0\nv " + x + " 1 0\nv " + x + " 0 1\n" +
             "f -4/1 -2/2 -3/3\nf -4/1 -3/2 -1/3\nf -4/1 -1/2 -2/3\nf -3/1 -2/2 -1/3\n";
@@ -264,7 +264,7 @@ TEST_CASE("Parts that are split off have the materials of their triangles, and w
     const int number = int(split.shape.parts()[part].mesh.points.row(0).minCoeff() / 10);
     CHECK(looks.parts[part].materials == std::vector<int>(4, number));
   }
-  // The middle of an edge has the mean of its ends' coordinates
+  // The midpoint of an edge has the mean of the coordinates of its ends
   const Part_mesh& mesh = model.shape.parts()[0].mesh;
   const Eigen::Vector3i t = mesh.triangles.col(0);
   Part_mesh half{Points(3, 3), Eigen::Matrix3Xi(3, 1)};

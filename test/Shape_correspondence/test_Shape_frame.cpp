@@ -12,7 +12,6 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-/// Points evenly over the faces of a box.
 void add_box(std::vector<Point>& points, const Point& low, const Point& high, int n = 10)
 {
   for (int axis = 0; axis < 3; ++axis) {
@@ -86,7 +85,7 @@ TEST_CASE("A table has two mirror planes")
   CHECK(frame.axes.isApprox(Eigen::Matrix3d::Identity(), 1e-6));
 }
 
-TEST_CASE("What has no mirror plane has a frame")
+TEST_CASE("A shape without mirror plane has a frame")
 {
   std::vector<Point> points;
   add_box(points, {0, 0, 0}, {3, 1, 1});
@@ -161,7 +160,7 @@ TEST_CASE("A disc on four legs is seen with the legs in the corners")
 
 TEST_CASE("A mirror plane is found that only some of the directions tried have, of points spread at random")
 {
-  // A kite, symmetric in x. A side of its least rectangle is along a side of the kite.
+  // A kite, symmetric in x. Its rectangle of least area is parallel to one of its sides.
   std::mt19937_64 random(7);
   const auto draw = [&] { return double(random() >> 11) / double(1ull << 53); };
   std::vector<Point> points;

@@ -53,7 +53,7 @@ TEST_CASE("Vertices are groups and edges are contacts")
   CHECK(is_valid_structural_graph(graph, true));
 }
 
-TEST_CASE("What is wrong with a graph is seen")
+TEST_CASE("Invalid graphs are detected")
 {
   const Structural_graph good = make_structural_graph(trestle(), trestle_groups());
   Structural_graph graph = good;

@@ -24,7 +24,7 @@ TEST_CASE("Eq. 2 and 3: two rods, one turned by 60 degrees")
 {
   const Structural_rods rods(points({{0, 0, 0}}), points({{2, 0, 0}, {0, 3, 0}}));
   const double c = 0.5, s = std::sqrt(3) / 2;
-  // Lengths change, too: directions alone count
+  // Lengths change as well, but only directions count
   const Rod_energy energy = rods.energy(points({{0, 0, 0}}), points({{4 * c, 4 * s, 0}, {0, 5, 0}}));
   // D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
   CHECK(energy.distortion == Approx(1 - std::sqrt(1.25 / 2)));
@@ -55,14 +55,14 @@ TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
   CHECK(moved(9).connectedness == 1);
 }
 
-TEST_CASE("Touching samples: a rod of length zero is not broken")
+TEST_CASE("Touching samples: a rod of length zero has no connection to break")
 {
   const Points a = points({{0, 0, 0}, {1, 1, 1}}), b = points({{0, 0, 0}, {0.1, 0.7, 0.3}});
   const Structural_rods rods(a, b);
   const Rod_energy same = rods.energy(a, b);
   CHECK(same.distortion == 0);
   CHECK(same.connectedness == 0);
-  // One of four rods becomes zero, the others keep their directions: 1 - sqrt(3/4)
+  // One of four rods shrinks to zero, the others keep their directions: 1 - sqrt(3/4)
   const Structural_rods apart(points({{0, 0, 0}, {0, 1, 0}}), points({{1, 0, 0}, {1, 0, 0}}));
   CHECK(apart.energy(points({{0, 0, 0}, {0, 0, 0}}), points({{1, 0, 0}, {0, 0, 0}})).distortion ==
         Approx(1 - std::sqrt((1 + 0 + 0.5 + 0) / 4)));
@@ -76,7 +76,7 @@ TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
     const Rod_energy energy = Structural_rods(a, b).energy(a, b);
     CHECK(energy.distortion == 0);
     CHECK(energy.connectedness == 0);
-    // nor does a translation of both; scaling neither bends nor breaks
+    // Translation of both parts changes nothing; scaling neither bends nor disconnects
     const Points shift = Points::Constant(3, 1, 0.25);
     CHECK(Structural_rods(a, b).energy(a.colwise() + shift.col(0), b.colwise() + shift.col(0)).distortion ==
           Approx(0).margin(1e-6));
@@ -86,7 +86,7 @@ TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
 
 namespace {
 
-// Sums of squared cosines of rods by place in a block, and their sum; rods in plain scalars, two rows at a time.
+// Sums of squared cosines of rods by lane of a block, added up; a scalar reference of the kernel, two rows at a time.
 float plain_squared_cosines(const internal::Rod_block* before, const internal::Sample_lanes& first, int n,
                             const internal::Sample_lanes& second, int m)
 {
@@ -124,7 +124,7 @@ float plain_squared_cosines(const internal::Rod_block* before, const internal::S
 
 } // namespace
 
-TEST_CASE("The machine's vector instructions compare rods with the bits of plain numbers")
+TEST_CASE("Vector instructions compare rods with the same bits as scalar arithmetic")
 {
   using namespace internal;
   std::srand(3);
@@ -166,7 +166,7 @@ TEST_CASE("The machine's vector instructions compare rods with the bits of plain
 
 namespace {
 
-// Seven pairs are compared two at once, and one alone.
+// Seven pairs, which are compared two at a time, and one alone.
 std::vector<Structural_rods> seven_pairs(int first_count, int second_count)
 {
   std::vector<Structural_rods> rods;
@@ -209,7 +209,7 @@ TEST_CASE("Samples that count several times have the rods of as many samples")
     }
 }
 
-TEST_CASE("The directions of rods are those of plain numbers")
+TEST_CASE("Vector instructions give the directions of scalar arithmetic")
 {
   std::srand(17);
   for (const int n : {6, 36})

@@ -21,7 +21,7 @@ TEST_CASE("Structure preservation: unmatched parts follow their contacts, member
   std::vector<char> matched(shape.number_of_groups(), 0);
   matched[shape.group_of[seat]] = 1;
 
-  // The seat is widened by 0.1 on either side and raised by 0.2
+  // The seat grows by 0.1 on either side and is raised by 0.2
   std::vector<std::array<Point, 2>> contact_displacement(shape.contacts.size());
   for (std::size_t c = 0; c < shape.contacts.size(); ++c)
     for (int side : {0, 1}) {
@@ -39,7 +39,7 @@ TEST_CASE("Structure preservation: unmatched parts follow their contacts, member
 
 TEST_CASE("Structure preservation: a chain between two matched ends settles to an even spread")
 {
-  // Five rods end to end; the outer two are moved, the others follow both sides
+  // Five rods end to end; the outer two are moved, the inner ones follow both
   Shape_structure shape;
   std::vector<Part_group> groups;
   for (int i = 0; i < 5; ++i) {
@@ -57,16 +57,16 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
   std::vector<Part_motion> motions(5);
   Structure_preservation preserve_structure(chain);
   preserve_structure(matched, contact_displacement, motions);
-  // From 0 to 0.4 over the three rods between; the ends of neighbours stay together
+  // Displacements grow from 0 to 0.4 over the three inner rods; ends of neighbours stay together
   for (std::size_t i : {1, 2, 3}) {
     const Part_motion& motion = motions[index_of(chain, i)];
-    const Point half(.5, 0, 0); // from a rod's middle to its end
+    const Point half(.5, 0, 0); // from the centre of a rod to its end
     const double left = (motion.shift - motion.stretch * half).y(), right = (motion.shift + motion.stretch * half).y();
     CHECK(left == Approx(i == 1 ? 0 : .1 * double(i) - .05).margin(0.01));
     CHECK(right == Approx(i == 3 ? .4 : .1 * double(i) + .05).margin(0.01));
   }
 
-  // Where parts were before has no say: with the one end matched all go with it, with none they go back
+  // Previous displacements do not matter: with only one end matched, all follow it; with none, they return
   matched[chain.group_of[index_of(chain, 0)]] = 0;
   preserve_structure(matched, contact_displacement, motions);
   for (std::size_t i : {0, 1, 2, 3})
@@ -78,7 +78,7 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
 
 TEST_CASE("Structure preservation: a longer chain needs several rounds")
 {
-  // Seven points in a row, of which the last is moved by 0.6
+  // Seven points in a row, the last of which is moved by 0.6
   std::vector<Point> places;
   std::vector<std::array<std::size_t, 2>> contacts;
   for (std::size_t i = 0; i < 7; ++i) {
@@ -97,8 +97,8 @@ TEST_CASE("Structure preservation: a longer chain needs several rounds")
 
 TEST_CASE("Structure preservation: a bar is stretched between the legs that it spans, its mirror image alike")
 {
-  // A bar at the back and one in front between the left and the right legs, which are matched and move apart by 0.2,
-  // and to the front and the back, the left ones by 0.2 more
+  // Bars at the back and at the front connect left and right legs, which are matched and move apart by 0.2, and to the
+  // front and the back, the left ones by 0.2 more
   Shape_structure shape;
   for (double z : {-.5, .5}) {
     const std::size_t first = shape.parts.size();
@@ -124,7 +124,7 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
   std::vector<Part_motion> motions(legs.parts.size());
   Structure_preservation preserve_structure(legs);
   preserve_structure(matched, contact_displacement, motions);
-  // Sum of squares of the points' distances 2 · 0.25; scatter of samples at ±.1, ±.3, ±.5: .35 / 3
+  // Sum of squared distances of the contact points: 2 · 0.25; scatter of samples at ±.1, ±.3, ±.5: .35 / 3
   const double slope = .1 / (.5 + Structure_preservation::stiffness * .35 / 3);
   for (std::size_t bar : {2, 5}) {
     const Part_motion& motion = motions[index_of(legs, bar)];
@@ -138,8 +138,8 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
 
 TEST_CASE("Structure preservation: a bar that is held on one side of its middle follows there")
 {
-  // Held at 0.6 and at its end, 1, which is raised by 0.2: it turns about 0.8 between them, and goes down at its
-  // middle, 0.5. Sum of squares of the points' distances 2 * 0.04; scatter of samples at 0, .2 ... 1: .35 / 3
+  // Contacts at 0.6 and at the end, 1, which is raised by 0.2: the bar turns about 0.8, midway, and its centre, 0.5,
+  // goes down. Sum of squared distances of the contact points: 2 * 0.04; scatter of samples at 0, .2 ... 1: .35 / 3
   Shape_structure shape;
   shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("at", {.6, 0, 0}, {.6, 1, 0}),
                  curve("end", {1, 0, 0}, {1, 1, 0})};
@@ -161,7 +161,7 @@ TEST_CASE("Structure preservation: a bar that is held on one side of its middle 
 
 TEST_CASE("Structure preservation: a group follows the member that touches most, by the mean of what that one touches")
 {
-  // A mirror pair, the right one on two matched points, the left one on one; on top of each is another point
+  // A mirror pair, the right one on two matched points, the left one on one; another point is on top of each
   const Aligned_shape shape =
       align_shape(point_graph({{-1, -1, 0}, {1, -1, -1}, {1, -1, 1}, {-1, 0, 0}, {1, 0, 0}, {-1, 1, 0}, {1, 1, 0}},
                               {{0, 3}, {1, 4}, {2, 4}, {3, 5}, {4, 6}},
@@ -182,8 +182,8 @@ TEST_CASE("Structure preservation: a group follows the member that touches most,
 
 TEST_CASE("Structure preservation: the members of a rotational group move turned about its axis")
 {
-  // Four points around a matched one. The first, to the left, is moved to the left, up and to the front; a quarter turn
-  // about up takes (x, y, z) to (z, y, -x)
+  // Four points around a matched one. The first, on the left, is moved to the left, up and to the front; a quarter turn
+  // about the up axis maps (x, y, z) to (z, y, -x)
   const auto around = group({1, 2, 3, 4}, Symmetry_type::ROTATION, Point::UnitY());
   const Aligned_shape shape = align_shape(
       point_graph({{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}, {0, 0, 1}, {1, 0, 0}}, {{0, 1}}, {group({0}), around}));
@@ -201,10 +201,11 @@ TEST_CASE("Structure preservation: an orbit of two mirror planes is mirrored in 
 {
   const Aligned_shape whole = align_shape(table());
   std::vector<char> is_kept(whole.parts.size(), 1);
-  const int missing = GENERATE(0, 1, 2, 3); // with leg 4; 0: all are there. Two that are left move as they did before
+  // The leg removed together with leg 4; 0: none. The remaining two must move as before
+  const int missing = GENERATE(0, 1, 2, 3);
   if (missing > 0) is_kept[index_of(whole, std::size_t(missing))] = is_kept[index_of(whole, 4)] = 0;
   const Aligned_shape shape = restricted(whole, is_kept);
-  // The top of the table grows by 0.2 to either side and by 0.3 to the front and to the back
+  // The top of the table grows by 0.2 on each side and by 0.3 at the front and back
   std::vector<char> matched(2, 0);
   matched[shape.group_of[index_of(shape, 0)]] = 1;
   std::vector<std::array<Point, 2>> contact_displacement(shape.contacts.size());

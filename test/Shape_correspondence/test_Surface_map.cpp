@@ -13,7 +13,7 @@
 
 #include <catch2/catch.hpp>
 
-// Maps between surfaces of shapes of boxes, whose answers are known.
+// Maps between surfaces of shapes made of boxes, whose results are known.
 
 using namespace box_shapes;
 using namespace boxed_graphs;
@@ -64,7 +64,7 @@ TEST_CASE("Values are transferred: numbers are interpolated, labels taken from t
   for (std::size_t lath = 0; lath < 3; ++lath)
     for (Eigen::Index v = 0; v < target.parts()[lath].mesh.points.cols(); ++v) {
       const Point p = target.parts()[lath].mesh.points.col(v);
-      // Where a lath is cut off, all sides of the plate may be as near
+      // At the ends of a lath, all sides of the plate may be equally near
       if (std::abs(p.y() - 0.05) > 0.04) CHECK(transferred[lath][std::size_t(v)] == Approx(p.z()).margin(1e-6));
       if (p.y() > 0.09) CHECK(labels[lath][std::size_t(v)] == 1);
     }

@@ -18,7 +18,7 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-// Checks the bounds of all completions of `labels` up to a level; returns the least value of the tangent among them.
+// Checks the bounds for all completions of `labels` from a level on. \return the least value of the tangent among them
 template <typename Check_leaf>
 double check_bounds(const internal::Tangent_bound& tangent, bool exact, std::size_t level, double cost,
                     std::vector<int>& labels, const Check_leaf& check_leaf)
@@ -42,7 +42,7 @@ double check_bounds(const internal::Tangent_bound& tangent, bool exact, std::siz
 
 } // namespace
 
-TEST_CASE("Bounds by tangents: nowhere above the energy, on it where they touch; exact unless buckets are split")
+TEST_CASE("Bounds by tangents: never above the energy, equal to it where they touch; exact unless buckets are split")
 {
   std::mt19937 random(11);
   for (const std::size_t table_limit : {27, 9}) {

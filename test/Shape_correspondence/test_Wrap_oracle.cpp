@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-// The oracle of the wraps answers as CGAL's exact one does.
+// The oracle for wraps gives the same results as CGAL's exact one.
 
 using namespace part_meshes;
 
@@ -27,7 +27,7 @@ Point random_point(std::mt19937& random, double size)
   return {x, y, z};
 }
 
-/// Corners of a tetrahedron of positive volume.
+/// Corners of a random tetrahedron of positive volume.
 std::array<Point, 4> random_corners(std::mt19937& random, double size)
 {
   const Point middle = random_point(random, 1.5);

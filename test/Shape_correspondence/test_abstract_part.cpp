@@ -29,7 +29,7 @@ bool same_bits(const Part_abstraction& a, const Part_abstraction& b)
          a.report.residual == b.report.residual;
 }
 
-/// Blocks of memory that come and go, so that others get other addresses.
+/// Allocates and frees memory, so that later allocations get other addresses.
 class Heap_churn
 {
 public:
@@ -47,7 +47,7 @@ private:
   std::vector<std::unique_ptr<char[]>> blocks_;
 };
 
-/// Its rim goes up and down, so that it is a hole with many equally good fillings.
+/// A cup whose rim goes up and down, so that its hole has many equally good fillings.
 Part_mesh cup(int corners)
 {
   Part_mesh result;
@@ -64,7 +64,7 @@ Part_mesh cup(int corners)
   return result;
 }
 
-/// A clock that moves on by a second whenever somebody looks at it, however fast the machine is.
+/// A clock that advances by a second at every reading, independent of the speed of the machine.
 struct Looked_at_clock
 {
   std::shared_ptr<int> looks = std::make_shared<int>(0);
@@ -72,7 +72,7 @@ struct Looked_at_clock
   double operator()() const { return (*looks)++; }
 };
 
-/// Work that looks at the clock at least so many times in all stops at the first look after its time is up.
+/// Checks that work which reads the clock at least `least_looks` times stops at the first reading after its limit.
 template <typename Work>
 void check_that_it_stops(int least_looks, const Work& work)
 {
@@ -102,15 +102,15 @@ TEST_CASE("Limits lead to the bounding box, and the report says so")
   options = {};
   options.maximum_iterations = 0;
   CHECK(abstract_part({"ring", torus(1, 0.1)}, options).report.method == Method::BOUNDING_BOX);
-  CHECK(abstract_part({"leg", leg}, options).report.method == Method::PRISM); // needs no flow
+  CHECK(abstract_part({"leg", leg}, options).report.method == Method::PRISM); // a prism, which needs no flow
 }
 
-TEST_CASE("Long steps look at the clock again and again, and stop when the time is up")
+TEST_CASE("Long steps check the time limit repeatedly, and stop when it is reached")
 {
   const Part_mesh solid = internal::remeshed(leg, 0.05, internal::Deadline(1e9));
   SECTION("a wrap")
   {
-    Part_mesh shelves; // none stands for the part, so that all are wrapped
+    Part_mesh shelves; // no component dominates, so that all are wrapped
     for (int k = 0; k < 6; ++k) {
       shelves = joined(shelves, without_triangles(moved(plate, Eigen::Matrix3d::Identity(), Point(0, 0.2 * k, 0)), 2));
     }
@@ -179,7 +179,7 @@ TEST_CASE("A hole is filled alike whatever is on the heap")
 
 TEST_CASE("The same part gives the same bits whatever is on the heap")
 {
-  // A shape on which collapses in another order give another skeleton.
+  // A shape for which another order of edge collapses gives another skeleton.
   const Part_mesh mesh = joined(torus(1, 0.25), box({0.9, -0.1, -0.1}, {2.4, 0.1, 0.1}));
   const Part_abstraction first = abstraction_of(mesh);
   Heap_churn churn;
@@ -305,8 +305,8 @@ TEST_CASE("Hulls of large polygons are found in nearly linear time, also where a
   CGAL::Timer timer;
   timer.start();
   CHECK(convex_hull_volume(prism) == Approx(EIGEN_PI));
-  CHECK(timer.time() < 20);    // of processor time; a quadratic algorithm takes minutes
-  Points grid(3, 2 * 51 * 51); // of a box, whose corners are all of its hull
+  CHECK(timer.time() < 20);    // processor time in seconds; a quadratic algorithm takes minutes
+  Points grid(3, 2 * 51 * 51); // points of a box, only the corners of which are on its hull
   for (int i = 0; i < grid.cols(); ++i)
     grid.col(i) << i / 2 % 51, i % 2, i / 102;
   CHECK(internal::convex_hull(grid).vertices.cols() == 8);
@@ -338,7 +338,7 @@ TEST_CASE("Kinds can be forced, of all parts and of single ones")
   }
 }
 
-TEST_CASE("A copy of a part that got its bounding box says so")
+TEST_CASE("A copy of a part that was replaced by its bounding box is reported, too")
 {
   Segmented_shape shape;
   shape.add_part("leg", leg);
@@ -361,7 +361,7 @@ TEST_CASE("Another abstractor can be put in place of the skeletonizer")
     const Part_abstraction part = abstract_part({"plate", plate}, options);
     CHECK(part.is_sheet());
     CHECK(part.report.method == Method::BOUNDING_BOX);
-    CHECK_FALSE(part.report.is_fallback()); // it was asked for
+    CHECK_FALSE(part.report.is_fallback()); // requested explicitly
     CHECK(part.hull_volume == Approx(0.048));
     options.kind = Abstraction_kind::CURVE;
     CHECK_FALSE(abstract_part({"plate", plate}, options).is_sheet());
@@ -390,7 +390,7 @@ TEST_CASE("Another abstractor can be put in place of the skeletonizer")
 
 TEST_CASE("A hole is filled whose corners coincide in the plane that it is projected to")
 {
-  // Of a table with one vertex moved (a mutant): CGAL's planar filling crashes on it, depending on the first corner.
+  // A hole in a mutated table, on which CGAL's planar filling crashes, depending on the first corner.
   Points hole(3, 4);
   hole << -.5, -.4, -.5, -.4, .7, 0, 0, 0, -.5, .4, .4, .5;
   const Point apex(-.45, .35, -2);

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// Which curve or sheet a part becomes; limits, options and copies are in test_abstract_part.cpp.
+// Which curve or sheet represents a part; limits, options and copies are in test_abstract_part.cpp.
 
 using namespace part_meshes;
 using Method = Abstraction_report::Method;
@@ -79,13 +79,13 @@ TEST_CASE("A ring becomes a closed curve")
 {
   const Part_abstraction part = abstraction_of(torus(1, 0.1));
   REQUIRE(part.is_closed_curve());
-  CHECK(part.control_points().cols() == 32); // a full turn more than a straight curve
+  CHECK(part.control_points().cols() == 32); // one full turn has twice as many points as a straight curve
   const Points points = sample(part, 200);
-  CHECK((points.colwise().norm().array() - 1).abs().maxCoeff() < 0.015); // also in the middles of its segments
+  CHECK((points.colwise().norm().array() - 1).abs().maxCoeff() < 0.015); // includes midpoints of segments
   CHECK(points.row(1).cwiseAbs().maxCoeff() < 0.01);
 }
 
-TEST_CASE("A ball is called a blob")
+TEST_CASE("The report calls a ball a blob")
 {
   const Part_mesh ball = torus_like(24, 24, [](double u, double v) {
     return Point(std::cos(u) * (1 + 1e-6 - std::cos(v)) / 2, std::sin(v) / 2 + v / 6.3,
@@ -129,7 +129,7 @@ TEST_CASE("A wing is a sheet, also a thick one that gets narrower towards its ti
           Point(5 * (section - 1), scale * thickness * std::sin(angle), scale * chord * std::cos(angle));
     }
   }
-  const int left = 3 * corners, right = left + 1; // middles of the tips
+  const int left = 3 * corners, right = left + 1; // midpoints of the tips
   wing.points.col(left) = -5 * Point::UnitX();
   wing.points.col(right) = 5 * Point::UnitX();
   wing.triangles.resize(3, 6 * corners);
@@ -187,7 +187,7 @@ TEST_CASE("A disc is a sheet across its axle, however long that is")
 
 TEST_CASE("A carcass of thin walls that is flat as a whole is a sheet")
 {
-  // The stairs of a loft bed, open behind.
+  // The stairs of a loft bed, open at the back.
   const double wall = 0.012;
   Part_mesh stairs;
   for (int k = 0; k < 4; ++k) {
@@ -203,7 +203,7 @@ TEST_CASE("A carcass of thin walls that is flat as a whole is a sheet")
   CHECK((part.control_points().row(2).array() - 0.25).abs().maxCoeff() < 0.01);
 }
 
-TEST_CASE("Arms that spread make no blade")
+TEST_CASE("A part of spread arms is no blade")
 {
   const Part_mesh cross =
       joined(joined(box({-0.03, 0, -0.03}, {0.03, 1, 0.03}), box({-0.35, 0, -0.03}, {0.35, 0.03, 0.03})),
@@ -265,7 +265,7 @@ TEST_CASE("A tyre that is open inside is a ring, also with spokes")
   CHECK((part.control_points().colwise().norm().array() - 1).abs().maxCoeff() < 0.08);
 }
 
-TEST_CASE("A block gets the axis along which it is least like along the others")
+TEST_CASE("The axis of a block is the one along which it differs most from the other two")
 {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, Point::UnitY()).toRotationMatrix();
   const auto direction_of = [&](const Point& extents) {
@@ -278,8 +278,8 @@ TEST_CASE("A block gets the axis along which it is least like along the others")
   };
   CHECK(direction_of({1, 0.5, 1}).cwiseAbs().isApprox(Point(0, 0.5, 0), 0.02));
   CHECK(direction_of({1, 0.6, 0.6}).cwiseAbs().isApprox(Point(1, 0, 0), 0.02));
-  CHECK(direction_of({0.95, 1, 0.97}).cwiseAbs().isApprox(Point(0, 1, 0), 0.02)); // nearly a cube: upright
-  CHECK(abstraction_of(box({0, 0, 0}, {1, 0.38, 1})).is_sheet());                 // no block but a thick cushion
+  CHECK(direction_of({0.95, 1, 0.97}).cwiseAbs().isApprox(Point(0, 1, 0), 0.02)); // nearly a cube: upright axis
+  CHECK(abstraction_of(box({0, 0, 0}, {1, 0.38, 1})).is_sheet());                 // a thick cushion, not a block
 }
 
 TEST_CASE("A thick cushion becomes a sheet, a wheel of that thickness keeps its axis")

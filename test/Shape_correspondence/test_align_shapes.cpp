@@ -31,7 +31,7 @@ TEST_CASE("Samples: e on a curve, e x e on a sheet; contacts know their nearest 
   for (const Aligned_shape::Contact& c : shape.contacts) {
     const Point a = shape.parts[c.parts[0]].samples.col(Eigen::Index(c.samples[0]));
     const Point b = shape.parts[c.parts[1]].samples.col(Eigen::Index(c.samples[1]));
-    CHECK((a - b).norm() < 0.15); // at most one step of either grid away
+    CHECK((a - b).norm() < 0.15); // at most one grid step of either sampling
     CHECK(c.parts[0] < c.parts[1]);
   }
 }
@@ -42,7 +42,7 @@ TEST_CASE("Quarter turns: four of them lead back, to the bit")
   const auto find = [](const Aligned_shape& shape, std::size_t original) {
     return shape.parts[hand_made::index_of(shape, original)].samples;
   };
-  // counter-clockwise seen from above: front +z goes to +x
+  // Counter-clockwise seen from above: front +z goes to +x
   CHECK(find(once, 2).col(0).isApprox(Point(.25, 0, -.25)));
   CHECK(find(align_shape(hand_made::chair(), 4), 2) == find(none, 2));
 }
@@ -54,9 +54,9 @@ TEST_CASE("Symmetries of groups are turned and scaled with the shape")
   const auto symmetry = [](const Aligned_shape& shape, std::size_t part) {
     return shape.group(shape.group_of[hand_made::index_of(shape, part)]).symmetry;
   };
-  CHECK(symmetry(none, 1).direction.isApprox(Point(.2, 0, 0))); // slats, from one to the next
+  CHECK(symmetry(none, 1).direction.isApprox(Point(.2, 0, 0))); // translation between neighbouring slats
   CHECK(symmetry(once, 1).direction.isApprox(Point(0, 0, -.2)));
-  CHECK(symmetry(none, 4).direction.isApprox(Point(1, 0, 0))); // legs, the normal of their mirror
+  CHECK(symmetry(none, 4).direction.isApprox(Point(1, 0, 0))); // normal of the mirror plane of the legs
   CHECK(symmetry(once, 4).direction.isApprox(Point(0, 0, -1)));
   CHECK(symmetry(none, 4).point.isZero(1e-12));
 }
@@ -69,11 +69,11 @@ TEST_CASE("Alignments: nearest to the given orientation first")
   CHECK(alignment_turns(one_plane, no_plane).size() == 4);
 
   for (int q = 0; q < 4; ++q) {
-    Shape_frame turned = no_plane; // the frame was found a quarter turn off, the shape given as it is
+    Shape_frame turned = no_plane; // the frame is a quarter turn off the orientation of the file
     turned.axes = Eigen::AngleAxisd(q * EIGEN_PI / 2 + 0.3, Point::UnitY()).toRotationMatrix();
     CHECK(alignment_turns(no_plane, turned).front() == q);
   }
-  // Turning either shape by less than 45 degrees as it is given changes nothing, nor does turning both by any angle
+  // Rotating either shape in its file by less than 45 degrees changes nothing, nor does rotating both by any angle
   const auto turned_by = [](double degrees) {
     Shape_frame frame;
     frame.axes = Eigen::AngleAxisd(degrees * EIGEN_PI / 180, Point::UnitY()).toRotationMatrix();
@@ -87,14 +87,14 @@ TEST_CASE("Alignments: nearest to the given orientation first")
   CHECK(alignment_turns(turned_by(0), turned_by(180)).front() == 2);
 }
 
-TEST_CASE("What is left of a group has a solidity of its own, and alone no symmetry")
+TEST_CASE("The remaining members of a group have their own solidity; a single one has no symmetry")
 {
   const Aligned_shape table = align_shape(hand_made::table());
   const auto rest_without = [&](const std::vector<std::size_t>& legs, std::size_t leg) {
     const Aligned_shape shape = regrouped(table, {legs});
     return shape.group(shape.group_of[hand_made::index_of(shape, leg)]);
   };
-  // Legs at the corners of a square: three of them have 3/4 of the volume and half of the hull
+  // Legs at the corners of a square: three of them have 3/4 of the volume and half of the hull's
   const Part_group three = rest_without({1}, 2);
   CHECK(three.parts.size() == 3);
   CHECK(three.volume / three.hull_volume == Approx(.1 * 1.5));
@@ -129,10 +129,10 @@ TEST_CASE("The most prominent parts are as many as asked for, in whole groups as
       CHECK(std::size_t(std::count(is_kept.begin(), is_kept.end(), 1)) == std::min(count, shape.parts.size()));
     }
   }
-  // The top, then one leg of the four; the group of legs does not fit before it has all of them
+  // The top, then one of the four legs; the group of legs is taken as a whole only if all fit
   const Aligned_shape table = align_shape(hand_made::table());
   CHECK(most_prominent_parts(table, 2)[hand_made::index_of(table, 0)] == 1);
-  // Of the chair without the pair in front: seat, back and one pair
+  // Seat, back and one pair of legs; the front pair is left out
   const Aligned_shape chair = align_shape(hand_made::chair());
   const std::vector<char> four = most_prominent_parts(chair, 4);
   for (const Part_group& group : groups(chair))

@@ -68,11 +68,11 @@ TEST_CASE("The last level is returned in the order of its energies")
   }
 }
 
-// The cases below are of points (see `point_graph()`): w_c = 0.6, w_s = 0.4.
+// The following cases consist of points (see `point_graph()`): w_c = 0.6, w_s = 0.4.
 
 namespace {
 
-// What the beam search finds, K and k as given.
+// The result of a beam search; the options are K and k.
 Solution best(const Structural_graph& source, const Structural_graph& target, const Beam_options& options,
               const Matching_options& matching = {})
 {
@@ -83,32 +83,31 @@ Solution best(const Structural_graph& source, const Structural_graph& target, co
 
 TEST_CASE("Local pruning: no partial solution takes all places of the beam")
 {
-  // A part a with b above it and c, 2.6 away, to its upper right. The target's first point has three points straight
-  // above, so that b costs nothing there; but c turns by the angle between (2.4, 1) and up at least, whose cosine is
-  // 5 / 13, for 5 lies 2.64 away, which costs 0.6. Its second point has 5 for c just as it was, and its best point for
-  // b, 4, is off by (0.3, 0.4), which costs 1 - 0.8
+  // A part a with b above it and c, 2.6 away, to its upper right. Above the target's first point, 0, there are three
+  // points, so that b costs nothing there; but c's rod rotates at least by the angle between (2.4, 1) and up, of cosine
+  // 5 / 13, since 5 is 2.64 away, which costs 0.6. At its second point, 1, c costs nothing at 5, and b's best point, 4,
+  // is off by (0.3, 0.4), which costs 1 - 0.8
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}, {2.4, 1, 0}}, {{0, 1}, {0, 2}});
   const Structural_graph target = point_graph(
       {{0, 0, 0}, {-.3, .6, 0}, {0, .9, 0}, {0, .95, 0}, {0, 1, 0}, {2.1, 1.6, 0}}, {{0, 1}, {1, 2}, {2, 3}});
   const Matching_problem problem(align_shape(source), align_shape(target));
-  // Two expansions a solution leave a third place for the second point; three do not
+  // With two expansions of each solution the beam keeps a third one, with the second point; with three it does not
   const Search_result balanced = beam_search(problem, {3, 2}), greedy = beam_search(problem, {3, 3});
   CHECK(balanced.best().assignment == Assignment{1, 4, 5});
   CHECK(balanced.best().energy == Approx(0.2));
   CHECK(greedy.best().assignment[0] == 0);
   CHECK(greedy.best().energy == Approx(8 / 13.));
-  // States kept: 2 at the first level, 3 of 2 * 2 and 3 of 3 * 2
+  // Kept states: 2 at the first level, 3 of 2 * 2 and 3 of 3 * 2
   CHECK(balanced.summary.states == 8);
   CHECK(balanced.summary.evaluations == 6 + 2 * 6 + 3 * 6);
 }
 
 TEST_CASE("Groups are assigned from the best-connected one outwards")
 {
-  // A pair in the middle, with two contacts to a point below and two to one above; in the target, too, with another
-  // point far below. In a beam of one, the group that comes first takes the first of its labels that cost least. Were
-  // it the lower point, every label would cost nothing, as all parts go along, and it would take the lowest target
-  // point, from which the pair is farther than before. For the pair, the pair costs nothing; as one point, it turns all
-  // rods
+  // A pair in the middle, with two contacts to a point below and two to one above; the target has another point far
+  // below. With a beam of one, the first group takes its first label of least cost. If the lower point came first, all
+  // labels would cost nothing, since all parts follow it, and it would take the lowest target point, from which the
+  // pair is farther than before. For the pair, the target's pair costs nothing, and a single point rotates all rods
   const auto pair = [](std::size_t first) {
     return group({first, first + 1}, Symmetry_type::REFLECTION, Point::UnitX());
   };
@@ -124,10 +123,10 @@ TEST_CASE("Groups are assigned from the best-connected one outwards")
 
 TEST_CASE("After the best-connected group come those in contact with it")
 {
-  // Points above each other, so that a rod costs nothing as long as it stays upright and does not grow. a, at the
+  // Points above each other, so that a rod costs nothing as long as it stays upright and does not grow. a, on the
   // ground, has contacts with two leaves and with b above them, b with c, and c with two leaves above it. With a beam
   // of one, a, b and c take the lowest points, one above the other. If c, which has more contacts than b, came second,
-  // it would take the place next to a, and there would be none for b in between
+  // it would take the point next to a, with no place for b in between
   const auto at = [](const std::vector<double>& heights) {
     std::vector<Point> places;
     for (double height : heights)
@@ -144,9 +143,9 @@ TEST_CASE("After the best-connected group come those in contact with it")
 
 TEST_CASE("Parts not yet assigned move along")
 {
-  // b is above a, and in the target 2 above 0. With a taken to 0, b goes with it and nothing is lost; if b stayed, the
-  // rod would turn by an angle of cosine 0.8 and grow from 1 to 1.25, and 1, under where b was, would be better for a:
-  // from there, 2 is no better than 1 - 0.9 / 1.1715 = 0.23, and 0.6 for its distance
+  // b is above a; in the target, 2 is above 0. With a assigned to 0, b follows it at no cost; if b stayed, its rod
+  // would rotate by an angle of cosine 0.8 and grow from 1 to 1.25, and 1, below b's old place, would be better for a:
+  // from there, 2 costs only 1 - 0.9 / 1.1715 = 0.23, and 0.6 for its distance
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}});
   const Structural_graph target = point_graph({{.75, 0, 0}, {0, .1, 0}, {.75, 1, 0}}, {{0, 2}});
   const Solution solution = best(source, target, {1, 1});
@@ -156,7 +155,7 @@ TEST_CASE("Parts not yet assigned move along")
 
 TEST_CASE("A part not yet assigned follows hard contacts to the point, and resists others")
 {
-  // A bar on two posts, one at its start and one between its ends, which the target has elsewhere
+  // A bar on two posts, one at its start and one between its ends; in the target, they are elsewhere
   const auto posts = [](double middle) {
     Shape_structure shape;
     shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("start", {0, 0, 0}, {0, 1, 0}),
@@ -179,7 +178,7 @@ TEST_CASE("A part not yet assigned follows hard contacts to the point, and resis
       energy(assignment, group, 0, std::numeric_limits<double>::infinity());
     }
     const auto& motion = energy.rating().motions[index_of(source, 0)];
-    return (motion.shift + motion.stretch * Point(.4 - .5, 0, 0)).x(); // of the bar where it is on the second post
+    return (motion.shift + motion.stretch * Point(.4 - .5, 0, 0)).x(); // the point of the bar on the second post
   };
   const double displacement =
       target.parts[index_of(target, 2)].centroid.x() - source.parts[index_of(source, 2)].centroid.x();
@@ -189,9 +188,9 @@ TEST_CASE("A part not yet assigned follows hard contacts to the point, and resis
 
 TEST_CASE("The members of a group not yet assigned follow one of them by the group's generator")
 {
-  // A point with a pair to the left and the right above it; in the target, all lie higher by 0.2, and another point is
-  // to the right, which has the lowest label. If the point takes that one, by 0.5, one of the pair goes along and the
-  // other one to the left, so that its rod turns by 45 degrees. If both went along, it would cost nothing
+  // A point with a pair to the left and right above it; in the target, all are higher by 0.2, and another point is on
+  // the right, with the lowest label. If the point takes that, at a displacement of 0.5, one of the pair follows and
+  // the other moves to the left, so that its rod rotates by 45 degrees. If both followed, it would cost nothing
   for (const bool rotation : {true, false}) {
     const auto pair = [&](std::size_t first) {
       return rotation ? group({first, first + 1}, Symmetry_type::ROTATION, Point::UnitY())
@@ -209,10 +208,10 @@ TEST_CASE("The members of a group not yet assigned follow one of them by the gro
 
 TEST_CASE("Contacts of parts not yet assigned count")
 {
-  // A right angle with all three corners in contact; assigned in the order a, b, c. Once a is 0, both 1 and 2 cost b
-  // nothing. If b takes 1, half the way back, c follows by the mean of a's and b's movements, a quarter to the left,
-  // and its rods turn. So b takes 2, and c finds all as it was; with b at 1, c's rod to b would turn for good, from
-  // (-1, 1) to (-0.5, 1): 1 - 1.5 / sqrt(2 * 1.25) = 0.05
+  // A right angle with all three corners in contact; assigned in the order a, b, c. With a at 0, both 1 and 2 cost b
+  // nothing. If b takes 1, half the way back, c is displaced by the mean of a's and b's displacements, a quarter to the
+  // left, and its rods rotate. So b takes 2, and c stays in place; with b at 1, c's rod to b would rotate from (-1, 1)
+  // to (-0.5, 1): 1 - 1.5 / sqrt(2 * 1.25) = 0.05
   const Structural_graph source = point_graph({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}});
   const Solution solution = best(source, target, {1, 1});
@@ -222,10 +221,10 @@ TEST_CASE("Contacts of parts not yet assigned count")
 
 TEST_CASE("Contacts between two parts not yet assigned count")
 {
-  // Points above each other: a at 0, d at 1.5, b at 2, c at 3, in contact around: a - b - d - c - a; in the target,
-  // there is another one at 1. a is assigned first, to 0, then b. If b took 1 or 1.5, lower by s, no rod of a or b
-  // would grow, but d would follow by 3 s / 4 and c by s / 4, and the rod between them would. So b takes 2, and d and c
-  // find points at no cost. Within 0.5 under 1 there is none for d
+  // Points above each other: a at 0, d at 1.5, b at 2, c at 3, with contacts a - b - d - c - a; the target has another
+  // one at 1. a is assigned first, to 0, then b. If b took 1 or 1.5, lower by s, no rod of a or b would grow, but d
+  // would follow by 3 s / 4 and c by s / 4, and the rod between them would. So b takes 2, and d and c have points at no
+  // cost. There is none for d within 0.5 below 1
   const Structural_graph source =
       point_graph({{0, 0, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 2}, {0, 3}, {1, 2}, {1, 3}});
   const Structural_graph target = point_graph({{0, 0, 0}, {0, 1, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 1}});
@@ -237,9 +236,10 @@ TEST_CASE("Contacts between two parts not yet assigned count")
 TEST_CASE("A part that pulls on one not yet assigned changes all contacts of that one")
 {
   // A right angle with all three corners in contact, assigned in the order a, b, c; in the target it is half as large,
-  // to the right. a takes 0, and c goes along. If b takes 1, c is pulled half the way back: its rod to b turns from
-  // (0, 2) to (-0.5, 2), which costs 0.03, and grows, 0.6; that to a turns by 0.01. If b takes 2, its rod to a turns by
-  // 45 degrees, 0.29, and that to c from (0, 2) to (-0.5, 1.5), 0.05, but c's rod to a grows as well: 0.6 and 0.03
+  // to the right. a takes 0, and c follows. If b takes 1, c is pulled half the way back: its rod to b rotates from (0,
+  // 2) to (-0.5, 2), which costs 0.03, and grows, 0.6; the rod to a rotates by 0.01. If b takes 2, its rod to a rotates
+  // by 45 degrees, 0.29, and the rod to c from (0, 2) to (-0.5, 1.5), 0.05, but c's rod to a grows as well: 0.6 and
+  // 0.03
   const Structural_graph source = point_graph({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{1, 0, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Solution solution = best(source, target, {1, 1});
@@ -247,12 +247,12 @@ TEST_CASE("A part that pulls on one not yet assigned changes all contacts of tha
   CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
-TEST_CASE("What touches a part that splits moves with the mean of its clones and keeps to the nearest one")
+TEST_CASE("A part in contact with one that splits moves with the mean of the clones and touches the nearest one")
 {
-  // Three points on top of each other; in the target, the middle one is two, 0.3 down and up. The middle is assigned
-  // first. If it takes the lowest point, or the pair, which leaves the others where they are, each 0.7 from a clone, no
-  // rod turns or grows: both stay in a beam of two. Under the lowest point there is nothing for the lowest part,
-  // which costs 1 at least; the pair costs 0.6 for the farther clone of either contact, and half of that is the mean
+  // Three points above each other; in the target, the middle one is a pair, 0.3 down and up. The middle is assigned
+  // first. At the lowest point, or at the pair, which leaves the others in place, each 0.7 from a clone, no rod rotates
+  // or grows: both stay in a beam of two. Below the lowest point there is no point for the lowest part, which costs at
+  // least 1; the pair costs 0.6 for the farther clone of either contact, half of it in the mean
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {{0, 1}, {1, 2}});
   const Structural_graph target =
       point_graph({{0, 0, 0}, {0, .7, 0}, {0, 1.3, 0}, {0, 2, 0}}, {{0, 1}, {1, 2}, {2, 3}},
@@ -262,11 +262,11 @@ TEST_CASE("What touches a part that splits moves with the mean of its clones and
   CHECK(solution.energy == Approx(2 * 0.6 / 2));
 }
 
-TEST_CASE("What touches a part follows it where it touches it")
+TEST_CASE("A part follows the point of contact with another part")
 {
-  // A post with a point 0.5 above it. In the target a post half as high, and a point 0.4 above it; and beside it a post
-  // as high as the first. If the point goes with the top of the post, the lower post costs nothing and is taken, as it
-  // has the lower label; if it went with the foot, 1 above the top, E_c would be 1 / 1.5
+  // A post with a point 0.5 above it. The target has a post half as high with a point 0.4 above it, and next to it a
+  // post of full height. If the point follows the top of the post, the lower post costs nothing and is taken, since it
+  // has the lower label; if it followed the foot, 1 above the top, E_c would be 1 / 1.5
   const auto posts = [](const std::vector<double>& heights, const Point& above) {
     Shape_structure shape;
     std::vector<Part_group> groups;
@@ -283,11 +283,11 @@ TEST_CASE("What touches a part follows it where it touches it")
   CHECK(solution.energy == Approx(0).margin(1e-6));
 }
 
-TEST_CASE("Contacts of a group left unmatched cost what that costs, and no more")
+TEST_CASE("Contacts of a group left unmatched cost the charge for that, and no more")
 {
-  // A right angle with all three corners in contact; in the target, the corner to the right is half as far, and the
-  // upper one is off by an angle of cosine 0.8. That costs 0.2, and 0.01 for the rod between them; to leave the upper
-  // one unmatched, 0.1 for either contact
+  // A right angle with all three corners in contact; in the target, the right corner is half as far, and the upper one
+  // is off by an angle of cosine 0.8. That costs 0.2, and 0.01 for the rod between them; leaving the upper one
+  // unmatched costs 0.1 for each contact
   const Structural_graph source = point_graph({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{0, 0, 0}, {.5, 0, 0}, {-.6, .8, 0}}, {{0, 1}, {0, 2}});
   Matching_options options;
@@ -299,8 +299,8 @@ TEST_CASE("Contacts of a group left unmatched cost what that costs, and no more"
 
 TEST_CASE("A part may split into a rotational group at no cost")
 {
-  // b is above a. In the target two points are above 0, and one is off by an angle of cosine 0.96. A solidity of 0.1
-  // would cost 0.4 (1 - sqrt((1 + 0.1 * 0.1) / 2)) = 0.116, more than the angle's 0.04
+  // b is above a. In the target two points are above 0, and one is off by an angle of cosine 0.96. A solidity ratio of
+  // 0.1 would cost 0.4 (1 - sqrt((1 + 0.1 * 0.1) / 2)) = 0.116, more than the angle's 0.04
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}});
   for (const bool rotational : {true, false}) {
     const Symmetry_type type = rotational ? Symmetry_type::ROTATION : Symmetry_type::TRANSLATION;

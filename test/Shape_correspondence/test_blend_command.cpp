@@ -13,7 +13,7 @@
 
 #include <array>
 
-// The command blend from outside.
+// The command blend, run as a program.
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -56,7 +56,7 @@ std::string obj_chair(double width, double leg, double back, const std::string& 
 
 } // namespace
 
-TEST_CASE("A vertex so far away that parts are points for rounding makes a blend of finite points")
+TEST_CASE("With a vertex so far away that rounding shrinks parts to points, blends have finite coordinates")
 {
   const Temporary_folder folder;
   const std::string chair = folder.write("chair.obj", obj_chair(1.2, 0.45, 0.91, "1.2"));
@@ -76,7 +76,7 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
   const std::string models =
       "blend " + quoted(data + "/stool") + " " + quoted(data + "/stool") + " --abstraction boxes";
-  CHECK(run(models).status == 2); // no output
+  CHECK(run(models).status == 2); // no output is given
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 1").status == 2);
   CHECK(run(models + " -o " + quoted(folder.path("f")) + " --format stl").status == 2);
   const std::string graph = graph_file(folder, "graph.json", hand_made::chair());
@@ -92,7 +92,7 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   CHECK(report["format"] == "shape_correspondence/blend");
   CHECK(report["frames"].size() == 3);
   CHECK(report["schedules"].size() == 2);
-  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // it is there already
+  CHECK(run(models + " -o " + quoted(folder.path("f")) + " --frames 3").status == 1); // the output exists
   const Run animation = run(models + " -o " + quoted(folder.path("a.glb")) + " --frames 3 --verbose");
   CHECK(animation.status == 0);
   CHECK_THAT(animation.out, Contains("The first schedule is used"));
@@ -152,11 +152,11 @@ TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a si
   CHECK(run(out("solid.glb") + " --at 0.5 --solid").status == 2);
   CHECK(run(out("solid") + " --solid").status == 2);
   CHECK(run(out("b.obj") + " --at 1.5").status == 2);
-  CHECK(run(out("b") + " --at 0.5").status == 2); // one shape, no file
+  CHECK(run(out("b") + " --at 0.5").status == 2); // a single shape needs a file, not a folder
   CHECK(run(out("b.glb") + " --schedule all").status == 2);
   CHECK(run(out("b.glb") + " --schedule never").status == 2);
   CHECK(run(out("b.glb") + " --size huge").status == 2);
-  // Nothing is believed: nothing morphs, and that is told
+  // With no confidence in any pair nothing morphs, which is reported
   const Run unsure = run(out("c.obj") + " --at 0.5 --min-confidence 1 --json -");
   CHECK(unsure.status == 0);
   const json report = json::parse(unsure.out);
@@ -218,7 +218,7 @@ TEST_CASE("blend takes a correspondence that was found before")
   const json of_seats = tasks("c", "--match " + quoted(other));
   CHECK(std::count_if(of_seats.begin(), of_seats.end(), [](const json& task) { return task["task"] == "morph"; }) == 1);
 
-  // Below the default of --min-confidence, which is that they are more probably right than wrong, too
+  // Below the default of --min-confidence, for pairs more probably wrong than right
   seats["confidences"] = {.49};
   folder.write("other.json", seats.dump());
   const auto morphs = [&](const std::string& out, const std::string& least) {

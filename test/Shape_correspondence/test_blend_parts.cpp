@@ -17,7 +17,7 @@
 #include <cmath>
 #include <vector>
 
-// What blends are made of: pieces of parts, the connections of components, places on surfaces.
+// Components of blends: pieces of parts, gaps between components, locations on surfaces.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -26,7 +26,7 @@ namespace {
 
 using Surface_tree = internal::contacts::Triangle_tree;
 
-/// A ring about the z axis of radius 1, its section a circle.
+/// A torus about the z axis with radius 1.
 Part_mesh ring(double thickness, const Point& middle = Point::Zero())
 {
   constexpr int around = 24, across = 10;
@@ -58,7 +58,7 @@ double volume(const Part_mesh& mesh)
 TEST_CASE("Pieces of a part are closed, within it, and make up its volume, also where its surface crosses itself")
 {
   Part_mesh part = ring(0.2);
-  if (GENERATE(false, true)) { // two rings through each other
+  if (GENERATE(false, true)) { // two linked rings
     const Part_mesh other = ring(0.2, Point(0.1, 0.05, 0));
     Part_mesh both{Points(3, 2 * part.points.cols()), Eigen::Matrix3Xi(3, 2 * part.triangles.cols())};
     both.points << part.points, other.points;
@@ -67,7 +67,7 @@ TEST_CASE("Pieces of a part are closed, within it, and make up its volume, also 
   }
   const internal::Part_chart chart = internal::Part_chart::box(part.points, Eigen::Matrix3d::Identity());
   const double at = GENERATE(0.3, 0.75, 0.9);
-  const int axis = GENERATE(0, 2); // across the hole, or of it all around
+  const int axis = GENERATE(0, 2); // across the hole, or all around it
   internal::Chart_box low = internal::whole_chart(), high = low;
   low.max()[axis] = high.min()[axis] = at;
   double sum = 0;
@@ -119,7 +119,7 @@ TEST_CASE("Pieces of a bent part are within it")
   }
 }
 
-TEST_CASE("A piece where a part has nothing is a speck of it")
+TEST_CASE("The piece of a part in a box that contains none of it is closed and tiny")
 {
   const Part_mesh part = ring(0.2);
   const internal::Part_chart chart = internal::Part_chart::box(part.points, Eigen::Matrix3d::Identity());
@@ -131,9 +131,10 @@ TEST_CASE("A piece where a part has nothing is a speck of it")
   CHECK(std::abs(piece.points.row(2).maxCoeff()) < 0.2 + 1e-6);
 }
 
-TEST_CASE("The widest gap that it takes to join surfaces is the longest of the shortest connections")
+TEST_CASE("The widest gap between surfaces is the longest edge of their minimum spanning tree")
 {
-  std::vector<Surface_tree> surfaces; // in rows; gaps in a row are wider than those between rows but the last one
+  // Surfaces in rows; gaps in a row are wider than those between rows, except the last one
+  std::vector<Surface_tree> surfaces;
   for (int row = 0; row < 4; ++row)
     for (int i = 0; i < 3; ++i) {
       const Part_mesh box = box_shapes::box({1.12 * i, 1.1 * row + 0.01 * row * row, 0}, {1, 1, 1});
@@ -145,9 +146,9 @@ TEST_CASE("The widest gap that it takes to join surfaces is the longest of the s
   CHECK(internal::widest_gap({&surfaces[0]}) == 0);
 }
 
-TEST_CASE("Distances are those of the closest points but for a tenth of what they are over what is enough")
+TEST_CASE("Distances exceed the least one by at most a ninth of its excess over the sufficient distance")
 {
-  // Slanted sheets, of which boxes of the trees tell little
+  // Oblique sheets, whose bounding boxes are poor bounds
   const auto sheet = [](double height) {
     Part_mesh mesh = box_shapes::box({0, 0, 0}, {1, 1, 0}, 0, 12);
     for (Eigen::Index i = 0; i < mesh.points.cols(); ++i) {
@@ -188,7 +189,7 @@ TEST_CASE("The least rotation turns one direction to the other, opposite ones to
 
 TEST_CASE("Of two assignments that are as good by relative places, distances choose one, not the order of parts")
 {
-  // In the boxes around the blocks, either source block is as far from both target blocks.
+  // In relative positions, either source block is equally far from both target blocks.
   const auto blocks = [](double z, bool is_first_left) {
     const box_models::Named_box left = {"left", {-0.5, 0.35, z}, {0.2, 0.5, 0.2}},
                                 right = {"right", {0.5, 0.35, -z}, {0.2, 0.5, 0.2}};

@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-// What is measured of shapes in between, sizes, schedules, and pairs that are not believed.
+// Measures of in-between shapes, sizes, schedules, and pairs of low confidence.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
@@ -74,7 +74,7 @@ TEST_CASE("Options and numbers of frames that make no sense are refused")
   }
 }
 
-TEST_CASE("What does not stand, and what has come off, are measured")
+TEST_CASE("Missing support and gaps between parts are measured")
 {
   const Box_model model = model_of(stand());
   const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{model.graph, model.shape, 0},
@@ -94,7 +94,7 @@ TEST_CASE("What does not stand, and what has come off, are measured")
 
 TEST_CASE("Parts turn by the least rotation between their boxes")
 {
-  // The same plate, once described from above and once from one side: it does not turn
+  // The same plate, described once from above and once from one side, does not rotate
   std::vector<Named_box> boxes = stand();
   boxes[2].size = {0.8, 0.5, 0.6};
   boxes[2].middle.y() = 1.15;
@@ -111,12 +111,12 @@ TEST_CASE("Parts turn by the least rotation between their boxes")
   }
 }
 
-TEST_CASE("What is inside a box without a lid is inside, what is above it is not")
+TEST_CASE("A part inside an open box is hidden, a part above it is not")
 {
   const Part_mesh box = box_shapes::box({0, 0.5, 0}, {1, 1, 1});
   Part_mesh crate = {box.points, {}};
   for (const auto& t : box.triangles.colwise())
-    if (box.points(1, t[0]) + box.points(1, t[1]) + box.points(1, t[2]) < 3) { // not of the upper face
+    if (box.points(1, t[0]) + box.points(1, t[1]) + box.points(1, t[2]) < 3) { // leaves out the upper face
       crate.triangles.conservativeResize(3, crate.triangles.cols() + 1);
       crate.triangles.rightCols(1) = t;
     }
@@ -136,7 +136,7 @@ TEST_CASE("What is inside a box without a lid is inside, what is above it is not
   CHECK(share(1.2) == 0);
 }
 
-TEST_CASE("Size goes over by equal factors in equal times; either shape may be given the other's size")
+TEST_CASE("The size changes by equal factors in equal times; either shape may be given the other's size")
 {
   constexpr double scale = 27;
   const Box_model source = model_of(stand()), target = model_of(stand(), scale);
@@ -153,7 +153,7 @@ TEST_CASE("Size goes over by equal factors in equal times; either shape may be g
     CHECK(height_of(blended(Blend_size::TARGET)(t)) == Approx(scale));
     CHECK(height_of(blended(Blend_size::SAME)(t)) == Approx(1));
   }
-  // Elsewhere in its file, and turned there, it stands on the same stage
+  // Elsewhere in its file and rotated, it has the same stage
   Box_model away{Segmented_shape("away"), {}};
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, Point::UnitY()).toRotationMatrix();
   for (const Shape_part& part : target.shape.parts())
@@ -173,8 +173,7 @@ TEST_CASE("Size goes over by equal factors in equal times; either shape may be g
     }
 }
 
-TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike in place and size, become each other "
-          "all the same")
+TEST_CASE("Pairs of low confidence do not morph; similar parts in one place are exchanged for each other")
 {
   const Box_model model = model_of(stand());
   Correspondence correspondence = same_parts(3);
@@ -197,11 +196,11 @@ TEST_CASE("Pairs that are not believed are no morphs; parts of the kind, alike i
   CHECK(task.obstacle == Blend_obstacle::NONE);
   CHECK(task.source == 2);
   CHECK(task.target == 2);
-  correspondence.pairs[2].confidence = std::numeric_limits<double>::quiet_NaN(); // not told: believed
+  correspondence.pairs[2].confidence = std::numeric_limits<double>::quiet_NaN(); // no confidence: accepted
   CHECK(morphs(0.5) == 3);
 }
 
-TEST_CASE("All motions are even, by any schedule")
+TEST_CASE("All motions have a constant speed, by any schedule")
 {
   std::vector<Named_box> wide = stand();
   wide[2].size.x() = 2;
@@ -246,6 +245,6 @@ TEST_CASE("A schedule may be chosen; blends by different ones differ, and the be
     return result;
   };
   CHECK(names(0) != names(1));
-  // Nothing that moves, shrinks or grows: all are the same
+  // Nothing moves, shrinks or grows: all schedules give the same shapes
   CHECK(blend_of(source, source, same_parts(3), options).different_blends().size() == 1);
 }

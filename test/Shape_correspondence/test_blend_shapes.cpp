@@ -24,14 +24,14 @@
 #include <sstream>
 #include <thread>
 
-// Every shape in between: closed parts, together, symmetric, on the ground; the ends are the inputs.
+// All in-between shapes: closed parts, connected, symmetric, on the ground; the ends are the inputs.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
 
 namespace {
 
-constexpr double wider = 0.005; // of the height: gaps that are no wider are not seen
+constexpr double wider = 0.005; // ratio to the shape's height: wider gaps count
 
 struct Model
 {
@@ -54,7 +54,7 @@ const Model& model(const std::string& name)
 Shape_blend blend_of(const Model& source, const Model& target, const Correspondence& correspondence)
 {
   Blend_options options;
-  options.samples = 3; // one is half-way
+  options.samples = 3; // one of the samples is half-way
   return Shape_blend(source.graph, source.shape, target.graph, target.shape, correspondence, options);
 }
 
@@ -80,7 +80,7 @@ std::size_t part_named(const Model& model, const std::string& name)
 TEST_CASE("Contacts are kept where sets of parts come apart and are moved together")
 {
   const Model &chair = model("chair_four_legged"), &other = model("chair_spindle");
-  Correspondence few; // most of what holds these together vanishes
+  Correspondence few; // most of the parts that connect these vanish
   for (const auto& [from, to] :
        {std::pair("front_apron", "h_cross"), std::pair("front_right_leg", "turned_leg_b"),
         std::pair("left_back_post", "spindle_mid"), std::pair("rear_right_leg", "turned_leg_d"),
@@ -92,7 +92,7 @@ TEST_CASE("Contacts are kept where sets of parts come apart and are moved togeth
     CHECK(blend.gap(t) < wider);
 }
 
-TEST_CASE("What is its own mirror image stays that where it is moved to what it has come apart from")
+TEST_CASE("A part that is its own mirror image stays so where it is moved back to the part that it has left")
 {
   const Model &chair = model("chair_four_legged"), &stool = model("stool");
   Correspondence few;
@@ -104,7 +104,7 @@ TEST_CASE("What is its own mirror image stays that where it is moved to what it 
     CHECK(blend.asymmetry(t) < 0.002);
 }
 
-TEST_CASE("Shapes between two models are closed, hang together, are symmetric and stand; the ends are the models")
+TEST_CASE("Shapes between two models are closed, connected, symmetric and supported; the ends are the models")
 {
   const std::vector<std::pair<std::string, std::string>> pairs = {{"chair_four_legged", "chair_slatted"},
                                                                   {"chair_spindle", "stool"}};
@@ -133,7 +133,7 @@ TEST_CASE("Shapes between two models are closed, hang together, are symmetric an
   }
 }
 
-TEST_CASE("Parts give way to what lies across: they are not cut up, and keep what they touch")
+TEST_CASE("Parts make way for a part across: they are not cut into pieces, and keep their contacts")
 {
   for (const auto& [source, target] :
        {std::pair("chair_four_legged", "chair_slatted"), std::pair("chair_spindle", "chair_swivel")}) {
@@ -152,7 +152,7 @@ TEST_CASE("Parts give way to what lies across: they are not cut up, and keep wha
   }
 }
 
-TEST_CASE("What one part becomes, its mirror image becomes the mirror image of")
+TEST_CASE("Mirror images become mirror images of one another")
 {
   const Model& chair = model("chair_four_legged");
   const std::size_t leg = part_named(chair, "front_left_leg"), image = part_named(chair, "front_right_leg");
@@ -166,9 +166,9 @@ TEST_CASE("What one part becomes, its mirror image becomes the mirror image of")
   CHECK(Measured_blend(chair, chair, one_leg).asymmetry(0.5) <= wider);
 }
 
-TEST_CASE("A part that is in the air between the ends is apart")
+TEST_CASE("A part that touches nothing between the ends is rated as apart")
 {
-  // A peg on one side goes from the upper plate to the lower one: it lies flat on plates at the ends only
+  // A peg on one side moves from the upper plate to the lower one: it lies flat on plates at the ends only
   const auto stand = [](double height_of_peg) {
     Model result{Segmented_shape("stand"), {}};
     result.shape.add_part("base", box_shapes::box({0, 0.05, 0}, {1, 0.1, 0.6}));
@@ -221,7 +221,7 @@ TEST_CASE("Contacts of mirror images are kept alike, though one of them is just 
 
 TEST_CASE("Parts on the mirror plane keep contacts on both of its sides, whenever each of them changes")
 {
-  // A foot between two cheeks, which are one part
+  // A foot between two cheeks of one part
   const auto vice = [](double width) {
     Model result{Segmented_shape("vice"), {}};
     const double cheek = width / 2 + 0.05;
@@ -244,12 +244,12 @@ TEST_CASE("Parts on the mirror plane keep contacts on both of its sides, wheneve
   same.pairs = {{0, 0}, {1, 1}};
   const Measured_blend blend(wide, narrow, same);
   for (double t : {0.25, 0.5, 0.75}) {
-    CHECK(blend.gap(t) < 0.015); // as the cheeks are stretched together with what is between them
+    CHECK(blend.gap(t) < 0.015); // the cheeks are stretched together with the foot between them
     CHECK(blend.asymmetry(t) < 0.001);
   }
 }
 
-TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become what are no mirror images")
+TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become parts that are no mirror images")
 {
   const auto plane = [](Abstraction_kind left, double height) {
     Model result{Segmented_shape("plane"), {}};
@@ -277,7 +277,7 @@ TEST_CASE("Mirror images may be abstracted by a curve and a sheet, and become wh
   }
 }
 
-TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mirror images")
+TEST_CASE("Mirror images of round parts and of parts that hang in the middle stay mirror images")
 {
   const Measured_blend blend = measured_blend("table_four_legged", "table_pedestal");
   for (double t : {0.3, 0.6}) {
@@ -289,7 +289,8 @@ TEST_CASE("Mirror images of round parts and of what hangs in the middle stay mir
 
 TEST_CASE("Shapes in between are the same whatever the order of parts")
 {
-  constexpr double alike = 0.002; // of the height: mirror images are computed from the one that comes first
+  // Largest asymmetry, over the shape's height; mirror images are computed from the part that comes first
+  constexpr double alike = 0.002;
   const Model &source = model("chair_four_legged"), &target = model("chair_slatted");
   Model reversed{Segmented_shape(source.shape.name(), source.shape.up()), {}};
   const std::size_t count = source.shape.parts().size();
@@ -379,7 +380,7 @@ TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
   CHECK(*std::min_element(to.begin(), to.end()) > 0);
 }
 
-TEST_CASE("Without a correspondence parts come and go, or become what is alike in place and size")
+TEST_CASE("Without a correspondence parts appear and vanish, or become parts similar in place and size")
 {
   const Model& stool = model("stool");
   const Shape_blend blend = blend_of(stool, stool, Correspondence());
@@ -431,7 +432,7 @@ TEST_CASE("A shape in between is one closed surface for printing, of its size an
     const auto corner = [&](int i) -> Point { return solid.points.col(solid.triangles(i, t)); };
     volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
   }
-  CHECK(volume > 0); // it looks outwards
+  CHECK(volume > 0); // oriented outwards
   CHECK_THROWS_AS(blend.solid(0.5, 0), Invalid_input);
   CHECK_THROWS_AS(blend.solid(0.5, 2), Invalid_input);
 }
@@ -470,7 +471,7 @@ TEST_CASE("In glTF files y is up, whatever is up in the shapes")
     for (const char* corner : {"min", "max"})
       drawn.extend(Point(accessor[corner][0], accessor[corner][1], accessor[corner][2]));
   }
-  const double tolerance = 0.05 * of_ends.diagonal().norm(); // parts in between may be a little outside
+  const double tolerance = 0.05 * of_ends.diagonal().norm(); // parts in between may extend slightly beyond the ends
   CHECK((drawn.min() - of_ends.min()).norm() < tolerance);
   CHECK((drawn.max() - of_ends.max()).norm() < tolerance);
 }
@@ -507,9 +508,9 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
   for (const auto& channel : document["animations"][0]["channels"])
     ++channels[channel["target"]["path"]];
   CHECK(channels["weights"] > 0);
-  CHECK(channels["scale"] >= channels["weights"] + 2); // both ends, too
+  CHECK(channels["scale"] >= channels["weights"] + 2); // includes both ends
 
-  // Points at rest and weighted morph targets are where the blend has them, in every frame
+  // Rest points plus weighted morph targets equal the points of the blend in every frame
   const auto numbers = [&, binary = bytes.substr(28 + std::size_t(length))](std::size_t accessor) {
     const auto& [count, type] = std::pair(document["accessors"][accessor]["count"].get<std::size_t>(),
                                           document["accessors"][accessor]["type"].get<std::string>());
@@ -535,8 +536,8 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
         for (std::size_t i = 0; i < points.size(); ++i)
           points[i] += weights[key * targets + target] * difference[i];
       }
-      const std::vector<Points> wanted = blend.points((double(times[key]) - 0.5) / 2); // held for .5 s, moves for 2 s
-      double least = 1e9; // over the surfaces of this name: there is one for each piece of a part
+      const std::vector<Points> wanted = blend.points((double(times[key]) - 0.5) / 2); // held for .5 s, moving for 2 s
+      double least = 1e9; // minimum over the surfaces of this name, one for each piece of a part
       for (std::size_t s = 0; s < surfaces.size(); ++s)
         if (surfaces[s].name == node["name"] && std::size_t(wanted[s].size()) == points.size())
           least = std::min(least,
@@ -544,7 +545,7 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
                                .colwise()
                                .norm()
                                .maxCoeff());
-      CHECK(least < 0.002 * 1.6); // of the larger shape's diagonal
+      CHECK(least < 0.002 * 1.6); // ratio to the diagonal of the larger shape
       ++compared;
     }
   }

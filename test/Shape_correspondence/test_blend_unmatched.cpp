@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// What becomes of parts without counterpart, and of parts that touch at one end only.
+// Parts without counterpart, and parts that touch at one end only.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -56,7 +56,7 @@ Shape_blend blend_of(const Model& source, const Model& target, const Name_pairs&
   return Shape_blend(source.graph, source.shape, target.graph, target.shape, correspondence, options);
 }
 
-/// The distance of the parts whose names begin so, over the height of the shape.
+/// The distance between the parts whose names start with `first` and `second`, over the height of the shape.
 double distance(const Segmented_shape& shape, const std::string& first, const std::string& second)
 {
   const std::vector<Triangle_tree> trees = trees_of(shape);
@@ -73,11 +73,11 @@ double distance(const Segmented_shape& shape, const std::string& first, const st
   return std::sqrt(trees[found[0]].nearly_closest(trees[found[1]]).squared) / (high - low);
 }
 
-constexpr double touching = 0.02; // of the height
+constexpr double touching = 0.02; // ratio to the shape's height
 
 } // namespace
 
-TEST_CASE("A chain of parts goes at one time, and holds together until then")
+TEST_CASE("A chain of parts vanishes at one time, and stays connected until then")
 {
   Segmented_shape joined("joined"), apart("apart");
   joined.add_part("foot", box({0, 0.1, 0}, {1, 0.2, 1}));
@@ -107,7 +107,7 @@ TEST_CASE("A chain of parts goes at one time, and holds together until then")
   }
 }
 
-TEST_CASE("Unmatched parts that touch each other hold together")
+TEST_CASE("Unmatched parts that touch each other stay connected")
 {
   Segmented_shape plain("plain"), with_bar("with bar");
   for (Segmented_shape* shape : {&plain, &with_bar}) {
@@ -129,12 +129,12 @@ TEST_CASE("Unmatched parts that touch each other hold together")
   CHECK(seen > 2);
 }
 
-TEST_CASE("An unmatched part goes with the place that it touches")
+TEST_CASE("An unmatched part moves with the place that it touches")
 {
   const auto stand = [](double beam) {
     Segmented_shape result("stand");
     result.add_part("base", box({0, 0.1, 0}, {1.6, 0.2, 0.6}));
-    result.add_part("mast", box({-0.7, 0.6, 0}, {0.1, 0.8, 0.4})); // clearly not symmetric from side to side
+    result.add_part("mast", box({-0.7, 0.6, 0}, {0.1, 0.8, 0.4})); // clearly asymmetric from side to side
     result.add_part("beam", box({beam, 0.5, 0}, {0.8, 0.6, 0.3}));
     return result;
   };
@@ -184,7 +184,7 @@ TEST_CASE("Unmatched parts shrink to where they are held")
   }
 }
 
-TEST_CASE("Legs hang on a seat that is far higher than where they come from")
+TEST_CASE("Legs stay attached to a seat that becomes far higher")
 {
   Segmented_shape high("high"), low("low");
   high.add_part("seat", box({0, 0.65, 0}, {0.9, 0.1, 0.9}));
@@ -211,7 +211,7 @@ TEST_CASE("Legs hang on a seat that is far higher than where they come from")
   CHECK(seen > 2);
 }
 
-TEST_CASE("What takes up one place, or is needed to stand, changes at one time")
+TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
 {
   Segmented_shape legged("legged"), pedestal("pedestal");
   for (Segmented_shape* shape : {&legged, &pedestal})
@@ -224,15 +224,15 @@ TEST_CASE("What takes up one place, or is needed to stand, changes at one time")
     pedestal.add_part(x < 0 ? "pear" : "apple", box({x, 1.01, 0}, {0.02, 0.02, 0.02}));
   const Model source(legged), target(pedestal);
   const Shape_blend blend = blend_of(source, target, {{"top", "top"}});
-  std::set<std::pair<double, double>> come, go; // when
+  std::set<std::pair<double, double>> come, go; // times of growing and shrinking
   for (const Blend_task& task : blend.schedules()[0].tasks) {
     if (task.type == Blend_task_type::MORPH) continue;
-    CHECK((task.end <= 0.5 || task.begin >= 0.5)); // half-way, all are whole
+    CHECK((task.end <= 0.5 || task.begin >= 0.5)); // half-way, no part is growing or shrinking
     if (task.type == Blend_task_type::GROW) come.emplace(task.begin, task.end);
     if (task.type == Blend_task_type::SHRINK) go.emplace(task.begin, task.end);
   }
   CHECK(come == go);
-  CHECK(go.size() == 1); // all that is exchanged, when surfaces of matched parts are
+  CHECK(go.size() == 1); // all exchanged parts, when surfaces of matched parts change
   int supports = 0;
   constexpr int steps = 50;
   for (int i = 1; i < steps; ++i) {
@@ -241,7 +241,7 @@ TEST_CASE("What takes up one place, or is needed to stand, changes at one time")
       return (part.name == "left~" || part.name == "~column") && part.mesh.points.row(1).minCoeff() < 0.02;
     });
   }
-  CHECK(supports == steps - 1); // at any time, one stands
+  CHECK(supports == steps - 1); // at any time, one part stands
 }
 
 TEST_CASE("While all is exchanged, the shape is as high as before and after")
@@ -258,7 +258,7 @@ TEST_CASE("While all is exchanged, the shape is as high as before and after")
     CHECK(height_error(blend, t) < 1e-6);
 }
 
-TEST_CASE("What comes by itself does so at one time after exchanges, what goes by itself before them")
+TEST_CASE("Parts that replace none appear together after the exchanges; parts not replaced vanish together before them")
 {
   Segmented_shape plain("plain"), with_knobs("with knobs");
   for (Segmented_shape* shape : {&plain, &with_knobs}) {

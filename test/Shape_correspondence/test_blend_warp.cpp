@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-// Unmatched parts ride on a warp of the space around them, those that correspond to the box of their counterparts.
+// Unmatched parts follow a warp of the space around them; those that correspond follow the box of their counterparts.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -26,7 +26,6 @@ using namespace box_models;
 
 namespace {
 
-/// Boxes side by side as one mesh.
 Part_mesh bars(const std::vector<Named_box>& boxes)
 {
   Part_mesh result;
@@ -41,7 +40,6 @@ Part_mesh bars(const std::vector<Named_box>& boxes)
   return result;
 }
 
-/// A model with another mesh for one part.
 Box_model with_mesh(const Box_model& model, const std::string& name, const Part_mesh& mesh)
 {
   Segmented_shape shape(model.shape.name());
@@ -57,7 +55,7 @@ const Part_mesh* mesh_of(const Segmented_shape& shape, const std::string& name)
   return nullptr;
 }
 
-/// A stand whose top is five bars with gaps, which the surface of a board would have to leave.
+/// A stand whose top is five bars with gaps, which a surface from a board would have to bridge.
 Box_model grille()
 {
   std::vector<Named_box> boxes;
@@ -74,16 +72,16 @@ const Blend_task& task_of(const Shape_blend& blend, std::size_t source)
 
 } // namespace
 
-TEST_CASE("Unmatched parts go with the whole where all of it changes alike")
+TEST_CASE("Unmatched parts follow the whole shape where all of it changes alike")
 {
-  // All is wider by a half: so is the vase, and it goes half as far again from the middle
+  // Everything widens by a half, including the vase and its distance from the middle
   std::vector<Named_box> narrow = stand(), wide = stand();
   for (Named_box& box : wide) {
     box.middle.x() *= 1.5;
     box.size.x() *= 1.5;
   }
   narrow.push_back({"vase", {0.3, 1.1, 0.1}, {0.2, 0.2, 0.2}});
-  wide.push_back({"lid", {0, 1.1, 0}, {1.5, 0.2, 0.6}}); // so that both are as high
+  wide.push_back({"lid", {0, 1.1, 0}, {1.5, 0.2, 0.6}}); // makes both equally high
   const Shape_blend blend = blend_of(model_of(narrow), model_of(wide), same_parts(3));
   const double begin = task_of(blend, 3).begin;
   for (double t : {0.05, 0.15, 0.25}) {
@@ -99,7 +97,7 @@ TEST_CASE("Unmatched parts go with the whole where all of it changes alike")
   }
 }
 
-TEST_CASE("A part that would be torn goes to the box of its counterpart, which takes its place")
+TEST_CASE("A part that would be torn moves to the box of its counterpart, which replaces it")
 {
   std::vector<Named_box> wide = stand();
   for (Named_box& box : wide)
@@ -127,7 +125,7 @@ TEST_CASE("A part that would be torn goes to the box of its counterpart, which t
 
 TEST_CASE("The warp between symmetric shapes is symmetric")
 {
-  // Knobs at both sides sink; the rail, unmatched, is in the middle
+  // Knobs at both sides are lowered; the unmatched rail is in the middle
   const auto model = [](double knob, bool has_rail) {
     std::vector<Named_box> boxes = stand();
     for (double side : {-1., 1.})
@@ -150,7 +148,7 @@ TEST_CASE("The warp between symmetric shapes is symmetric")
 
 TEST_CASE("Blends do not depend on units and places")
 {
-  // Corners of boxes are equally far from each other but for rounding
+  // Corners of boxes are equally far from each other up to rounding
   std::vector<Named_box> wide = stand(), narrow = stand();
   wide[2].size.x() = 1.6;
   narrow.push_back({"vase", {0.3, 1.1, 0.1}, {0.2, 0.2, 0.2}});
@@ -183,7 +181,7 @@ TEST_CASE("Flat shapes, whose controls are in a plane, have warps, too")
   }
 }
 
-TEST_CASE("What is left over becomes what is in its place, but not one of several that are as much in it")
+TEST_CASE("An unmatched part is exchanged for the part in its place, unless two share that place equally")
 {
   const auto with_blocks = [](const std::vector<Named_box>& blocks) {
     std::vector<Named_box> boxes = stand();
@@ -198,7 +196,7 @@ TEST_CASE("What is left over becomes what is in its place, but not one of severa
   CHECK(task_of(blend_of(block, two, same_parts(3)), 3).type == Blend_task_type::SHRINK);
 }
 
-TEST_CASE("Blends of models hang together, and main parts become their counterparts")
+TEST_CASE("Blends of models stay connected, and main parts become their counterparts")
 {
   struct Expected
   {
@@ -222,7 +220,7 @@ TEST_CASE("Blends of models hang together, and main parts become their counterpa
     for (const Shape_part& part : half_way.parts())
       names.insert(part.name);
     CHECK(std::includes(names.begin(), names.end(), matched.begin(), matched.end()));
-    // Parts of the bicycle whose counterparts are elsewhere, such as pedals, come off
+    // Parts of the bicycle with distant counterparts, such as pedals, come apart
     CHECK(blend.schedules()[0].quality.apart <= (from == "bicycle" ? 0.05 : 0.02));
   }
 }

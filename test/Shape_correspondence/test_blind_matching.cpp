@@ -18,7 +18,7 @@
 #include <map>
 #include <set>
 
-// Nothing but geometry reaches the matcher: no labels, names of parts and shapes, order of files, or category.
+// The matcher sees nothing but geometry: no labels, no names of parts or shapes, no order of files, no category.
 
 using namespace CGAL::Shape_correspondence;
 namespace gen = CGAL::Shape_correspondence::generator;
@@ -26,7 +26,7 @@ using model_files::Temporary_folder;
 
 namespace {
 
-using Named_pairs = std::map<std::pair<std::string, std::string>, double>; // and their confidences
+using Named_pairs = std::map<std::pair<std::string, std::string>, double>; // with confidences
 
 gen::Assembly benchmark_shape(const std::string& name)
 {
@@ -35,7 +35,7 @@ gen::Assembly benchmark_shape(const std::string& name)
   throw std::logic_error(name);
 }
 
-/// The same parts under other names, in another order, with other labels.
+/// The same parts with other names and labels, in another order.
 gen::Assembly disguised(const gen::Assembly& shape, std::uint64_t seed, std::map<std::string, std::string>& real_names)
 {
   gen::Random random(seed);
@@ -77,8 +77,8 @@ void write_folder(const Temporary_folder& folder, const std::string& name, const
     folder.write(name + "/" + gen::part_file(part), gen::obj_text(part));
 }
 
-/// The same pairs. Of parts that are congruent the first is abstracted and the others are its copies, which is why
-/// numbers may change a little with the order.
+/// Checks that pairs are the same. The first of several congruent parts is abstracted, and the others are copies, so
+/// that numbers may change slightly with the order.
 void check_same(const Named_pairs& a, const Named_pairs& b)
 {
   for (const auto& [pair, confidence] : a) {

@@ -29,7 +29,7 @@ internal::Boxes random_boxes(Eigen::Index parts)
 TEST_CASE("Ends of boxes are as close in a shape of many parts as in one of few")
 {
   constexpr double width = 0.2;
-  constexpr Eigen::Index many = 201, few = 57; // more and fewer than are kept
+  constexpr Eigen::Index many = 201, few = 57; // more and fewer boxes than are cached
   const internal::Boxes boxes = random_boxes(many);
   const internal::Closeness all(boxes, width), first({boxes.low.topRows(few), boxes.high.topRows(few)}, width);
   Eigen::ArrayXd room, small_room;

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Results depend on the shape, not on how it is divided into triangles.
+// Results depend on the shape, not on its triangulation.
 #include "part_meshes.h"
 #include "shape/canonical_surface.h"
 #include "shape/divide_polygon.h"
@@ -69,7 +69,7 @@ std::vector<Point> points_of_mesh(const Part_mesh& mesh)
 
 using Random = std::mt19937;
 
-/// Other orders of vertices, of triangles and of the corners of triangles.
+/// Shuffles the vertices, the triangles and the corners of triangles.
 Part_mesh shuffled(const Part_mesh& mesh, Random& random)
 {
   const std::vector<Point> points = points_of_mesh(mesh);
@@ -90,7 +90,7 @@ Part_mesh shuffled(const Part_mesh& mesh, Random& random)
   return mesh_of(moved, triangles);
 }
 
-/// The other diagonals of flat convex quadrangles.
+/// Swaps the diagonals of flat convex quadrangles.
 Part_mesh with_other_diagonals(const Part_mesh& mesh, Random&)
 {
   Triangles triangles = triangles_of_mesh(mesh);
@@ -121,7 +121,7 @@ Part_mesh with_other_diagonals(const Part_mesh& mesh, Random&)
   return mesh_of(points_of_mesh(mesh), triangles);
 }
 
-/// Edges are split at their middle, all or some of them.
+/// Splits edges at their midpoints, where `is_split()`.
 Part_mesh split(const Part_mesh& mesh, const std::function<bool()>& is_split)
 {
   std::vector<Point> points = points_of_mesh(mesh);
@@ -143,7 +143,7 @@ Part_mesh split(const Part_mesh& mesh, const std::function<bool()>& is_split)
       for (const auto& t : Triangles{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
         result.push_back(t);
     } else if (ab < 0) {
-      add(b, c, a); // until the first side is split
+      add(b, c, a); // rotates the corners until the first side is split
     } else if (bc >= 0) {
       for (const auto& t : Triangles{{ab, b, bc}, {a, ab, bc}, {a, bc, c}})
         result.push_back(t);
@@ -197,8 +197,8 @@ const Structural_graph& graph_of(const std::string& name)
 
 using Names = std::vector<std::string>;
 
-/// Those of twelve pairs whose corresponding parts change with the source.
-/// \param to_the_bit confidences may not change either
+/// The pairs of shapes, of twelve, whose corresponding parts change with the source.
+/// \param to_the_bit whether confidences must not change either
 Names changed_pairs(const Change& change, bool to_the_bit)
 {
   const std::vector<std::pair<std::string, std::string>> pairs{{"chair_four_legged", "chair_swivel"},
@@ -275,7 +275,7 @@ TEST_CASE("The canonical surface of a curved one has its triangles")
 
 TEST_CASE("A flat face with a hole keeps it in its canonical surface")
 {
-  // A square frame of eight triangles, open
+  // An open square frame of eight triangles
   std::vector<Point> points;
   for (const double size : {3., 1.})
     for (const auto& [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
@@ -299,9 +299,9 @@ TEST_CASE("A flat face with a hole keeps it in its canonical surface")
     CHECK(are_equal(canonical_surface(change(frame, random), tolerance), expected));
 }
 
-TEST_CASE("What has no surface that can be divided anew keeps its triangles")
+TEST_CASE("A part whose surface cannot be retriangulated keeps its triangles")
 {
-  // Three triangles at one edge, a triangle twice, one that is folded back, one without area
+  // Three triangles at one edge, a duplicate triangle, one folded back, one without area
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {2, 0, 0}};
   const Part_mesh mesh = mesh_of(points, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {2, 1, 0}, {0, 1, 5}});
   const Part_mesh result = canonical_surface(mesh, tolerance);
@@ -331,7 +331,7 @@ TEST_CASE("A strut that is turned, mirrored or divided otherwise is a copy")
 
 TEST_CASE("Parts with the same corners but other faces are no copies")
 {
-  // A cube without two sides that are opposite, and one without two that meet
+  // A cube without two opposite sides, and one without two adjacent sides
   const Part_mesh cube = part_meshes::box({0, 0, 0}, {1, 1, 1});
   const auto without = [&](const Point& first, const Point& second) {
     Triangles kept;
@@ -347,7 +347,7 @@ TEST_CASE("Parts with the same corners but other faces are no copies")
   shape.add_part("adjacent", without(Point::UnitX(), Point::UnitY()));
   shape.add_part("others", without(-Point::UnitX(), Point::UnitZ()));
   Abstraction_options options;
-  options.time_limit = 0; // bounding boxes will do
+  options.time_limit = 0; // bounding boxes suffice
   CHECK(number_of_copies(abstract_parts(shape, {}, options)) == 1);
 }
 
@@ -393,7 +393,7 @@ TEST_CASE("Noise of a millionth of the size changes at most one match of twelve"
       x += 1e-6 * size * (2. * random() / double(Random::max()) - 1);
     return result;
   };
-  // A stool and a table are both: the two ways to see them are nearly as likely
+  // A stool and a table fit this equally well: both interpretations are nearly equally likely
   const Names found = changed_pairs(noisy, false);
   CAPTURE(found);
   CHECK((found.empty() || found == Names{"stool table_pedestal"}));

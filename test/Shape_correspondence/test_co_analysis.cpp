@@ -28,7 +28,7 @@ Part_map certain(const Part_pairs& pairs)
 
 TEST_CASE("Pairs that third shapes contradict are rejected")
 {
-  // Parts 0 and 1 of four shapes, each with its like; but one map swaps them
+  // Parts 0 and 1 of four shapes correspond, except that one map swaps them
   std::vector<Shape_pair_map> maps;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -37,9 +37,9 @@ TEST_CASE("Pairs that third shapes contradict are rejected")
   CHECK(kept.confidences.nonZeros() == 24);
   CHECK(cleaned.rejected == 2);
   CHECK(cleaned.confidences.nonZeros() == 20);
-  CHECK(cleaned.confidences.coeff(6, 3) == 0); // both of its third shapes contradict it
-  CHECK(cleaned.confidences.coeff(6, 2) == 0); // not in a map
-  CHECK(cleaned.confidences.coeff(6, 0) == 1); // one of two confirms it
+  CHECK(cleaned.confidences.coeff(6, 3) == 0); // both third shapes contradict the pair
+  CHECK(cleaned.confidences.coeff(6, 2) == 0); // no map has the pair
+  CHECK(cleaned.confidences.coeff(6, 0) == 1); // one of two third shapes confirms the pair
   const Co_analysis result = co_analysis({2, 2, 2, 2}, maps);
   CHECK(result.labels == std::vector<std::vector<int>>(4, {0, 1}));
   CHECK(result.part_pairs == 10);
@@ -51,9 +51,9 @@ TEST_CASE("Two shapes have no third one that could confirm anything")
   CHECK(part_matrix({1, 1}, {{0, 1, certain({{0, 0}})}}, 1).rejected == 0);
 }
 
-TEST_CASE("The largest cluster is the first label; what is like nothing has none")
+TEST_CASE("The largest cluster is the first label; parts similar to no others have none")
 {
-  // Part 1 of shape 0 and both parts of shape 1 stand for each other; part 0 of shape 0 is alone
+  // Part 1 of shape 0 and both parts of shape 1 correspond; part 0 of shape 0 has no counterpart
   const Co_analysis result = co_analysis({2, 3, 1}, {{0, 1, certain({{1, 0}, {1, 1}})}, {1, 2, certain({{2, 0}})}});
   CHECK(result.labels == std::vector<std::vector<int>>{{Co_analysis::none, 0}, {0, 0, 1}, {1}});
   CHECK(result.number_of_labels == 2);
@@ -95,7 +95,7 @@ TEST_CASE("Pairs that agree with the whole set: of one cluster, and none of part
   CHECK(agreeing[2].map.pairs.empty());
 }
 
-TEST_CASE("Maps of what is not there are refused")
+TEST_CASE("Maps of shapes that do not exist are refused")
 {
   CHECK_THROWS_AS(co_analysis({1, 1}, {{0, 2, certain({{0, 0}})}}), Invalid_input);
   CHECK_THROWS_AS(co_analysis({1, 1}, {{0, 1, certain({{0, 1}})}}), Invalid_input);

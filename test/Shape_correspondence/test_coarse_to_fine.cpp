@@ -20,8 +20,7 @@ using namespace hand_made;
 
 namespace {
 
-// Boxes in a row, each in contact with the next, of heights that grow, or are scattered; the first and the last are
-// large.
+// Boxes in a row, each touching the next, of increasing or scattered heights; the first and the last are large.
 Structural_graph row(int parts, double step, int scatter = 1)
 {
   Segmented_shape shape;
@@ -51,12 +50,12 @@ bool tells(const Correspondence& found)
 
 } // namespace
 
-TEST_CASE("Coarse to fine: groups may become what is near to the images of the large parts that they are near to")
+TEST_CASE("Coarse to fine: candidates for a group are near the images of the large parts near the group")
 {
   const auto shape = std::make_shared<Deformable_shape>(align_shape(row(7, 0.01)));
   const Group_candidates allowed = internal::coarse_candidates(shape, shape, search(Search_method::EXACT, 2));
   REQUIRE(allowed.size() == 7);
-  // By place: A b c d e f G. b and c are nearest to A, d to both, e and f to G; e touches d, so it is near to A, too
+  // From left to right: A b c d e f G. b and c are nearest to A, d to both, e and f to G; e touches d, so it is near A
   const auto at = [&](std::size_t original) {
     const auto found = std::find(shape->original.begin(), shape->original.end(), original);
     return shape->group_of[std::size_t(found - shape->original.begin())];
@@ -77,7 +76,7 @@ TEST_CASE("Coarse to fine: groups may become what is near to the images of the l
   CHECK(internal::coarse_candidates(shape, shape, search(Search_method::EXACT, 7)).empty());
 }
 
-TEST_CASE("Coarse to fine: a shape is itself; no energy is less than the least; what was done is told")
+TEST_CASE("Coarse to fine: a shape matches itself; no energy is below the minimum; the summary says what was done")
 {
   for (const Search_method method : {Search_method::BEAM, Search_method::EXACT}) {
     const Structural_graph one = row(9, 0.01), other = row(9, 0.1);
@@ -106,7 +105,7 @@ TEST_CASE("Coarse to fine: symmetry groups, directions, pinned pairs and unmatch
                        back = find_correspondence(slatted_chair(), chair(), options);
   CHECK(there.energy == Approx(back.energy));
   CHECK(there.pairs.size() == back.pairs.size());
-  options.matching.pinned = {{2, 5}}; // legs, which no coarse match has
+  options.matching.pinned = {{2, 5}}; // legs, which are in no coarse match
   const Correspondence pinned = find_correspondence(chair(), slatted_chair(), options);
   CHECK(std::count_if(pinned.pairs.begin(), pinned.pairs.end(),
                       [](const Part_correspondence& pair) { return pair.source == 2 && pair.target == 5; }) == 1);

@@ -18,7 +18,7 @@
 #include <map>
 #include <signal.h>
 
-// The command `collection` from outside.
+// The command `collection`, run as a program.
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -36,7 +36,7 @@ struct Run
 
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
-/// Runs the command. \param arguments as a shell takes them
+/// Runs the command. \param arguments in the syntax of the shell
 Run run(const std::string& arguments)
 {
   const Temporary_folder folder;
@@ -53,7 +53,6 @@ Structural_graph named(Structural_graph graph, const std::string& name)
   return graph;
 }
 
-/// Chairs and tables, some turned and scaled.
 std::vector<Structural_graph> shapes()
 {
   std::vector<Structural_graph> result{hand_made::chair(),      hand_made::slatted_chair(),
@@ -64,7 +63,6 @@ std::vector<Structural_graph> shapes()
   return result;
 }
 
-/// A folder of graph files.
 std::string shape_folder(const Temporary_folder& folder)
 {
   std::size_t i = 0;
@@ -108,7 +106,7 @@ TEST_CASE("A folder of shapes: energies, medoid, tree, clusters, files")
   CHECK(text_of(folder.path("c.npy")).size() == 128 + 36 * 8);
   CHECK_THAT(text_of(folder.path("c.csv")), Contains("shape 0,shape 1"));
   CHECK(text_of(folder.path("c.html")).find("<!DOCTYPE html>") == 0);
-  std::map<std::string, std::size_t> seats; // those of the chairs are in one cluster
+  std::map<std::string, std::size_t> seats; // the seats of all chairs are in one cluster
   for (const json& cluster : result["clusters"])
     for (const json& part : cluster["parts"])
       if (part[1] == "seat") seats[part[0]] = cluster["label"];
@@ -129,7 +127,7 @@ TEST_CASE("Matches of all pairs of shapes, and of them those that the clusters c
   CHECK(all["matches"][0]["source"] == "shape 0");
   CHECK(all["matches"][0]["target"] == "shape 1");
   CHECK(all["matches"][0]["pairs"].size() == expected.map(0, 1).pairs.size());
-  std::map<json, json> cluster; // of (shape, part)
+  std::map<json, json> cluster; // cluster of (shape, part)
   for (const json& c : all["clusters"])
     for (const json& part : c["parts"])
       cluster[part] = c["label"];
@@ -154,7 +152,7 @@ TEST_CASE("The same bytes with any number of threads, with a store and again fro
   CHECK(!expected.empty());
   CHECK(run(in + " --threads 1 --json -").out == expected);
   CHECK(run(in + store + " --json -").out == expected);
-  CHECK(number_of_rows(folder) == 5); // of all shapes but the last
+  CHECK(number_of_rows(folder) == 5); // one row for each shape except the last
   CHECK(run(in + store + " --json -").out == expected);
 
   SECTION("A damaged or missing row is done again")
@@ -187,10 +185,10 @@ TEST_CASE("The same bytes with any number of threads, with a store and again fro
 #ifdef SHAPE_CORRESPONDENCE_MPIRUN
 namespace {
 
-/// What `mpirun` runs with some processes. \param wrapper of the program, for the shell; empty: none
+/// Runs the program with several processes by `mpirun`. \param wrapper a command to run the program with; empty: none
 int run_in_team(const std::string& processes, const std::string& arguments, const std::string& wrapper = "")
 {
-  // mpirun itself may wait for ever for a process that was killed as it began
+  // mpirun itself may hang after a process was killed at its start
   const std::string seconds = wrapper.empty() ? "120" : "20";
   return std::system(("timeout -s KILL " + seconds +
                       " " SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n " + processes + " " +
@@ -211,13 +209,13 @@ TEST_CASE("The same bytes with any number of processes")
                                      " --json " + quoted(output)) == 0);
     CHECK(text_of(output) == expected);
   }
-  CHECK(run_in_team("2", in + " --quiet") != 0); // needs a store
+  CHECK(run_in_team("2", in + " --quiet") != 0); // several processes need a store
   CHECK(std::system((SHAPE_CORRESPONDENCE_MPIRUN " --allow-run-as-root --oversubscribe -n 2 " +
                      quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " collection " + in + " --quiet 2>/dev/null")
-                        .c_str()) != 0); // each would do all of it
+                        .c_str()) != 0); // refused, since each process would do all the work
 }
 
-TEST_CASE("A team of which a process is killed has kept its work, and ends it when it is run again")
+TEST_CASE("If one of several processes is killed, its work is kept, and completed by the next run")
 {
   const Temporary_folder folder;
   const std::string output = folder.path("c.json"), in = quoted(shape_folder(folder)) + " --search exact --threads 1";
@@ -229,7 +227,7 @@ TEST_CASE("A team of which a process is killed has kept its work, and ends it wh
         "sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 1 ]; then (sleep " + seconds + "; kill -9 $$) & fi; exec \"$@\"' sh ";
     const bool is_done = run_in_team("2", arguments, killed) == 0;
     const std::size_t rows = fs::is_directory(folder.path("store/pairs")) ? number_of_rows(folder) : 0;
-    CHECK(rows >= last); // nothing that was done is lost
+    CHECK(rows >= last); // finished rows are kept
     last = rows;
     CHECK(fs::exists(output) >= is_done);
     CHECK((!fs::exists(output) || text_of(output) == expected));
@@ -239,7 +237,7 @@ TEST_CASE("A team of which a process is killed has kept its work, and ends it wh
 }
 #endif
 
-TEST_CASE("Killed at any moment, a run goes on where it was")
+TEST_CASE("A run that was killed at any moment continues where it stopped")
 {
   const Temporary_folder folder;
   const std::string in = shape_folder(folder), store = folder.path("store");
@@ -260,7 +258,7 @@ TEST_CASE("Killed at any moment, a run goes on where it was")
     int status = 0;
     waitpid(child, &status, 0);
     const std::size_t rows = fs::is_directory(folder.path("store/pairs")) ? number_of_rows(folder) : 0;
-    CHECK(rows >= last); // nothing that was done is lost
+    CHECK(rows >= last); // finished rows are kept
     last = rows;
     CHECK((!fs::exists(output) || text_of(output) == expected));
   }
@@ -302,7 +300,7 @@ TEST_CASE("The nearest shapes of a query")
   REQUIRE(result["nearest"].size() == 2);
   CHECK(result["nearest"][0]["name"] == "shape 2");
   CHECK(result["nearest"][0]["distance"].get<double>() == Approx(0).margin(1e-9));
-  CHECK(result["nearest"][1]["name"] == "shape 5"); // the same table without symmetry
+  CHECK(result["nearest"][1]["name"] == "shape 5"); // the table of the query, without symmetry
   CHECK_THAT(run(quoted(in) + " --nearest " + quoted(query)).out, Contains("of 6 shapes"));
 }
 
@@ -316,7 +314,7 @@ TEST_CASE("The nearest shapes are of the query's category where roles know it")
     REQUIRE(done.status == 0);
     return json::parse(done.out);
   };
-  CHECK(nearest("--roles none")["nearest"][0]["name"] == "table_four_legged"); // with legs and aprons alike
+  CHECK(nearest("--roles none")["nearest"][0]["name"] == "table_four_legged"); // a table with similar legs and aprons
   CHECK(nearest("--roles none")["category"] == "");
   const json by_category = nearest("");
   CHECK(by_category["category"] == "chair");
@@ -324,7 +322,7 @@ TEST_CASE("The nearest shapes are of the query's category where roles know it")
   CHECK(by_category["nearest"][0]["category"] == "chair");
 }
 
-TEST_CASE("Usage and inputs that make no sense")
+TEST_CASE("Wrong usage and invalid inputs are refused")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));

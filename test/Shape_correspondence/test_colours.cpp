@@ -13,7 +13,7 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-/// A linear colour as people without cones for long or medium waves see it (F. Viénot, H. Brettel, J. D. Mollon, 1999).
+/// A linear colour as seen without cones for long or medium waves (F. Viénot, H. Brettel, J. D. Mollon, 1999).
 IO::Colour without_red(const IO::Colour& c)
 {
   return {0.11238 * c[0] + 0.88762 * c[1], 0.11238 * c[0] + 0.88762 * c[1], 0.00401 * c[0] - 0.00401 * c[1] + c[2]};

@@ -39,7 +39,6 @@ std::vector<Sides> sides(const std::vector<Correspondence_block>& blocks)
   return result;
 }
 
-/// Pairs of all parts from `source` with all from `target`.
 void add_all(const Parts& source, const Parts& target, double confidence, std::vector<Part_correspondence>& pairs)
 {
   for (std::size_t s : source)
@@ -47,15 +46,15 @@ void add_all(const Parts& source, const Parts& target, double confidence, std::v
       pairs.push_back({s, t, confidence});
 }
 
-/// A chair with a back of three bars, a seat, and two legs with casters, whose parts bridges connect.
+/// A chair with a back of three bars, a seat, and two legs with casters, connected by uncertain pairs.
 Correspondence bridged_chair()
 {
   std::vector<Part_correspondence> pairs;
   add_all({0, 1, 2}, {0, 1}, .8, pairs);
   add_all({3}, {2}, .9, pairs);
   add_all({4, 5}, {3, 4, 5}, .7, pairs);
-  pairs.push_back({2, 2, .3}); // back to seat
-  pairs.push_back({3, 3, .3}); // seat to leg
+  pairs.push_back({2, 2, .3}); // back and seat
+  pairs.push_back({3, 3, .3}); // seat and leg
   return of_pairs(std::move(pairs));
 }
 
@@ -82,7 +81,7 @@ TEST_CASE("Weak bridges do not connect blocks")
           std::vector<Sides>{{Parts{0, 1, 2}, Parts{0, 1}}, {Parts{3}, Parts{2}}, {Parts{4, 5}, Parts{3, 4, 5}}});
   CHECK(blocks[0].operation == Operation::MERGE);
   CHECK(blocks[2].operation == Operation::DUPLICATE);
-  CHECK(blocks[0].confidence == Approx(.8)); // pairs within the block
+  CHECK(blocks[0].confidence == Approx(.8)); // mean of the pairs within the block
 }
 
 TEST_CASE("A chain of equal pairs is one block, and so are two sets with all their pairs")
@@ -93,7 +92,7 @@ TEST_CASE("A chain of equal pairs is one block, and so are two sets with all the
   REQUIRE(sides(chain) == std::vector<Sides>{{Parts{0, 1}, Parts{0, 1}}, {Parts{2}, Parts{2}}});
   CHECK(chain[0].operation == Operation::MATCH);
   CHECK(std::isnan(chain[0].confidence));
-  // Casters whose pairs are sure to different degrees
+  // Casters whose pairs have different confidences
   std::vector<Part_correspondence> pairs;
   for (std::size_t s = 0; s < 5; ++s)
     for (std::size_t t = 0; t < 6; ++t)
@@ -115,7 +114,7 @@ TEST_CASE("Every part that corresponds to any is in one block, however unsure it
 
 TEST_CASE("Pairs of different roles count half, and a block has the role of most of its parts")
 {
-  // A seat that resembles a back as much as the other seat does
+  // A seat that resembles a back as much as the other seat
   const std::vector<Part_correspondence> pairs{{0, 0, .6}, {0, 1, .7}, {1, 1, .7}};
   const auto blocks = correspondence_blocks(of_pairs(pairs, {"seat", "back"}, {"seat", "back"}));
   REQUIRE(sides(blocks) == std::vector<Sides>{{Parts{0}, Parts{0}}, {Parts{1}, Parts{1}}});

@@ -31,7 +31,7 @@ Correspondence back_splits()
   c.contacts = {{{0, 1}, 0.25, 0.5}};
   c.unmatched_source = {2, 3, 4, 5};
   c.unmatched_target = {3};
-  c.energy = 0.1 + 0.2; // not 0.3
+  c.energy = 0.1 + 0.2; // differs from 0.3
   c.terms = {0.1, 0.2, 0.7};
   c.complete = true;
   c.search = {"beam", 7, 11, 0.05};
@@ -136,7 +136,7 @@ TEST_CASE("A correspondence that was written is read: its pairs by name, with co
     const Correspondence read = IO::correspondence_of(named, source, target, file);
     CHECK(read.pairs == c.pairs);
     CHECK(read.unmatched_source == c.unmatched_source);
-    CHECK(read.unmatched_target == std::vector<std::size_t>{3, 4, 5, 6, 7}); // all that no pair has
+    CHECK(read.unmatched_target == std::vector<std::size_t>{3, 4, 5, 6, 7}); // all parts in no pair
     CHECK(read.complete);
     CHECK(read.target_quarter_turns == 2);
     CHECK(read.category == "chair");

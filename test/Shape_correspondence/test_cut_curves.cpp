@@ -17,7 +17,7 @@ using namespace hand_made;
 
 namespace {
 
-// A post 1 high, or the same in two or three pieces on top of each other, on a base.
+// A post of height 1, possibly in two or three pieces above each other, on a base.
 Structural_graph post(const std::vector<double>& heights)
 {
   Shape_structure shape;
@@ -61,7 +61,7 @@ TEST_CASE("Cutting: a post turns into the pieces of another by their places, how
     for (const Piece_image& image : cut.images[0]) {
       CHECK(image.source.count == 3);
       CHECK(image.target.count == 1);
-      // Fitted, a segment is the piece itself
+      // A fitted segment equals the piece
       const Sampled_part piece = segment(whole.parts[image.source.part], image.source.index, 3);
       CHECK(deform_to_fit(piece, pieces.parts[image.target.part]).isApprox(piece.samples, 1e-9));
     }
@@ -78,7 +78,7 @@ TEST_CASE("Cutting: a post turns into the pieces of another by their places, how
 
 TEST_CASE("Cutting: curves need not lie in a row")
 {
-  // A leg may be cut into two slats that stand side by side; what it costs is for the energy to say
+  // A leg may be cut into two slats that stand side by side; the energy decides
   const Aligned_shape plain = align_shape(chair()), slats = align_shape(slatted_chair());
   const std::size_t leg_group = plain.group_of[index_of(plain, 2)];
   const std::size_t slat_group = slats.group_of[index_of(slats, 1)];

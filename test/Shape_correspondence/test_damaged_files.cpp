@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Files that are cut off, or made to harm: each is read, or is an error that names it, within moments.
+// Truncated and malicious files: each is read, or gives an error that names it, within moments.
 
 #include "hand_made_graphs.h"
 #include "io/system/run_program.h"
@@ -23,7 +23,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// What reading the file complains of; it names the file.
+/// The error when reading the file, which must name it.
 std::string read_complaint(const std::string& file)
 {
   const std::string message = complaint([&] { IO::read_segmented_shape(file); });
@@ -115,10 +115,10 @@ TEST_CASE("Counts beyond the size of the file are refused before anything is mad
              Contains("more than the file holds"));
 }
 
-TEST_CASE("What the reader of a type refuses is not given to another one")
+TEST_CASE("A file that the reader of its type refuses is not passed to another reader")
 {
   const Temporary_folder folder;
-  // A whole STL model: assimp reads it under any name
+  // A complete STL model, which assimp reads under any name
   const std::string stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                           "endloop\nendfacet\nfacet normal 0 1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                           "vertex 0 0 1\nendloop\nendfacet\nendsolid a\n";
@@ -147,7 +147,7 @@ TEST_CASE("Pipes and devices are refused before anything waits for them")
   const Temporary_folder folder;
   for (const char* name : {"a.obj", "a.glb"})
     REQUIRE(mkfifo(folder.path(name).c_str(), 0600) == 0);
-  alarm(60); // kills a test that waits
+  alarm(60); // kills a test that waits for more than a minute
   CHECK_THAT(read_complaint(folder.path("a.obj")), Contains("pipe"));
   CHECK_THAT(read_complaint(folder.path("a.glb")), Contains("pipe"));
   fs::create_symlink("/dev/zero", folder.path("endless.obj"));
@@ -163,7 +163,7 @@ TEST_CASE("Pipes and devices are refused before anything waits for them")
   alarm(0);
 }
 
-TEST_CASE("Names that lead nowhere are refused, and the message says why")
+TEST_CASE("Paths without a file are refused, and the message says why")
 {
   const Temporary_folder folder;
   fs::create_symlink("loop.obj", folder.path("loop.obj"));
@@ -209,9 +209,9 @@ TEST_CASE("Whole numbers beyond their range, and a million parts, are refused")
   CHECK_THAT(read_complaint(folder.write("a.obj", objects)), Contains("100000 parts"));
 }
 
-TEST_CASE("A grid of more points than an int can count, most of which are not there, is refused")
+TEST_CASE("A grid of more points than an int can count is refused, also if most of them are missing")
 {
-  constexpr std::size_t cols = 65536, rows_added = 65534; // to the two of the table: 2^32 points
+  constexpr std::size_t cols = 65536, rows_added = 65534; // together with the table's two, 2^32 points
   std::ostringstream good;
   IO::write_structural_graph_json(good, hand_made::table());
   const std::string grid = "\"grid\":[", first_row = "[[0,0,0]" + repeated(",[0,0,0]", cols - 1) + "],";
@@ -239,9 +239,10 @@ TEST_CASE(
   const std::string begin = "printf 'shape_correspondence import 4\\n";
   CHECK_THAT(complaint_of(begin + "e%s is refused' \"$2\""), Contains(model + ": inside is refused"));
   CHECK_THAT(complaint_of(begin + "c12345678'"), Contains("damaged"));
-  // Nothing is open in it, nothing can be read, and what it says of errors is unheard
+  // No other file is open, nothing can be read, and standard error is discarded
   const std::string listing = "[ -z \"$(cat)\" ] && echo unheard >&2 && ls /proc/self/fd | tr '\\n' ' '";
-  CHECK(IO::run_program("/bin/sh", {"-c", listing}, std::chrono::seconds(10)).output == "0 1 2 3 "); // 3: of ls
+  // `ls` itself opens 3
+  CHECK(IO::run_program("/bin/sh", {"-c", listing}, std::chrono::seconds(10)).output == "0 1 2 3 ");
   const IO::Program_run run =
       IO::run_program("/bin/sh", {"-c", "echo a; exec sleep 60"}, std::chrono::milliseconds(200));
   CHECK(run.took_too_long);
@@ -278,13 +279,13 @@ TEST_CASE("Of the files that a model names only those of its folder are read, un
   CHECK(read_complaint(gltf("own.bin")).empty());
 }
 
-TEST_CASE("Counts that a file claims take no memory before the file has shown what it counts")
+TEST_CASE("Counts that a file states take no memory before the counted data is read")
 {
   const Temporary_folder folder;
   const std::string header =
       "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
       "property float z\nelement face 1\nproperty list uint double vertex_indices\nend_header\n";
-  const std::string count("\x00\x00\x10\x00", 4), rest(1 << 20, '\0'); // 2^20 doubles are claimed, 2^17 are there
+  const std::string count("\x00\x00\x10\x00", 4), rest(1 << 20, '\0'); // 2^20 doubles are announced, 2^17 are present
   CHECK_THAT(read_complaint(folder.write("a.ply", header + count + rest)), Contains("a list of 1048576 numbers"));
   const std::string large = folder.write("large.obj", "o a\n");
   fs::resize_file(large, std::uintmax_t(3) << 30);

@@ -44,7 +44,7 @@ TEST_CASE("Curve to sheet: the curve runs along the side it is nearest to in dir
   REQUIRE(widened.cols() == 36);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
-      CHECK(widened(1, i * 6 + j) == Approx(i / 5.0)); // height keeps its place
+      CHECK(widened(1, i * 6 + j) == Approx(i / 5.0)); // heights do not change
   const Points narrowed = deform_to_fit(back, slat);
   for (int i = 0; i < 36; ++i)
     CHECK(narrowed(1, i) == Approx(back.samples(1, i)));
@@ -83,7 +83,7 @@ TEST_CASE("By extremities: ends and corners take their places, and the part keep
                 chord = (source.samples.col(0) * (5 - i) + source.samples.col(5) * i) / 5;
     CHECK((moved.col(i) - straight - (source.samples.col(i) - chord)).norm() < 1e-12);
   }
-  // A curve becomes a sheet with its bow across, a flat sheet becomes the other one
+  // A curve becomes a sheet that bends across it; a flat sheet becomes the other sheet
   const Sampled_part flat = sampled(sheet("b", {0, 1, 0}, {2, 0, 0}, {0, 0, 2})),
                      other = sampled(sheet("c", {5, 1, 0}, {3, 0, 0}, {0, 0, 1}));
   CHECK(deform_to_fit(flat, other, Deform_to_fit::EXTREMITIES).isApprox(deform_to_fit(flat, other)));

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What becomes of shapes that nobody would model on purpose: a table of outcomes.
+// Outcomes for degenerate shapes.
 
 #include "box_shapes.h"
 #include "model_files.h"
@@ -39,7 +39,7 @@ Part_mesh moebius_strip()
       const double r = 1 + (side - 0.5) * 0.5 * std::cos(u / 2);
       result.points.col(2 * i + side) = Point(r * std::cos(u), (side - 0.5) * 0.5 * std::sin(u / 2), r * std::sin(u));
     }
-    const bool last = i + 1 == n; // where the sides change over
+    const bool last = i + 1 == n; // the sides are exchanged at the end
     const int a = 2 * i, b = 2 * i + 1, c = last ? 1 : 2 * i + 2, d = last ? 0 : 2 * i + 3;
     result.triangles.col(2 * i) << a, b, c;
     result.triangles.col(2 * i + 1) << b, d, c;
@@ -58,7 +58,7 @@ Part_mesh fan(const Point& at)
   return result;
 }
 
-/// A square of which the corners are taken crosswise.
+/// A square whose corners are connected crosswise.
 Part_mesh bow_tie(double size)
 {
   Part_mesh result{Points(3, 4), Eigen::Matrix3Xi(3, 2)};
@@ -86,7 +86,7 @@ struct Case
 {
   const char* name;
   std::vector<Part_mesh> parts;
-  const char* complaint; ///< empty: it is a graph, and matches itself
+  const char* complaint; ///< empty: the shape has a graph, and matches itself
 };
 
 std::vector<Case> cases()

@@ -57,7 +57,6 @@ const std::set<Names> CHAIR_PAIRS = {{"seat", "front_leg_l"},
                                      {"seat", "slat_3"},
                                      {"seat", "slat_4"}};
 
-/// Two boxes of side 1 with a gap between them.
 Segmented_shape two_boxes(double gap)
 {
   Segmented_shape shape("boxes");
@@ -172,7 +171,7 @@ TEST_CASE("Contacts of the models in data are the parts that a brute-force dista
 
 TEST_CASE("An arm that touches the back twice has a contact of two regions, the larger one first")
 {
-  // An arm like a C: a bar away from the back, and two bars that reach it, the upper one thicker
+  // A C-shaped arm: a bar at a distance from the back, and two bars that reach it, the upper one thicker
   const Part_mesh pieces[] = {box({0.3, 1, 0}, {0.05, 0.6, 0.05}), box({0.15, 0.75, 0}, {0.3, 0.04, 0.05}),
                               box({0.15, 1.25, 0}, {0.3, 0.08, 0.05})};
   Part_mesh arm = pieces[0];
@@ -228,7 +227,7 @@ TEST_CASE("The point of a triangle nearest to a point, also of needles and of tr
   CHECK(nearest({-2, 1, 3}, right).isApprox(Point(0, 1, 0)));
   CHECK(nearest({3, 3, -2}, right).isApprox(Point(2, 1, 0)));
   CHECK(nearest({1, 0.5, -7}, right).isApprox(Point(1, 0.5, 0)));
-  // It is no farther than any corner or point of a side, and the rest of the triangle is beyond the plane through it
+  // No corner or point of a side is nearer, and the rest of the triangle is beyond the plane through it
   std::mt19937 random(7);
   std::normal_distribution<double> place;
   const auto anywhere = [&] { return Point(place(random), place(random), place(random)); };
@@ -249,7 +248,7 @@ TEST_CASE("The point of a triangle nearest to a point, also of needles and of tr
 
 TEST_CASE("A shape of which too many pairs of parts touch is refused")
 {
-  constexpr int copies = 320; // 51 040 pairs
+  constexpr int copies = 320; // they have 51 040 pairs
   Segmented_shape shape("heap");
   for (int i = 0; i < copies; ++i)
     shape.add_part("part_" + std::to_string(i), box({1e-4 * i, 0.5, 0}, {1, 1, 1}));
@@ -284,7 +283,7 @@ TEST_CASE("Contacts without meshes")
 
 TEST_CASE("A contact may be at a closest pair of points")
 {
-  // A board that leans away from a box, 0.01 from it at its lower edge, at height 0.2
+  // A board that leans away from a box, with a gap of 0.01 at its lower edge, at height 0.2
   Part_mesh board = box({0, 0, 0}, {.2, 2, 1});
   board.points = Eigen::AngleAxisd(-EIGEN_PI / 9, Point::UnitZ()).toRotationMatrix() * board.points;
   const Eigen::Index corner = [&] {

@@ -16,7 +16,7 @@ using namespace box_shapes;
 
 namespace {
 
-/// The groups of two parts or more, by names, with their kinds.
+/// The groups of at least two parts, as sets of names, with their kinds.
 std::map<Names, Symmetry_type> named(const std::vector<Part_abstraction>& parts, const std::vector<Part_group>& groups)
 {
   std::map<Names, Symmetry_type> result;
@@ -44,7 +44,7 @@ const Part_group& group_with(const std::vector<Part_abstraction>& parts, const s
   throw std::logic_error("no group has " + name);
 }
 
-/// A group by the names of its parts and its kind, and where its generator is: what a motion changes.
+/// A group with the names of its parts, its kind, and its generator, which changes under motion.
 struct Named_group
 {
   Symmetry symmetry;
@@ -91,11 +91,11 @@ Named_groups groups_stated(const generated_shapes::gen::Assembly& assembly)
 }
 
 constexpr double ANGLE = 0.02;    // in radians
-constexpr double DISTANCE = 0.01; // over the shape's diagonal
+constexpr double DISTANCE = 0.01; // ratio to the shape's diagonal
 
 bool are_parallel(const Point& a, const Point& b) { return a.cross(b).norm() < ANGLE * a.norm() * b.norm(); }
 
-/// Whether two generators are the same: a plane, an axis or a vector, whichever way it points.
+/// Whether two generators are the same plane, axis or vector, up to sign.
 bool is_same_generator(const Symmetry& a, const Symmetry& b, double diagonal)
 {
   const double limit = DISTANCE * diagonal;
@@ -110,10 +110,10 @@ bool is_same_generator(const Symmetry& a, const Symmetry& b, double diagonal)
   }
 }
 
-/// Whether one order is the other, begun at any member and in any sense of a ring, from either end of a row.
+/// Whether one order equals the other up to the first member and the sense of a ring, or the direction of a row.
 bool is_same_order(const Named_group& a, std::vector<std::string> order)
 {
-  if (a.symmetry.type == Symmetry_type::REFLECTION) return true; // pairs, front or left first
+  if (a.symmetry.type == Symmetry_type::REFLECTION) return true; // ordered by pairs, front or left first
   for (int sense = 0; sense < 2; ++sense) {
     for (std::size_t start = 0; start < order.size(); ++start) {
       if (a.order == order) return true;
@@ -134,15 +134,15 @@ double diagonal_of(const Segmented_shape& shape)
   return box.diagonal().norm();
 }
 
-/// Whether a vertical plane is one that a shape has besides the expected one: a square one has more than two.
+/// Whether a vertical plane is another mirror plane than the expected one: a square shape has more than two.
 bool is_other_plane(const Symmetry& a, const Symmetry& expected, double diagonal)
 {
   Point apart = a.point - expected.point;
   return std::abs(a.direction.y()) < ANGLE && std::abs(apart.dot(a.direction)) < DISTANCE * diagonal;
 }
 
-/// Checks that both have the same groups, kinds, orders and generators. A part of its own may have a mirror plane where
-/// none is expected, that through its own middle. \param square whether turning the shape by a quarter changes little
+/// Checks that groups, kinds, orders and generators are the same. A single part may have a mirror plane through its own
+/// centre where none is expected. \param square whether a quarter turn changes the shape little
 void check_same(const Named_groups& found, const Named_groups& expected, double diagonal, bool square)
 {
   for (const auto& [names, group] : expected) {
@@ -163,7 +163,6 @@ void check_same(const Named_groups& found, const Named_groups& expected, double 
 
 bool is_square(const std::string& model) { return model == "stool" || model == "table_pedestal"; }
 
-/// What a motion makes of groups.
 Named_groups moved_groups(Named_groups groups, const Motion& motion)
 {
   for (auto& [names, group] : groups) {
@@ -229,7 +228,8 @@ TEST_CASE("The generator carries each member into the next")
     const Part_group& group = group_with(parts, groups, name);
     const Symmetry& s = group.symmetry;
     for (std::size_t k = 0; k + 1 < group.parts.size(); ++k) {
-      if (s.type == Symmetry_type::REFLECTION && k % 2 == 1) continue; // of four, the pairs of the plane
+      // The plane of a group of four mirrors its first member into the second, its third into the fourth
+      if (s.type == Symmetry_type::REFLECTION && k % 2 == 1) continue;
       const Point from = shape.parts()[group.parts[k]].mesh.points.rowwise().mean();
       const Point to = shape.parts()[group.parts[k + 1]].mesh.points.rowwise().mean();
       Point image = from + s.direction;
@@ -261,7 +261,7 @@ TEST_CASE("Order, volume and hull of groups")
   CHECK(groups[1].parts.size() == 4);
 }
 
-TEST_CASE("Parts that differ are not gathered")
+TEST_CASE("Parts that differ are in no group")
 {
   const Segmented_shape original = table();
   Segmented_shape shape("table with one thick leg");

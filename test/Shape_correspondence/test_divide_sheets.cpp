@@ -19,7 +19,7 @@ using namespace hand_made;
 
 namespace {
 
-// A post with a panel (parts 0 and 1), or with so many bars in the panel's place, from one side to the other.
+// A post with a panel (parts 0 and 1), or with several bars in the panel's place, from one side to the other.
 Structural_graph gate(int bars, double solidity = 1)
 {
   Shape_structure shape;
@@ -46,19 +46,19 @@ TEST_CASE("A box is divided along the axis of most spread, in proportion to exte
   const Box unit(Point::Zero(), Point::Ones());
   CHECK(divide_box(unit, {{{7, 7, 7}, {1, 1, 1}}})[0].isApprox(unit));
 
-  // Twice as wide as the other two, in any order
+  // The one in the middle is twice as wide as the other two; in any order
   const auto three = divide_box(unit, {{{5, 0, 0}, {1, 1, 1}}, {{-5, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {2, 1, 1}}});
   CHECK(three[0].isApprox(Box(Point(.75, 0, 0), Point(1, 1, 1))));
   CHECK(three[1].isApprox(Box(Point(0, 0, 0), Point(.25, 1, 1))));
   CHECK(three[2].isApprox(Box(Point(.25, 0, 0), Point(.75, 1, 1))));
 
-  // Two columns, the second of two, one above the other
+  // Two columns, the second with two shares, one above the other
   const auto grid = divide_box(unit, {{{0, 0, 0}, {1, 1, 1}}, {{9, 0, 0}, {1, 1, 1}}, {{9, 4, 0}, {1, 1, 1}}});
   CHECK(grid[0].isApprox(Box(Point(0, 0, 0), Point(.5, 1, 1))));
   CHECK(grid[1].isApprox(Box(Point(.5, 0, 0), Point(1, .5, 1))));
   CHECK(grid[2].isApprox(Box(Point(.5, .5, 0), Point(1, 1, 1))));
 
-  // About one middle: both all of it
+  // Concentric shares: both get the entire box
   for (const Box& box : divide_box(unit, {{{0, 0, 0}, {1, 1, 1}}, {{.1, 0, 0}, {2, 2, 2}}}))
     CHECK(box.isApprox(unit));
 }
@@ -111,7 +111,7 @@ TEST_CASE("Splitting and merging a sheet is chosen where the parts lie on it")
     const Correspondence c = find_correspondence(forward ? gate(0) : gate(3), forward ? gate(3) : gate(0), options);
     CHECK(c.groups[0].operation == Operation::MATCH);
     CHECK(c.groups[1].operation == (forward ? Operation::SPLIT : Operation::MERGE));
-    // But for the samples of the rail, which are not those of its thirds, nothing changes
+    // Only the samples of the rail differ, which are not those of its thirds
     CHECK(c.terms.distortion < 0.08);
     CHECK(c.terms.connectedness < 0.05);
   }

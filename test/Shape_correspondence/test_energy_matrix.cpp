@@ -85,7 +85,7 @@ TEST_CASE("All ordered pairs, each as find_correspondence() finds it")
   CHECK(distances(0, 1) < distances(0, 2)); // a chair is nearer to a chair than to a table
 }
 
-TEST_CASE("A shape is no way from a moved copy of itself")
+TEST_CASE("The distance of a shape from a moved copy of itself is 0")
 {
   const Energy_matrix matrix =
       energy_matrix({hand_made::chair(), hand_made::moved(hand_made::chair(), .3, 2, {1, 2, 3})});
@@ -105,7 +105,7 @@ TEST_CASE("The same bits in parallel, by every method")
   }
 }
 
-TEST_CASE("Work is told of, and ends when it is told to")
+TEST_CASE("Progress is reported, and cancelled work ends")
 {
   Energy_matrix_options options;
   std::vector<std::size_t> told;
@@ -119,7 +119,7 @@ TEST_CASE("Work is told of, and ends when it is told to")
   options.progress = [](std::size_t done, std::size_t) { return done < 2; };
   const Energy_matrix cancelled = energy_matrix(shapes(), options);
   CHECK(!cancelled.complete);
-  CHECK(!std::isnan(cancelled.energies(1, 0))); // with its reversed pair
+  CHECK(!std::isnan(cancelled.energies(1, 0))); // computed together with its reversed pair
   CHECK(std::isnan(cancelled.energies(0, 3)));
 }
 

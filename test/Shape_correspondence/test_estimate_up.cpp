@@ -20,7 +20,7 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-/// The shape with its axes renamed: y becomes the axis of that number; then moved and scaled.
+/// The shape with y mapped to the axis `up` by a cyclic permutation, then moved and scaled.
 Segmented_shape moved(const Segmented_shape& shape, int up, double scale = 1, const Point& by = Point::Zero())
 {
   Eigen::Matrix3d axes;
@@ -72,9 +72,9 @@ TEST_CASE("The guess of the upright axis says how sure it is, and what is known 
   CHECK(estimate_up(moved(chair, 2), 1e30).up == Point::UnitY());
 }
 
-TEST_CASE("Of two shapes of one kind the one tells of the other")
+TEST_CASE("The upright axis of one shape helps to estimate that of another of its kind")
 {
-  // A plate is a table top or a board on the wall
+  // A plate may be a table top or a board on the wall
   Segmented_shape flat, high;
   flat.add_part("plate", box_shapes::box(Point::Zero(), {1, 0.1, 1}));
   high.add_part("plate", box_shapes::box(Point::Zero(), {1, 1, 0.1}));

@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-// The command `evaluate` and the files that it reads.
+// The command `evaluate`, and its input files.
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -46,7 +46,7 @@ std::string result(const std::string& source, const std::string& target, const N
       .dump();
 }
 
-/// Two chairs with labels and a result for both.
+/// Two chairs with labels, and a result for them.
 struct Labelled_chairs
 {
   Temporary_folder folder;
@@ -65,7 +65,6 @@ struct Labelled_chairs
     return run("evaluate " + inputs + " --ground-truth " + quoted(folder.path("truth")) + " " + options);
   }
 
-  /// The complaint about a result or labels with this text.
   std::string refused_result(const std::string& text) const
   {
     const std::string file = folder.write("bad.json", text);
@@ -92,7 +91,7 @@ std::string refused_labels(const std::string& text)
 TEST_CASE("evaluate scores a result, and a folder of them, in a table and as JSON")
 {
   const Labelled_chairs chairs;
-  // right: p-1, r-3; coarse: q-1; missed: q-2
+  // Right: p-1, r-3; right coarse label: q-1; missed: q-2
   const Run table = chairs.evaluate(quoted(chairs.results));
   CHECK(table.status == 0);
   CHECK_THAT(table.out, Contains("chair") && Contains("0.500") && Contains("0.667") && Contains("0.571"));
@@ -137,7 +136,7 @@ TEST_CASE("Shapes of one name are told apart by their category, or not compared"
 {
   const Labelled_chairs chairs;
   chairs.folder.write("truth/table/a/labels.json", "{\"parts\": [{\"name\": \"t\", \"coarse\": \"top\"}]}");
-  CHECK(chairs.evaluate(quoted(chairs.results)).status == 0); // shapes/chair/a
+  CHECK(chairs.evaluate(quoted(chairs.results)).status == 0); // finds shapes/chair/a
   CHECK_THAT(chairs.refused_result(result("a", "b", {})), Contains("several labelled shapes"));
   CHECK_THAT(chairs.refused_result(result("table/a", "chair/b", {})),
              Contains("category 'table'") && Contains("'chair'"));
@@ -166,7 +165,7 @@ TEST_CASE("The labels of the models that come with the package can be read")
   CHECK(shapes[0].index("none") == shapes[0].parts.size());
 }
 
-TEST_CASE("What evaluate cannot understand ends with status 2")
+TEST_CASE("Wrong usage of evaluate ends with status 2")
 {
   const Labelled_chairs chairs;
   CHECK(run("evaluate " + quoted(chairs.results)).status == 2);

@@ -10,13 +10,13 @@
 
 #include <algorithm>
 
-// Every number here is worked out by hand.
+// All numbers here were computed by hand.
 
 using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-/// Scores whose precision and recall are `right` of `matched` and of `expected`.
+/// A score with precision `right` / `matched` and recall `right` / `expected`.
 Scored_correspondence scored(const std::string& category, const std::string& source, const std::string& target,
                              std::size_t right, std::size_t matched, std::size_t expected)
 {
@@ -28,22 +28,22 @@ Scored_correspondence scored(const std::string& category, const std::string& sou
 TEST_CASE("Fine labels decide where all parts have them and both sides share half of the smaller set")
 {
   const std::vector<Part_label> chair{{"leg", "front"}, {"leg", "back"}, {"seat", ""}};
-  // {front, back} and {front, middle, rear} share 1 of 2: enough
+  // {front, back} and {front, middle, rear} share 1 of 2, which suffices
   const Ground_truth half = ground_truth(chair, {{"leg", "front"}, {"leg", "middle"}, {"leg", "rear"}, {"back", ""}});
   CHECK(half.pairs == Part_pairs{{0, 0}});
   CHECK(half.coarse_pairs == Part_pairs{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}});
-  // they share none: every leg with every leg
+  // No fine label is shared: every leg corresponds to every leg
   const Ground_truth none = ground_truth(chair, {{"leg", "middle"}, {"seat", "cushion"}});
   CHECK(none.pairs == Part_pairs{{0, 0}, {1, 0}, {2, 1}});
-  // one leg without a fine label
+  // One leg has no fine label
   const Ground_truth open = ground_truth(chair, {{"leg", ""}, {"leg", "front"}});
   CHECK(open.pairs == open.coarse_pairs);
   CHECK(open.pairs == Part_pairs{{0, 0}, {0, 1}, {1, 0}, {1, 1}});
-  // {front, back, left} and {front, x, y} share 1 of 3: not half
+  // {front, back, left} and {front, x, y} share 1 of 3, less than half
   const Ground_truth third = ground_truth({{"leg", "front"}, {"leg", "back"}, {"leg", "left"}},
                                           {{"leg", "front"}, {"leg", "x"}, {"leg", "y"}});
   CHECK(third.pairs.size() == 9);
-  // the same fine label on several parts is one in the set
+  // A fine label of several parts counts once
   const Ground_truth twins =
       ground_truth({{"wheel", "rear"}, {"wheel", "rear"}, {"wheel", "front"}}, {{"wheel", "rear"}, {"wheel", "front"}});
   CHECK(twins.pairs == Part_pairs{{0, 0}, {1, 0}, {2, 1}});
@@ -65,7 +65,7 @@ TEST_CASE("The truth is the same from both sides, and no pair crosses coarse lab
 TEST_CASE("Precision, recall, F1 and coarse precision")
 {
   const Ground_truth truth{{{0, 0}, {1, 1}, {2, 2}, {2, 3}}, {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {2, 2}, {2, 3}}};
-  // right: (1, 1), (2, 2); wrong but coarse: (0, 1); wrong: (3, 0), (3, 1); listed twice: (1, 1)
+  // Right: (1, 1), (2, 2); right coarse label only: (0, 1); wrong: (3, 0), (3, 1); listed twice: (1, 1)
   const Correspondence_score s = evaluate_correspondence({{3, 1}, {1, 1}, {2, 2}, {0, 1}, {1, 1}, {3, 0}}, truth);
   CHECK(s.matched == 5);
   CHECK(s.expected == 4);
@@ -91,7 +91,7 @@ TEST_CASE("Nothing matched, nothing expected")
 
 TEST_CASE("Means are of results within a category, and of categories")
 {
-  // F1: 1 and 0 in the one category, 2/3 in the other
+  // F1 is 1 and 0 in one category, 2/3 in the other
   const Evaluation e = mean_scores(
       {scored("table", "c", "d", 1, 1, 2), scored("chair", "a", "b", 2, 2, 2), scored("chair", "a", "c", 0, 0, 3)});
   REQUIRE(e.categories.size() == 2);

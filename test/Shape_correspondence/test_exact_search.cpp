@@ -27,12 +27,12 @@
 
 using namespace CGAL::Shape_correspondence;
 
-// The search keeps the energy by reference
+// The search keeps the energy by reference, so a temporary is refused
 static_assert(!std::is_constructible_v<Exact_search, Pairwise_energy>);
 
 using namespace hand_made;
 
-// Allocations of the whole program, counted. Inlined, free() would be seen, and malloc() not, which g++ warns of
+// Counts all allocations of the program. If free() were inlined, g++ would warn of a mismatch with malloc()
 static std::size_t allocations = 0;
 
 void* operator new(std::size_t size)
@@ -124,7 +124,7 @@ TEST_CASE("Min-marginals: the least energy without the label, by brute force")
   }
 }
 
-TEST_CASE("What a change of one label makes the energy rise by is the difference of the energies")
+TEST_CASE("The cost of changing one label is the difference of the energies")
 {
   std::mt19937 random(6);
   for (int i = 0; i < 50; ++i) {
@@ -152,7 +152,7 @@ TEST_CASE("Split buckets bound from below and the search still finds the optimum
   for (int i = 0; i < 20; ++i) {
     const Pairwise_energy energy = random_tables(random, 9, 4, 4);
     Exact_options small;
-    small.table_limit = 16; // pairs of variables at most
+    small.table_limit = 16; // limits tables to pairs of variables
     const Search_result result = exact_search(energy, small);
     CHECK(result.optimal);
     CHECK(result.best().energy == Approx(exact_search(energy).best().energy).margin(1e-9));
@@ -191,7 +191,7 @@ TEST_CASE("Message passing moves costs, no assignment's energy changes, and the 
   CHECK(sum(b) == Approx(before_b));
   CHECK(bound() > bound_before);
 
-  // The same problem again goes on where the messages had come
+  // The same problem again continues from the last messages
   const double bound_after = bound();
   unary = energy.unary;
   for (std::size_t e = 0; e < pairs.size(); ++e)
@@ -219,9 +219,9 @@ TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
   CHECK(!exact_search(random_tables(random, 30, 8, 8), few).optimal);
 }
 
-TEST_CASE("A search that takes long goes on with larger tables, until it is proven")
+TEST_CASE("A long search continues with larger tables, until its result is proven")
 {
-  // The tables of three variables do not fit at first; millions of nodes would be no proof then
+  // Tables of three variables do not fit at first; without them, millions of nodes would give no proof
   std::mt19937 random(10);
   const Pairwise_energy energy = random_tables(random, 40, 40, 2);
   const Search_result result = exact_search(energy);
@@ -231,7 +231,7 @@ TEST_CASE("A search that takes long goes on with larger tables, until it is prov
   large.table_limit = 40 * 40 * 40;
   CHECK(result.best().energy == Approx(exact_search(energy, large).best().energy).margin(1e-9));
 
-  // The nodes of all attempts count
+  // The nodes of all restarts are counted
   Exact_options few;
   few.node_limit = 70'000;
   few.table_limit = 1;
@@ -247,7 +247,7 @@ TEST_CASE("Costs beyond the comparison grid are compared as its last step")
   CHECK(internal::quantized(1e15) == internal::quantized(infinite));
   CHECK(internal::quantized(-infinite) == -internal::quantized(infinite));
   Matching_options options;
-  options.unmatched_cost = 1e15; // as good as never
+  options.unmatched_cost = 1e15; // practically infinite
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()), options),
       never(align_shape(chair()), align_shape(slatted_chair()));
   const Search_result result = exact_search(problem.energy()), expected = exact_search(never.energy());
@@ -268,7 +268,7 @@ TEST_CASE("The search tree is walked without allocating")
   std::mt19937 random(8);
   const Pairwise_energy energy = random_tables(random, 14, 6, 5);
   Exact_options options;
-  options.table_limit = 36; // a weak bound, a large tree
+  options.table_limit = 36; // gives a weak bound and a large tree
   Exact_search search(energy, options);
   allocations = 0;
   const Search_result result = search.run();
@@ -279,7 +279,7 @@ TEST_CASE("The search tree is walked without allocating")
 
 namespace {
 
-// The sum of terms as a cost function network in toulbar2's CFN format, six decimals.
+// Writes the sum of terms as a cost function network in toulbar2's CFN format, with six decimals.
 void write_cfn(std::ostream& out, const Pairwise_energy& energy)
 {
   out.precision(6);
@@ -315,7 +315,7 @@ TEST_CASE("An independent solver agrees, where it is installed")
   std::mt19937 random(9);
   for (int i = 0; i < 10; ++i) {
     Pairwise_energy energy = random_tables(random, 14, 5, 3);
-    energy.root_terms.clear(); // it knows sums only
+    energy.root_terms.clear(); // toulbar2 supports sums only
     const std::string file = "toulbar2_test.cfn", log = "toulbar2_test.log";
     {
       std::ofstream out(file);

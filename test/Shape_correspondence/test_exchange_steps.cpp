@@ -29,7 +29,7 @@ Box_model upright(const std::vector<Named_box>& boxes)
   return result;
 }
 
-/// The steps by the names of parts: `name~` of an old one, `~name` of a new one.
+/// The steps by the names of parts: `name~` for an old part, `~name` for a new one.
 std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, const std::vector<Named_box>& to,
                                            const Correspondence& correspondence)
 {
@@ -46,7 +46,6 @@ std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, c
 
 const Named_box board = {"board", {0, 0.6, 0}, {1.2, 0.08, 0.8}};
 
-/// A board on two walls with a box on it.
 std::vector<Named_box> on_walls()
 {
   return {board,
@@ -55,7 +54,7 @@ std::vector<Named_box> on_walls()
           {"box", {0, 0.82, 0}, {0.9, 0.36, 0.6}}};
 }
 
-/// The same board on a column with a needle on it.
+/// The same board on a column, with a needle on it.
 std::vector<Named_box> on_column()
 {
   return {board, {"column", {0, 0.28, 0}, {0.15, 0.56, 0.15}}, {"needle", {0, 0.82, 0}, {0.05, 0.36, 0.05}}};
@@ -63,7 +62,7 @@ std::vector<Named_box> on_column()
 
 } // namespace
 
-TEST_CASE("What is below a part that stays and what is on it are exchanged in two steps, each at one time")
+TEST_CASE("Parts below and parts above a part that stays are exchanged in two steps, each at one time")
 {
   auto found = steps(on_walls(), on_column(), same_parts(1));
   CHECK(found.at("board~board") == Exchange_step::NONE);
@@ -75,7 +74,7 @@ TEST_CASE("What is below a part that stays and what is on it are exchanged in tw
   CHECK(found.at("box~") != found.at("left~"));
 }
 
-TEST_CASE("What is exchanged has two times, or one if that is asked for")
+TEST_CASE("Exchanges have two times, or one if that is asked for")
 {
   const Box_model source = upright(on_walls()), target = upright(on_column());
   Blend_options options;
@@ -96,7 +95,7 @@ TEST_CASE("What is exchanged has two times, or one if that is asked for")
   CHECK(ends("") == two);
 }
 
-TEST_CASE("The search for steps and the rating tell how much is done, and end when they are asked to")
+TEST_CASE("The search for steps and the rating report progress, and end when cancelled")
 {
   std::vector<double> told;
   Blend_options options;
@@ -120,7 +119,7 @@ TEST_CASE("The search for steps and the rating tell how much is done, and end wh
   CHECK(ended.different_blends().size() == 1); // no steps were found
 }
 
-TEST_CASE("There are no two steps if most of what is to stand would be missing between them")
+TEST_CASE("Exchanges take one step if most of the parts on the ground would be missing between two steps")
 {
   std::vector<Named_box> on_feet = {board, on_walls().back()};
   for (int i = 0; i < 8; ++i)
@@ -131,9 +130,9 @@ TEST_CASE("There are no two steps if most of what is to stand would be missing b
   CHECK(blend.schedules()[1].quality.support > 0.6);
 }
 
-TEST_CASE("What would come off what held it is exchanged with that")
+TEST_CASE("A part that would lose its support is exchanged together with it")
 {
-  // A bar on two rods that become one: if the rods changed first, one end of the bar would hang in the air.
+  // A bar on two rods that become one: if the rods changed first, one end of the bar would have no support.
   const Named_box base = {"base", {0, 0.05, 0}, {1.4, 0.1, 0.6}}, wall = {"wall", {0.6, 0.5, 0}, {0.1, 0.8, 0.5}};
   const std::vector<Named_box> from = {base,
                                        wall,
@@ -152,7 +151,7 @@ TEST_CASE("What would come off what held it is exchanged with that")
 
 TEST_CASE("Large parts on a small one are not left hanging in the air")
 {
-  // A panel on a hook on a pole, and a sign on a link on a pin, far from that.
+  // A panel on a hook on a pole and, far from that, a sign on a link on a pin.
   const Named_box base = {"base", {0, 0.05, 0}, {2.4, 0.1, 0.6}}, wall = {"wall", {1.1, 0.5, 0}, {0.1, 0.96, 0.5}};
   const std::vector<Named_box> from = {base,
                                        wall,
@@ -170,7 +169,7 @@ TEST_CASE("Large parts on a small one are not left hanging in the air")
   CHECK(found.at("~sign") == found.at("~pin"));
 }
 
-TEST_CASE("Old and new parts are in one place at no time, though they hold on to different parts")
+TEST_CASE("Old and new parts are never in one place at once, though different parts support them")
 {
   std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {1.2, 0.2, 0.8}},
                                  {"back", {-0.55, 0.5, 0}, {0.1, 0.6, 0.8}},
@@ -183,24 +182,24 @@ TEST_CASE("Old and new parts are in one place at no time, though they hold on to
   CHECK(found.at("lamp~") == found.at("~vase"));
 }
 
-TEST_CASE("What would be hidden inside a new part is not kept beside it")
+TEST_CASE("A part that would be hidden inside a new one is not kept")
 {
-  // The old bar runs through the new block, but fills few of the cells of its faces.
+  // The old bar passes through the new block, but fills few of the cells of its faces.
   std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {2, 0.2, 0.8}},
                                  {"back", {-0.95, 0.5, 0}, {0.1, 0.6, 0.8}},
                                  {"top", {0, 0.85, 0}, {2, 0.1, 0.8}}},
                          to = from;
-  from.push_back({"bar", {-0.35, 0.5, 0}, {1.1, 0.04, 0.04}}); // holds on to the back
+  from.push_back({"bar", {-0.35, 0.5, 0}, {1.1, 0.04, 0.04}}); // attached to the back
   to.push_back({"block", {-0.2, 0.4, 0}, {1.0, 0.4, 0.6}});    // stands on the shelf
   auto found = steps(from, to, same_parts(3));
   CHECK(found.at("bar~") != Exchange_step::NONE);
   CHECK(found.at("bar~") == found.at("~block"));
 }
 
-TEST_CASE("What both shapes fill is not left empty between the steps")
+TEST_CASE("Space that both shapes fill is not empty between the steps")
 {
-  // An old bar that ends where a new one begins, and a third of which are in one place: either has its counterpart
-  // elsewhere. If the old bar, whose group is lower, went first, there would be a hole between them.
+  // An old bar ends where a new one begins, and a third of each is in the same place; either has its counterpart
+  // elsewhere. If the old bar, whose group is lower, changed first, there would be a hole between them.
   const Named_box back = {"back", {0, 0.5, -0.3}, {2.4, 1, 0.1}};
   const std::vector<Named_box> from = {
       back, {"left bar", {-0.4, 0.5, -0.2}, {1.2, 0.08, 0.1}}, {"high", {-0.9, 0.85, -0.2}, {0.3, 0.2, 0.1}}};
@@ -212,19 +211,19 @@ TEST_CASE("What both shapes fill is not left empty between the steps")
   CHECK(found.at("~right bar") == Exchange_step::FIRST);
 }
 
-TEST_CASE("What holds on to the place where something else did takes its place")
+TEST_CASE("A part supported at the same place as an earlier one replaces it")
 {
   const std::vector<Named_box> pot = {{"pot", {0, 0.2, 0}, {0.6, 0.4, 0.6}},
                                       {"post", {0, 0.6, -0.25}, {0.1, 0.4, 0.1}}};
   std::vector<Named_box> from = pot, to = pot;
   from.push_back({"cactus", {-0.05, 0.55, 0.1}, {0.2, 0.3, 0.2}});
-  to.push_back({"leaf", {0.11, 0.7, 0.1}, {0.02, 0.6, 0.1}}); // beside it
+  to.push_back({"leaf", {0.11, 0.7, 0.1}, {0.02, 0.6, 0.1}}); // beside the old one
   auto found = steps(from, to, same_parts(2));
   CHECK(found.at("cactus~") != Exchange_step::NONE);
   CHECK(found.at("cactus~") == found.at("~leaf"));
 }
 
-TEST_CASE("What takes no other part's place comes and goes by itself")
+TEST_CASE("A part that replaces no other appears and vanishes by itself")
 {
   std::vector<Named_box> with_knob = on_walls();
   with_knob.push_back({"knob", {0.62, 0.6, 0}, {0.04, 0.05, 0.05}});
@@ -232,7 +231,7 @@ TEST_CASE("What takes no other part's place comes and goes by itself")
   CHECK(found.at("~knob") == Exchange_step::NONE);
 }
 
-TEST_CASE("An old part whose mirror image stays goes before what is new comes")
+TEST_CASE("An old part whose mirror image stays vanishes before new parts appear")
 {
   std::vector<Named_box> boxes = {{"base", {0, 0.5, 0}, {1, 1, 0.8}}, {"left knob", {-0.55, 0.5, 0}, {0.1, 0.1, 0.1}}};
   Box_model target = upright(boxes);

@@ -16,7 +16,7 @@
 
 #include <catch2/catch.hpp>
 
-// Formats of which the package has no models: assimp writes them here, where it was built with its exporters.
+// Formats for which the package has no models: assimp writes them here, if it was built with its exporters.
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -55,7 +55,7 @@ TEST_CASE("Models in formats that assimp writes have their parts, materials and 
       CHECK(mesh.triangles.cols() == 4);
       REQUIRE_FALSE(looks.parts[part].materials.empty());
       const Surface_material& material = looks.materials.at(std::size_t(looks.parts[part].materials[0]));
-      const bool is_seat = mesh.points.row(1).maxCoeff() > 2; // formats cut names
+      const bool is_seat = mesh.points.row(1).maxCoeff() > 2; // some formats truncate names
       if (is_seat) CHECK(material.colour.head<3>().isApprox(Eigen::Vector3d(1, 0, 0), 1e-3));
       CHECK((material.texture >= 0) == !is_seat);
       if (!is_seat) CHECK(looks.textures.at(std::size_t(material.texture)).bytes == gen::test_picture());

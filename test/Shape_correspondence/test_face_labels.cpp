@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Labels of faces that are parts, and parts that are written as objects, files and labels.
+// Labels of faces as parts, and output of parts as objects, files and labels.
 #include "model_files.h"
 #include "program.h"
 
@@ -28,7 +28,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Names and numbers of triangles.
 std::map<std::string, Eigen::Index> parts(const Segmented_shape& shape)
 {
   std::map<std::string, Eigen::Index> result;
@@ -39,7 +38,7 @@ std::map<std::string, Eigen::Index> parts(const Segmented_shape& shape)
 
 using Parts = std::map<std::string, Eigen::Index>;
 
-/// Two boxes, one on the other, without objects: six faces each.
+/// Two boxes above each other without objects, with six faces each.
 const std::string two_boxes = box_vertices(0, 0, 0, 1, 1, 1, "v ") + box_vertices(0, 1, 0, 1, 1, 1, "v ") +
                               box_faces(1, "f ") + box_faces(9, "f ");
 
@@ -64,7 +63,7 @@ std::string ply_boxes(const std::string& property, const std::vector<std::string
   return result;
 }
 
-/// A word for each face, the first six and the others. \param end between them
+/// A list with one word for the first six faces and another for the rest. \param end end of each line
 std::string list(const std::string& first, const std::string& second, const std::string& end = "\n")
 {
   std::string result;
@@ -95,7 +94,7 @@ TEST_CASE("Faces of PLY with a property for parts are read as these parts")
     const std::string file = folder.write("a.ply", ply_boxes("property int "s + name, labels));
     CHECK(IO::read_segmented_shape(file).parts().size() == 2);
   }
-  // Of corners of two labels a face has the more frequent one, else the lower one
+  // A face gets the more frequent label of its corners, in case of a tie the lower one
   const auto of_vertices = [](const std::string& numbers) {
     return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
            "property uchar label\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
@@ -152,7 +151,7 @@ TEST_CASE("Lists of labels of faces make the parts of OBJ, OFF, PLY and STL")
         Parts{{"seat", 12}, {"label_1", 12}});
   CHECK_THAT(complaint([&] { read_with(obj, folder.write("l.eseg", list("0", "1"))); }), Contains("edges"));
   CHECK_THAT(complaint([&] { read_with(obj, folder.path("none.seg")); }), Contains("none.seg"));
-  // A face without area counts
+  // A degenerate face counts
   const std::string with_flat_face = std::string(two_boxes).insert(two_boxes.find("f "), "f 1 1 2\n");
   CHECK(parts(read_with(folder.write("d.obj", with_flat_face), folder.write("d.txt", "2\n" + list("0", "1")))) ==
         numbered);
@@ -192,7 +191,7 @@ TEST_CASE("Labels of faces are parts for every command, as they are")
   INFO(match.error);
   REQUIRE(match.status == 0);
   CHECK(json::parse(match.out)["pairs"].size() == 2);
-  // Separate legs of one label stay one part, but are pieces
+  // Separate legs with one label stay one part, but are separate pieces
   const std::string legs = quoted(folder.write("legs.ply", ply_boxes("property int part", [] {
                                                  std::vector<std::string> result;
                                                  for (int i = 0; i < 12; ++i)
@@ -219,7 +218,7 @@ TEST_CASE("Parts are written as objects, files and labels that read back as the 
     CHECK(parts(IO::read_segmented_shape(folder.path(name))) == parts(table));
   }
   CHECK(fs::exists(folder.path("folder/leg_1.obj")));
-  CHECK(run("parts " + quoted(model) + " -o " + quoted(folder.path("folder"))).status == 1); // it is there
+  CHECK(run("parts " + quoted(model) + " -o " + quoted(folder.path("folder"))).status == 1); // the folder exists
   REQUIRE(run("parts " + quoted(model) + " -o " + quoted(folder.path("all.seg"))).status == 0);
   std::string expected;
   for (int face = 0; face < 30; ++face)
@@ -227,7 +226,7 @@ TEST_CASE("Parts are written as objects, files and labels that read back as the 
   CHECK(text_of(folder.path("all.seg")) ==
         expected +
             "# faces of table.obj\n# part 0 top\n# part 1 leg_1\n# part 2 leg_2\n# part 3 leg_3\n# part 4 leg_4\n");
-  // Labels of the parts that the program makes, of a model that is one object, are those of the list that it reads
+  // Labels of the program's own parts, for a model of one object, are read back as the same list
   std::string boxes;
   for (int i = 0; i < 5; ++i)
     boxes += obj_box("", i, 2 * i, 0, 0, 1, 1, 1);

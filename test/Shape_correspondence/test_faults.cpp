@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Disks that are full, files that were changed, processes that are killed or stopped, outputs in each other's way.
+// Full disks, modified files, killed or stopped processes, conflicting outputs.
 
 #include "hand_made_graphs.h"
 #include "io/system/atomic_file.h"
@@ -24,14 +24,13 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// The only file of a folder.
 std::string file_in(const std::string& folder)
 {
   REQUIRE(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 1);
   return fs::directory_iterator(folder)->path().string();
 }
 
-/// Changes a digit in the second half of a file.
+/// Modifies a digit in the second half of a file.
 void damage(const std::string& file)
 {
   std::string text = text_of(file);
@@ -107,7 +106,7 @@ TEST_CASE("A cache that cannot be written is a warning")
   CHECK(files_of(folder.path("cache")) == 0);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which reserve terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they reserve terabytes
 TEST_CASE("A file that memory does not suffice for is named")
 {
   const Temporary_folder folder;
@@ -123,7 +122,7 @@ TEST_CASE("A file that memory does not suffice for is named")
 }
 #endif
 
-TEST_CASE("Closed standard streams are no reason to print into the files that are opened")
+TEST_CASE("With closed standard streams nothing is printed into the files that are opened")
 {
   const Temporary_folder folder;
   const std::string graph = folder.write("g.json", graph_text(hand_made::chair(), "a")), output = folder.path("o.json");
@@ -183,7 +182,6 @@ int run_failing(int call, const std::string& arguments, const std::string& error
   return WEXITSTATUS(status);
 }
 
-/// What is in a folder: names and contents.
 std::map<std::string, std::string> contents(const std::string& folder)
 {
   std::map<std::string, std::string> result;
@@ -282,7 +280,7 @@ TEST_CASE("A disk of a few kilobytes gets whole files or none")
   const std::string graph = quoted(folder.write("g.json", graph_text(hand_made::slatted_chair(), "a"))),
                     disk = quoted(folder.path("disk")), program = quoted(SHAPE_CORRESPONDENCE_PROGRAM);
   fs::create_directories(folder.path("disk"));
-  // In a space of names of its own, where a disk may be mounted; what is there at the end is listed
+  // Mounts a small disk in a separate namespace, and lists its content at the end
   const std::string in_own_space = "unshare -rm sh -c ";
   if (std::system((in_own_space + "'mount -t tmpfs -o size=16k none '" + disk + " 2>/dev/null").c_str()) != 0) {
     WARN("no disk can be mounted here");
@@ -352,7 +350,6 @@ TEST_CASE("A damaged graph or row of a store is made again, with a warning")
 
 namespace {
 
-/// A folder of six models, all of which differ.
 std::string write_tables(const Temporary_folder& folder)
 {
   for (int i = 0; i < 6; ++i) {
@@ -362,7 +359,7 @@ std::string write_tables(const Temporary_folder& folder)
   return folder.path("shapes");
 }
 
-/// What a store has of graphs: file names, which tell the contents, and contents.
+/// The graphs in a store: file names, which identify contents, and contents.
 std::map<std::string, std::string> graphs_of(const std::string& store)
 {
   std::map<std::string, std::string> result;
@@ -378,7 +375,7 @@ std::map<std::string, std::string> graphs_of(const std::string& store)
 
 TEST_CASE("A shape of a collection that fails does not harm the graphs of others, on however many threads")
 {
-  constexpr int runs = 8; // of each failure on each number of threads
+  constexpr int runs = 8; // number of runs for each failure and number of threads
   const Temporary_folder folder;
   const std::string shapes = write_tables(folder), store = folder.path("store"), whole = folder.path("whole"),
                     error = folder.path("error"), program = quoted(SHAPE_CORRESPONDENCE_PROGRAM);
@@ -436,16 +433,16 @@ TEST_CASE("A shape of a collection that fails does not harm the graphs of others
 
 namespace {
 
-/// Damages a cache entry with graphs, each of which has a digest that fits, and checks that they are made again.
+/// Damages a cache entry with graphs whose digests are valid, and checks that they are rebuilt.
 void check_damaged_entry(const std::string& entry, const std::string& command)
 {
   const std::string expected = run(command).out, kept = text_of(entry), content = fs::path(entry).stem().string();
   REQUIRE(!expected.empty());
   for (const auto& [key, from, to] : std::vector<std::array<std::string, 3>>{
-           {"\"contacts\"", "\"leg_1\"", "\"top\""},                     // of a part with itself
-           {"\"contacts\"", "\"leg_1\"", "\"none\""},                    // of a part that there is not
-           {"\"contacts\"", "\"parameters\":[[0", "\"parameters\":[[7"}, // beyond the part
-           {"\"groups\"", "\"leg_1\"", "\"leg_2\""},                     // in two groups
+           {"\"contacts\"", "\"leg_1\"", "\"top\""},                     // contact of a part with itself
+           {"\"contacts\"", "\"leg_1\"", "\"none\""},                    // contact of a missing part
+           {"\"contacts\"", "\"parameters\":[[0", "\"parameters\":[[7"}, // a parameter outside of the part
+           {"\"groups\"", "\"leg_1\"", "\"leg_2\""},                     // a part in two groups
            {"\"content\"", content, "0"}}) {
     INFO(key << ": " << to);
     std::string text = kept.substr(kept.find('\n') + 1);
@@ -471,7 +468,7 @@ TEST_CASE("Graphs of a cache that are damaged, but not in their digests, are mad
   check_damaged_entry(file_in(folder.path("cache")), command);
 }
 
-TEST_CASE("So are those of the store of a collection, and those with a digest that does not fit")
+TEST_CASE("Damaged graphs of a collection's store, and those with a wrong digest, are made again")
 {
   const Temporary_folder folder;
   folder.write("shapes/a.obj", obj_table());
@@ -492,7 +489,7 @@ TEST_CASE("So are those of the store of a collection, and those with a digest th
   }
 }
 
-TEST_CASE("A writer that is killed leaves what was there before, and the next one is not in its way")
+TEST_CASE("A writer that is killed leaves the previous file, and does not hinder the next writer")
 {
   const Temporary_folder folder;
   const std::string file = folder.write("r.json", "old"), frames = folder.path("fr");
@@ -513,7 +510,7 @@ TEST_CASE("A writer that is killed leaves what was there before, and the next on
   CHECK(text_of(frames + "/a") == "a");
 }
 
-TEST_CASE("What is overwritten keeps its mode, and links to it")
+TEST_CASE("Files that are overwritten keep their mode and the links to them")
 {
   const Temporary_folder folder;
   const std::string file = folder.write("r.json", "old"), link = folder.path("link");
@@ -592,6 +589,6 @@ TEST_CASE("A process that is stopped for a while writes the same bytes")
     REQUIRE((WIFEXITED(status) && WEXITSTATUS(status) == 0));
     CHECK(text_of(output) == expected);
   }
-  // No clock decides unless it is asked to
+  // By default, there is no time limit
   CHECK(Abstraction_options().time_limit == std::numeric_limits<double>::infinity());
 }

@@ -34,7 +34,7 @@ TEST_CASE("By default parts are matched by their costs, with a confidence each, 
   CHECK(split.groups[1].operation == Operation::SPLIT);
   CHECK(split.groups[1].solidity_ratio == Approx(0.4));
   CHECK(split.energy == Approx(deformation_energy(split.terms, {})));
-  // The mapping is the one that the least energy has, too; it is rated with the whole back for each slat
+  // The mapping is that of least energy; each slat is rated with the entire back
   Search_options exact;
   exact.method = Search_method::EXACT;
   exact.both_directions = false;
@@ -74,7 +74,7 @@ TEST_CASE("Pairs that are not sure enough can be left out; other parts stay matc
 
 TEST_CASE("Another alignment than the given one must be clearly better")
 {
-  // A chair's seat and legs alone, the hind legs closer together by `narrowing`, all legs leaning out by `lean`
+  // A chair's seat and legs; the hind legs are closer together by `narrowing`, and all legs lean outwards by `lean`
   const auto stool = [](double narrowing, double lean) {
     Shape_structure shape;
     shape.frame.mirror_x = shape.frame.mirror_z = true;
@@ -91,7 +91,8 @@ TEST_CASE("Another alignment than the given one must be clearly better")
   const Structural_graph leaning = stool(0.02, 1);
   Search_options all;
   all.alignments = 0;
-  CHECK(find_correspondence(stool(-0.02, 0), leaning, all).target_quarter_turns == 0); // a hair better at 2
+  // An alignment by two quarter turns is only slightly better
+  CHECK(find_correspondence(stool(-0.02, 0), leaning, all).target_quarter_turns == 0);
   CHECK(find_correspondence(stool(-0.9, 0), stool(0.9, 1), all).target_quarter_turns == 2);
 }
 
@@ -114,7 +115,7 @@ TEST_CASE("The default takes chosen parts only, and any alignment where asked to
 
 namespace {
 
-/// Curves and sheets at random places, in a frame that is turned by quarter turns.
+/// Curves and sheets at random places, in a frame rotated by quarter turns.
 Structural_graph random_parts(std::mt19937& random, int quarter_turns)
 {
   std::uniform_real_distribution<double> coordinate(0, 1);

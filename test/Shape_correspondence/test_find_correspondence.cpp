@@ -65,14 +65,14 @@ TEST_CASE("A back splits into slats, and slats merge into a back")
   CHECK(part_pairs(merge.pairs) == turned);
   CHECK(merge.groups[1].operation == Operation::MERGE);
 
-  // Both directions: pairs stay (source, target) whichever direction won
+  // Pairs stay (source, target), whichever direction is taken
   CHECK(part_pairs(find_correspondence(chair(), slatted_chair(), least_energy()).pairs) == expected);
   CHECK(part_pairs(find_correspondence(slatted_chair(), chair(), least_energy()).pairs) == turned);
 }
 
 TEST_CASE("A curve that is cut corresponds by its segments, in either direction")
 {
-  // A base and a post in some pieces, one above the other
+  // A base, and a post of several pieces above each other
   const auto post = [](int pieces) {
     Shape_structure shape;
     shape.parts.push_back(sheet("base", {-.2, 0, -.2}, {.4, 0, 0}, {0, 0, .4}));
@@ -104,7 +104,7 @@ TEST_CASE("A curve that is cut corresponds by its segments, in either direction"
   }
 }
 
-TEST_CASE("The parts of the energy add up")
+TEST_CASE("The terms of the energy add up")
 {
   Search_options options = least_energy();
   options.both_directions = false;
@@ -125,7 +125,7 @@ TEST_CASE("The parts of the energy add up")
     CHECK(match.energy == Approx(match.distortion + 0.6 * match.connectedness));
     ratios.push_back(match.solidity_ratio);
   }
-  for (const Group_match& match : c.groups) { // either group of a contact has half of its energy
+  for (const Group_match& match : c.groups) { // each of the two groups of a contact has half of its energy
     double half = 0;
     for (const Contact_energy& contact : c.contacts)
       for (std::size_t part : contact.parts)
@@ -139,8 +139,9 @@ TEST_CASE("The parts of the energy add up")
 
 TEST_CASE("The shape that deforms at less energy per connected pair is deformed")
 {
-  // A point with another one 1 above; a point with three others 2 away, all off from up by an angle of cosine 0.6. One
-  // rod that turns and grows costs 0.4 + 0.6; the three turn and shrink, which costs 3 * 0.4, but only 0.4 each
+  // A point with another one 1 above it; a point with three others at a distance of 2, all off the up direction by an
+  // angle of cosine 0.6. One rod that rotates and grows costs 0.4 + 0.6; the three rotate and shrink, which costs 3 *
+  // 0.4 in total, but only 0.4 each
   const Structural_graph one = point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}});
   const Structural_graph three =
       point_graph({{0, 0, 0}, {-1.6, 1.2, 0}, {0, 1.2, 1.6}, {1.6, 1.2, 0}}, {{0, 1}, {0, 2}, {0, 3}});
@@ -188,7 +189,7 @@ TEST_CASE("Moving, scaling and turning a shape changes no pair")
 
 TEST_CASE("A chair turned back to front is recognised when all alignments are tried")
 {
-  // The frame of a chair that was given back to front looks the other way
+  // The frame of a chair given back to front faces the other way
   Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
   structure(turned).frame.axes.setIdentity();
   Search_options all = least_energy();
@@ -222,7 +223,7 @@ TEST_CASE("The paper's method: beam search of all alignments, coarse in the sour
   structure(turned).frame.axes.setIdentity();
   CHECK(find_correspondence(chair(), turned, paper).energy == Approx(0).margin(1e-9));
 
-  // Seat and back are the most prominent parts of the source; all of the target can be matched
+  // Seat and back are the most prominent parts of the source; all parts of the target can be matched
   Search_options coarse = paper;
   coarse.maximum_parts = 2;
   const Correspondence c = find_correspondence(chair(), slatted_chair(), coarse);
@@ -234,7 +235,7 @@ TEST_CASE("The paper's method: beam search of all alignments, coarse in the sour
   coarse.progress = [&](double) { return ++runs > 0; };
   find_correspondence(chair(), slatted_chair(), coarse);
   CHECK(runs == 1);            // the whole target is not deformed into a coarse source
-  coarse.coarse_target = true; // two parts of the target, too: the seat and the first of its slats
+  coarse.coarse_target = true; // also takes two parts of the target: the seat and the first slat
   std::set<std::size_t> targets;
   for (const Part_correspondence& pair : find_correspondence(chair(), slatted_chair(), coarse).pairs)
     targets.insert(pair.target);
@@ -281,7 +282,7 @@ TEST_CASE("Options out of range are refused")
 
 TEST_CASE("A coarse correspondence is of the same parts in every alignment")
 {
-  // Posts that are equally prominent, so that which ones are the most prominent is settled by their places
+  // Equally prominent posts, so that positions decide which count as most prominent
   Shape_structure shape;
   shape.name = "posts";
   shape.parts = {curve("a", {-.6, 0, -.2}, {-.6, 1, -.2}), curve("b", {-.2, 0, .6}, {-.2, 1, .6}),
@@ -321,7 +322,7 @@ TEST_CASE("Only the chosen parts take part")
 
 TEST_CASE("Partial matching: what the other shape does not have stays unmatched where that is allowed")
 {
-  // A chair without its back, the legs where they were
+  // A chair without its back, with the legs in place
   Structural_graph stool = chair();
   Shape_structure shape = structure(stool);
   shape.parts.erase(shape.parts.begin() + 1);
@@ -375,7 +376,7 @@ TEST_CASE("Min-marginals tell how sure a match is")
   options.both_directions = false;
   const Correspondence c = find_correspondence(chair(), chair(), options);
   for (const Group_match& match : c.groups) {
-    CHECK(match.min_marginal > 0.01); // a self-match is not a toss-up
+    CHECK(match.min_marginal > 0.01); // a match of a shape with itself is unambiguous
     CHECK(match.min_marginal < 10);
   }
   options.min_marginals = false;
@@ -393,7 +394,7 @@ TEST_CASE("A finder gives what the function gives")
   }
 }
 
-TEST_CASE("What keeps a graph by reference takes no graph that is about to end")
+TEST_CASE("Classes that keep a graph by reference take no temporary graph")
 {
   STATIC_REQUIRE(std::is_constructible_v<Prepared_shape, const Structural_graph&>);
   STATIC_REQUIRE(std::is_constructible_v<Correspondence_finder, const Structural_graph&>);
@@ -413,7 +414,7 @@ TEST_CASE("A cancelled search says so")
   const Correspondence c = find_correspondence(chair(), slatted_chair(), options);
   CHECK(done == std::vector<double>{0, 0.5});
   CHECK(!c.complete);
-  CHECK(!c.pairs.empty()); // the forward direction was done
+  CHECK(!c.pairs.empty()); // the forward direction was completed
   CHECK(c.warnings.size() == 1);
   options.progress = [](double) { return false; };
   for (const Search_method method : {Search_method::PARTS, Search_method::BEAM}) {
@@ -426,7 +427,7 @@ TEST_CASE("A cancelled search says so")
   }
 }
 
-TEST_CASE("A term that is switched off has no say")
+TEST_CASE("A term that is switched off has no effect")
 {
   Search_options options = least_energy();
   options.matching.weights.connectedness = options.matching.weights.split = 0;

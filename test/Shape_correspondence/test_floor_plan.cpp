@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Who includes whom, held against the tables of src/README.md.
+// Checks includes against the tables of src/README.md.
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
@@ -39,7 +39,7 @@ std::vector<std::string> cells(std::string text, const char* separators)
 struct Floor_plan
 {
   std::vector<std::string> rooms;
-  std::map<std::string, std::set<std::string>> may_include; ///< by room
+  std::map<std::string, std::set<std::string>> may_include; ///< indexed by room
   std::map<std::string, std::string> headers;               ///< the room of a public header without a source
 };
 
@@ -50,7 +50,7 @@ Floor_plan read_plan()
   bool is_line_of_room = true;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] != '|' || line[1] == '-') continue;
-    const std::vector<std::string> cell = cells(line, "|"); // the first and the last are empty
+    const std::vector<std::string> cell = cells(line, "|"); // the first and the last cell are empty
     if (cell[1] == "room") continue;
     if (cell[1] == "public header") {
       is_line_of_room = false;
@@ -65,7 +65,7 @@ Floor_plan read_plan()
   return plan;
 }
 
-/// Files of the package by the names that they are included by.
+/// The files of the package, by the names under which they are included.
 std::map<std::string, fs::path> package_files()
 {
   std::map<std::string, fs::path> files;
@@ -76,7 +76,7 @@ std::map<std::string, fs::path> package_files()
   return files;
 }
 
-/// The files of the package that each one includes.
+/// For each file, the files of the package that it includes.
 std::map<std::string, std::vector<std::string>> package_includes()
 {
   const std::map<std::string, fs::path> files = package_files();
@@ -93,7 +93,6 @@ std::map<std::string, std::vector<std::string>> package_includes()
   return result;
 }
 
-/// The room of a file; empty if there is none.
 std::string room_of(const std::string& file, const Floor_plan& plan)
 {
   if (file.compare(0, public_prefix.size(), public_prefix) != 0) return file.substr(0, file.rfind('/'));
@@ -106,7 +105,7 @@ std::string room_of(const std::string& file, const Floor_plan& plan)
   return "";
 }
 
-/// Follows includes in depth. \return a file that includes itself in the end; empty if there is none
+/// Depth-first search along includes. \return a file on a cycle; empty if there is none
 std::string file_in_circle(const std::string& file, const std::map<std::string, std::vector<std::string>>& includes,
                            std::map<std::string, int>& state)
 {
@@ -175,7 +174,7 @@ TEST_CASE("No files include each other in a circle")
     CHECK(file_in_circle(file, includes, state) == "");
 }
 
-TEST_CASE("What only some compilers and systems have stands where it is met for all")
+TEST_CASE("Code for single compilers or systems is in the files made for it only")
 {
   const std::regex compiler("__attribute__|__builtin_|\\b__int128|\\bssize_t"),
       system("#include <(unistd|windows|fcntl|io|dlfcn|spawn|poll|sys/.*)\\.h>|_WIN32|__linux__|__APPLE__");

@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t outer = 16, inner = 64, first_bad = 5, second_bad = 6;
 constexpr int runs = 200;
 
-/// Number of calls of a loop in a loop, by the number of the outer call; some of these throw after their loop.
+/// Number of calls of nested loops, by index of the outer call; some outer calls throw after their loop.
 std::vector<std::size_t> calls_of_nested_loops(std::string& failure)
 {
   std::vector<std::size_t> calls(outer, 0);
@@ -48,7 +48,7 @@ std::vector<std::size_t> calls_of_nested_loops(std::string& failure)
 
 } // namespace
 
-TEST_CASE("A call that throws leaves the loops in other calls whole, and the first failure is thrown")
+TEST_CASE("A call that throws does not interrupt loops in other calls, and the first exception is rethrown")
 {
   for (int threads : {1, 2, 8}) {
     const std::shared_ptr<void> limit = limit_threads(threads);
@@ -66,7 +66,7 @@ TEST_CASE("A call that throws leaves the loops in other calls whole, and the fir
 }
 
 #ifndef __SANITIZE_THREAD__
-TEST_CASE("As many threads work as the limit allows, in loops in loops, too, and as before when it is gone")
+TEST_CASE("As many threads work as the limit allows, also in nested loops, and as before when it is removed")
 {
   const auto most_at_once = [] {
     std::atomic<int> working{0}, most{0};
@@ -100,7 +100,7 @@ TEST_CASE("With a limit of one, no thread but the caller's works")
   for_each_index(outer, true, [&](std::size_t i) { threads[i] = std::this_thread::get_id(); });
   CHECK(std::count(threads.begin(), threads.end(), std::this_thread::get_id()) == std::ptrdiff_t(outer));
 #ifdef CGAL_LINKED_WITH_TBB
-  for_each_index(2, true, [](std::size_t) { CHECK(tbb::task::current_context() == nullptr); }); // TBB has no part in it
+  for_each_index(2, true, [](std::size_t) { CHECK(tbb::task::current_context() == nullptr); }); // runs without TBB
 #endif
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("A caller that cancels its own loop does not cut short loops in it")
 
 TEST_CASE("A loop that is cancelled from inside is an error")
 {
-  if (std::thread::hardware_concurrency() < 2) return; // it has no loop to be cancelled then
+  if (std::thread::hardware_concurrency() < 2) return; // a single processor runs no parallel loop to cancel
   const auto cancel = [](std::size_t) { tbb::task::current_context()->cancel_group_execution(); };
   CHECK_THROWS_WITH(for_each_index(inner, true, cancel), Catch::Matchers::Contains("cancelled"));
 }

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the fuzz targets begin with and have found, in every build; random structural graphs through the library.
+// Runs the seeds and findings of the fuzz targets in every build, and matches random structural graphs.
 
 #include "fuzz/file_readers.h"
 #include "io/read/model_parts.h"

@@ -56,7 +56,6 @@ bool is_closed(const Mesh& mesh)
   return true;
 }
 
-/// The volume of each connected component.
 std::vector<double> component_volumes(const Mesh& mesh)
 {
   CGAL::Shape_correspondence::internal::Disjoint_sets sets(mesh.points.size());
@@ -88,13 +87,12 @@ bool self_intersects(const Mesh& mesh)
   return CGAL::Polygon_mesh_processing::does_self_intersect(surface);
 }
 
-/// Mirrored copies are exact; others differ by the rounding of both, the first one's turned along.
+/// Mirrored copies are exact; others differ by the rounding of both copies.
 constexpr double copy_tolerance = 1.25 * gen::grid_step;
 
-/// Near copies, over their diagonal.
 constexpr double near_copy_tolerance = 0.01;
 
-/// Parts closer than this part of the shape's diagonal count as touching.
+/// Distance below which parts are in contact, over the shape's diagonal.
 constexpr double touch_tolerance = 5e-4;
 
 const gen::Part& part_of(const gen::Assembly& shape, const std::string& name) { return shape.parts[shape.index(name)]; }
@@ -134,7 +132,7 @@ TEST_CASE("the models in data/raw are what the generator makes", "[generate_mode
 
 TEST_CASE("every part is a closed outward mesh without self-intersections", "[generate_models]")
 {
-  std::vector<gen::Assembly> shapes = gen::training_shapes(); // those of the benchmark, too
+  std::vector<gen::Assembly> shapes = gen::training_shapes(); // includes those of the benchmark
   for (const gen::Model& model : gen::models())
     shapes.push_back(model.make());
   for (const gen::Assembly& shape : shapes)
@@ -182,14 +180,14 @@ TEST_CASE("every part is in one group", "[generate_models]")
 
 namespace {
 
-/// Where the group's symmetry takes a point of the first member for the k-th one.
+/// The image of a point of a group's first member in the k-th member.
 Point image(const gen::Part_group& group, std::size_t k, const Point& p)
 {
   switch (group.symmetry) {
   case gen::Symmetry::reflection: {
     const Point once = p - 2 * group.direction.dot(p) * group.direction;
     const Point in_x = k % 2 == 1 ? once : p;
-    return k < 2 ? in_x : Point(in_x.x(), in_x.y(), -in_x.z()); // of four, the back pair
+    return k < 2 ? in_x : Point(in_x.x(), in_x.y(), -in_x.z()); // the back pair of four
   }
   case gen::Symmetry::rotation:
     return gen::rotation_about(group.point, group.direction, 2 * gen::pi * k / group.parts.size()) * p;
@@ -198,7 +196,7 @@ Point image(const gen::Part_group& group, std::size_t k, const Point& p)
   }
 }
 
-/// The largest difference of the boxes, over the diagonal.
+/// The largest difference of the bounding boxes, over the diagonal.
 double box_difference(const Mesh& mesh, const Mesh& other, const Point& shift)
 {
   const Box a = box_of(mesh.points), b = box_of(other.points);
@@ -251,8 +249,8 @@ TEST_CASE("distances of surfaces, worked out by hand", "[generate_models]")
   const auto triangle = [](const Point& a, const Point& b, const Point& c) { return Mesh{{a, b, c}, {{0, 1, 2}}}; };
   const Mesh flat = triangle({0, 0, 0}, {2, 0, 0}, {0, 2, 0});
   const auto distance = [&](const Mesh& other) { return gen::surface_distance(flat, other, 10); };
-  CHECK(distance(triangle({.5, .5, 1}, {.5, .5, 3}, {.6, .6, 3})) == Approx(1));            // a corner over a face
-  CHECK(distance(triangle({.5, .5, -1}, {.5, .5, 3}, {.6, .6, 3})) == 0);                   // an edge through a face
+  CHECK(distance(triangle({.5, .5, 1}, {.5, .5, 3}, {.6, .6, 3})) == Approx(1));            // corner and face
+  CHECK(distance(triangle({.5, .5, -1}, {.5, .5, 3}, {.6, .6, 3})) == 0);                   // edge through face
   CHECK(distance(triangle({1, -1, -1}, {1, -1, 1}, {1, -3, 0})) == Approx(1));              // two edges
   CHECK(distance(triangle({-1, -1, 0}, {-2, -1, 0}, {-1, -2, 0})) == Approx(std::sqrt(2))); // two corners
   CHECK(gen::surface_distance(flat, triangle({0, 0, 5}, {1, 0, 5}, {0, 1, 5}), 2) == 2);    // beyond the limit
@@ -260,7 +258,7 @@ TEST_CASE("distances of surfaces, worked out by hand", "[generate_models]")
 
 namespace {
 
-/// FNV-1a over the names and contents of files.
+/// FNV-1a hash of the names and contents of files.
 std::uint64_t hash_of(const std::vector<gen::Assembly>& shapes)
 {
   std::uint64_t hash = 0xcbf29ce484222325;
@@ -271,7 +269,7 @@ std::uint64_t hash_of(const std::vector<gen::Assembly>& shapes)
   return hash;
 }
 
-/// How many sets of parts there are that touch each other within, and not each other.
+/// The number of connected components of parts in contact.
 std::size_t number_of_pieces(const gen::Assembly& shape)
 {
   CGAL::Shape_correspondence::internal::Disjoint_sets pieces(shape.parts.size());
@@ -287,7 +285,7 @@ gen::Assembly benchmark_shape(const std::string& name)
   throw std::logic_error(name);
 }
 
-// Names are unique, and no shape has fewer than four parts.
+// Checks numbers and names: names are unique, and every shape has at least four parts.
 void check_fifteen_of_each(const std::vector<gen::Assembly>& shapes)
 {
   std::map<std::string, int> counts;
@@ -414,7 +412,7 @@ TEST_CASE("drawn shapes are whole, of other styles with every seed, and the same
   CHECK(hash == 0xdb37b930598788b6);
 }
 
-TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_shapes]")
+TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_shapes]")
 {
   const gen::Assembly chair = benchmark_shape("chair_slats");
   const auto made_worse = [&](bool gen::Degradation::*way, std::uint64_t seed = 7) {

@@ -14,7 +14,7 @@
 #include <map>
 #include <set>
 
-// The command graph from outside.
+// The command graph, run as a program.
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -137,7 +137,7 @@ TEST_CASE("Ways of abstraction by their names")
   CHECK(method_of_top("boxes") == "bounding_box");
 }
 
-TEST_CASE("--paper builds graphs by the flow, unless told otherwise, and tells of graphs of the other kind")
+TEST_CASE("--paper builds graphs by the flow by default, and warns about graphs built otherwise")
 {
   const Temporary_folder folder;
   const std::string table = quoted(folder.write("table.obj", obj_table())), flow = quoted(folder.path("flow.json")),
@@ -149,7 +149,7 @@ TEST_CASE("--paper builds graphs by the flow, unless told otherwise, and tells o
     return double(result["seconds"]["abstraction"]);
   };
   CHECK(seconds("") == 0);
-  CHECK(seconds(" --paper") > 0); // parts touch elsewhere
+  CHECK(seconds(" --paper") > 0); // the paper's contacts differ, so that the cached graph is not used
   CHECK(seconds(" --paper") == 0);
   const auto warnings = [&](const std::string& graph, const std::string& options) {
     return json::parse(run("match " + graph + " " + graph + options + " --json -").out)["warnings"].size();
@@ -185,7 +185,7 @@ TEST_CASE("A part whose wrap would insert the same point for ever gets a box")
   for (double thickness = 0.04; thickness < 0.1; thickness += 0.0025) {
     INFO(thickness);
     std::string top = obj_box("o top", 0, -0.5, 0, -0.5, 1, thickness, 1);
-    for (const std::string face : {"f 1 2 6 5 \n", "f 3 7 8 4 \n"}) { // below and above
+    for (const std::string face : {"f 1 2 6 5 \n", "f 3 7 8 4 \n"}) { // lower and upper face
       REQUIRE(top.find(face) != std::string::npos);
       top.erase(top.find(face), face.size());
     }
@@ -194,5 +194,5 @@ TEST_CASE("A part whose wrap would insert the same point for ever gets a box")
     CHECK(open.status == 0);
     boxes += open.out.find("a surface around it is not found") != std::string::npos;
   }
-  CHECK(boxes > 0); // where the point repeats, depends on the last bits
+  CHECK(boxes > 0); // the repeated point depends on the last bits
 }

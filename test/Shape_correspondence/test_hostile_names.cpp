@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Names are text that anybody may have written: every output holds them as names and nothing else.
+// Names are arbitrary text: every output format must contain them as plain names.
 
 #include "box_shapes.h"
 #include "hand_made_graphs.h"
@@ -37,7 +37,7 @@ using Names = std::vector<std::string>;
 
 namespace {
 
-/// Fifty of them, all different.
+/// Fifty different names.
 Names hostile_names()
 {
   return {"a\nv 9 9 9\nf 1 2 3",
@@ -51,8 +51,8 @@ Names hostile_names()
           "T\xFCr", // Latin-1
           "T\xF6r",
           "T\xC3\xBCr, too",  // UTF-8
-          "\xE2\x82",         // cut off
-          "\xC0\xAF",         // overlong
+          "\xE2\x82",         // truncated
+          "\xC0\xAF",         // overlong encoding
           "\xED\xA0\x80",     // a surrogate
           "\xF4\x90\x80\x80", // beyond Unicode
           "\xC2\x9B"
@@ -61,7 +61,7 @@ Names hostile_names()
           "\xE2\x80\xA8line", // a line separator
           "\xEF\xBB\xBF"
           "bom",
-          "\xEF\xBF\xBE",     // no character
+          "\xEF\xBF\xBE",     // a noncharacter
           "\xF0\x9F\xAA\x91", // a chair
           "\"",
           "a\" b=\"c",
@@ -104,7 +104,7 @@ Segmented_shape boxes()
   return shape;
 }
 
-/// A chain of the parts, each a group.
+/// A chain of parts, each a single group.
 Structural_graph chain()
 {
   std::vector<Point> places;
@@ -160,7 +160,6 @@ bool has_control(const std::string& text)
   return std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < ' ' && c != '\n') || c == 0x7F; });
 }
 
-/// Undoes %XX.
 std::string decoded(const std::string& text)
 {
   std::string result;
@@ -176,7 +175,7 @@ std::string decoded(const std::string& text)
 
 } // namespace
 
-TEST_CASE("There are fifty, and as UTF-8 they still differ")
+TEST_CASE("There are fifty hostile names, which differ as UTF-8, too")
 {
   const Names names = in_utf8(hostile_names());
   CHECK(names.size() == 50);
@@ -291,7 +290,7 @@ TEST_CASE("CSV: every name is one field")
   }
   fields.erase(fields.begin());
   Names expected = in_utf8(names);
-  for (std::string& name : expected) // what a spreadsheet would take for a formula
+  for (std::string& name : expected) // names that a spreadsheet would take for formulas
     if (std::string("=+-@\t\r").find(name[0]) != std::string::npos) name.insert(0, "'");
   CHECK(fields == expected);
 }
@@ -324,7 +323,7 @@ TEST_CASE("Lists of pieces and their parts read back")
 {
   const Temporary_folder folder;
   Segmented_shape objects("<b>");
-  for (const std::string& name : in_utf8(hostile_names())) // as readers of files give them
+  for (const std::string& name : in_utf8(hostile_names())) // in the encoding of files' readers
     objects.add_part(name, box_shapes::box(Point(2. * double(objects.parts().size()), 0, 0), Point::Ones()));
   const Part_split split = split_parts(objects);
   const std::string file =

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the program leaves behind when it is ended, or when outputs, caches and stores are no files.
+// Remains of an interrupted program, and outputs, caches and stores that are not files.
 
 #include "hand_made_graphs.h"
 #include "model_files.h"
@@ -24,14 +24,12 @@ namespace {
 
 const std::string program = quoted(SHAPE_CORRESPONDENCE_PROGRAM);
 
-/// The status of a shell that runs the lines.
 int shell(const std::string& lines)
 {
   const int status = std::system(("(" + lines + ") >/dev/null 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// The one file in a folder that has the extension.
 std::string file_in(const std::string& folder, const std::string& extension)
 {
   for (const auto& entry : fs::directory_iterator(folder))
@@ -64,7 +62,7 @@ TEST_CASE("The signals that end the program leave no temporary file")
   for (const char* signal : {"TERM", "HUP", "INT"}) {
     INFO(signal);
     const Blend_files blend;
-    // A shell lets what it runs in the background ignore INT
+    // A shell makes its background processes ignore INT
     const int status = shell("env --default-signal=INT " + program + " " + blend.inputs +
                              " --frames 10000 & while ! ls " + quoted(blend.output) +
                              ".tmp-*/*000* && kill -0 $!; do sleep 0.02; done; kill -" + signal + " $!; wait $!");

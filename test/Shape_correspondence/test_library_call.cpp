@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Other libraries fail at each place where they are called with a surface, through each command: the result says what
-// takes the place of theirs, or an error names the file.
+// Makes other libraries fail at each of their calls with a surface, in each command: the result must report the
+// replacement, or an error must name the file.
 
 #include "base/library_call.h"
 #include "cli/Command.h"
@@ -24,14 +24,14 @@ using internal::failing_library_call;
 
 namespace {
 
-/// Lets the library calls of a name fail while it lives.
+/// Makes the library calls of this name fail during its lifetime.
 struct Failing_calls
 {
   explicit Failing_calls(const std::string& name) { failing_library_call = name; }
   ~Failing_calls() { failing_library_call.clear(); }
 };
 
-/// What goes to a stream while it lives.
+/// Captures the output to a stream during its lifetime.
 class Captured
 {
 public:
@@ -45,7 +45,7 @@ private:
   std::streambuf* before_;
 };
 
-/// All that a command prints, or its error. Other exceptions than those that the program reports fail the test.
+/// The output of a command, or its error. Exceptions that the program does not report fail the test.
 std::string outcome(const std::string& command, const std::vector<std::string>& arguments)
 {
   const Captured out(std::cout), notes(std::cerr);
@@ -57,7 +57,7 @@ std::string outcome(const std::string& command, const std::vector<std::string>& 
   return out.text() + notes.text();
 }
 
-/// A box as OBJ polygons, each side with a corner in the middle of two of its edges.
+/// A box as OBJ polygons, with two edges of each side split at their midpoints.
 std::string box_text(const Point& low, const Point& high, int first)
 {
   std::ostringstream text;
@@ -79,7 +79,6 @@ std::string box_text(const Point& low, const Point& high, int first)
   return text.str();
 }
 
-/// A table of a top and four legs.
 std::string table_text()
 {
   std::string text = "o top\n" + box_text({-1, 0.9, -1}, {1, 1, 1}, 1);
@@ -101,7 +100,7 @@ TEST_CASE("A box with corners on its edges, whose polygons give flat triangles, 
     CHECK_THAT(outcome(command, {box}), Contains("only one part"));
 }
 
-TEST_CASE("Where CGAL fails, a fallback tells of itself")
+TEST_CASE("Where CGAL fails, the fallback is reported")
 {
   const Temporary_folder folder;
   const std::string table = folder.write("table.obj", table_text());
@@ -129,7 +128,7 @@ TEST_CASE("Where CGAL fails, a fallback tells of itself")
   }
 }
 
-TEST_CASE("No failure of a library ends a command in another way than by a result or an error that names the file")
+TEST_CASE("If a library fails, commands end with a result or with an error that names the file")
 {
   const Temporary_folder folder;
   const std::string a = folder.write("a.obj", table_text()), b = folder.write("b.obj", table_text());

@@ -1,2 +1,2 @@
-#define CATCH_CONFIG_MAIN // Catch2 3 has its own
+#define CATCH_CONFIG_MAIN // Catch2 3 has its own main()
 #include <catch2/catch.hpp>

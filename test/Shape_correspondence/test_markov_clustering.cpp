@@ -37,7 +37,7 @@ Weights weights_of(int n, const std::vector<std::tuple<int, int, double>>& edges
   return result;
 }
 
-// Groups of nodes, dense within and with some edges between.
+// Groups of nodes with dense edges inside and some edges between them.
 Weights planted(int groups, int size, double within, double between, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -49,14 +49,14 @@ Weights planted(int groups, int size, double within, double between, unsigned se
   return weights_of(groups * size, edges);
 }
 
-// Clusters of van Dongen's program.
+// The clusters found by van Dongen's program.
 Labels labels_by_mcl(const Weights& weights, double inflation)
 {
   const model_files::Temporary_folder folder;
   std::ostringstream edges;
   edges.precision(17);
   for (int j = 0; j < weights.outerSize(); ++j) {
-    edges << j << ' ' << j << " 0\n"; // so that lonely nodes are known
+    edges << j << ' ' << j << " 0\n"; // declares isolated nodes
     for (Weights::InnerIterator entry(weights, j); entry; ++entry)
       edges << entry.row() << ' ' << j << ' ' << entry.value() << '\n';
   }
@@ -75,7 +75,7 @@ Labels labels_by_mcl(const Weights& weights, double inflation)
   return labels;
 }
 
-// By first node, as markov_clustering() numbers them.
+// Labels in the order of first nodes, as in markov_clustering().
 Labels renumbered(const Labels& labels)
 {
   std::map<std::size_t, std::size_t> number;
@@ -124,7 +124,7 @@ TEST_CASE("More inflation makes no fewer clusters")
   CHECK(markov_clustering(weights, low).number_of_clusters <= markov_clustering(weights, high).number_of_clusters);
 }
 
-TEST_CASE("The scale of weights and what stands on the diagonal change nothing")
+TEST_CASE("The scale of weights and the entries of the diagonal change nothing")
 {
   const Weights weights = planted(4, 6, .8, .1, 1);
   Weights other = 8 * weights;
@@ -151,7 +151,7 @@ TEST_CASE("Dense groups are found with a limit on all entries together, too")
 {
   const Weights weights = planted(20, 8, 1, .01, 5);
   Markov_clustering_options options;
-  options.entry_limit = 160 * 10; // ten a column
+  options.entry_limit = 160 * 10; // ten for each column
   const Markov_clustering result = markov_clustering(weights, options);
   CHECK(result.number_of_clusters == 20);
   CHECK(result.labels == markov_clustering(weights).labels);

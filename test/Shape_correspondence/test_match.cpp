@@ -26,7 +26,7 @@ namespace {
 
 const fs::path data = SHAPE_CORRESPONDENCE_DATA_DIR;
 
-// Of this process: several may run at once
+// A folder for each process, since several may run at once
 fs::path scratch()
 {
   static const model_files::Temporary_folder folder;
@@ -126,7 +126,7 @@ TEST_CASE("Pairs of models of a kind: complete, in the format, every part accoun
           CHECK(seen.insert(name).second);
         CHECK(seen == parts);
       }
-      // In the paper's method, the shape that was deformed has no part left over
+      // In the paper's method, all parts of the deformed shape are matched
       if (method == "parts") continue;
       const char* deformed = result["direction"] == "source_to_target" ? "unmatched_source" : "unmatched_target";
       CHECK(result[deformed].empty());
@@ -185,7 +185,7 @@ TEST_CASE("Moving, scaling, turning by 30 degrees and shuffling parts changes no
   CHECK(pairs_of(match(data / source, changed_copy(target, "turned", turn_by_30_degrees, same))) == expected);
   CHECK(pairs_of(match(changed_copy(source, "turned_source", turn_by_30_degrees, same), data / target)) == expected);
 
-  // Names reversed letter by letter come in another order
+  // Reversed names have another alphabetical order
   const auto reversed = [](const std::string& name) { return std::string(name.rbegin(), name.rend()); };
   Names restored;
   for (const auto& pair : pairs_of(match(data / source, changed_copy(target, "shuffled", stay, reversed))))
@@ -257,7 +257,7 @@ TEST_CASE("The method follows from the options, where it is not named")
   CHECK(method("--solutions 2") == "exact");
   CHECK(method("--allow-unmatched") == "exact");
   CHECK(method("--search-time-limit 10") == "exact");
-  CHECK(method("--time-limit 10") == "parts"); // of the abstraction of a part
+  CHECK(method("--time-limit 10") == "parts");
 }
 
 TEST_CASE("Pinned pairs are in the result and forbidden ones are not, with and without roles")

@@ -25,14 +25,14 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
   for (std::size_t i = 0; i < 2; ++i) {
     REQUIRE(legs.images[i].size() == 1);
     const std::size_t from = plain.original[plain.group(group_with(plain, 2)).parts[i]];
-    CHECK(slats.original[legs.images[i][0].target.part] == from + 2); // left to left, right to right
+    CHECK(slats.original[legs.images[i][0].target.part] == from + 2); // left corresponds to left, right to right
   }
 
   const Group_label split = match_groups(plain, group_with(plain, 1), slats, group_with(slats, 1));
   CHECK(split.operation == Operation::SPLIT);
   CHECK(split.images[0].size() == 3);
   CHECK(split.solidity_ratio == Approx(0.4));
-  CHECK(legs.solidity_ratio == 1); // one to one
+  CHECK(legs.solidity_ratio == 1); // matched one to one
 
   const Group_label merge = match_groups(slats, group_with(slats, 1), plain, group_with(plain, 1));
   CHECK(merge.operation == Operation::MERGE);
@@ -44,12 +44,12 @@ TEST_CASE("Groups: members one to one by place, then the left-over ones to the n
   for (const auto& images : duplicate.images)
     for (const Piece_image& image : images)
       taken.insert(image.target.part);
-  CHECK(taken.size() == 3); // every target part is somebody's image
+  CHECK(taken.size() == 3); // every target part is an image
 }
 
 TEST_CASE("Groups: members are matched by their places in unit boxes, one left over goes to the nearest")
 {
-  // At 0 and 1 of the one box, at 0, 0.8 and 1 of the other
+  // Members at 0 and 1 of one unit box, and at 0, 0.8 and 1 of the other
   const Aligned_shape two = align_shape(point_graph({{0, -1, 0}, {10, 0, 0}, {12, 0, 0}}, {{0, 1}},
                                                     {group({0}), group({1, 2}, Symmetry_type::TRANSLATION)}));
   const Aligned_shape three = align_shape(point_graph({{0, -1, 0}, {0, 0, 0}, {.8, 0, 0}, {1, 0, 0}}, {{0, 1}},
@@ -64,7 +64,7 @@ TEST_CASE("Groups: members are matched by their places in unit boxes, one left o
     CHECK(merge.images[i][0].target.part == (i == 0 ? 1 : 2));
 }
 
-TEST_CASE("Solidity ratio: of groups of different sizes, without rotation")
+TEST_CASE("The solidity ratio is 1 but for groups of different sizes without rotation")
 {
   const auto group = [](std::size_t size, double solidity, Symmetry_type type = Symmetry_type::REFLECTION) {
     Part_group result;

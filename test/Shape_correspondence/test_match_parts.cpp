@@ -21,7 +21,6 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// By index in the structural graphs.
 Part_matching matching(const Structural_graph& a, const Structural_graph& b, const Part_matching_options& options = {})
 {
   const Aligned_shape source = align_shape(a), target = align_shape(b);
@@ -54,7 +53,6 @@ Pairs identity(std::size_t parts)
   return result;
 }
 
-// The graph with its parts in the opposite order.
 Structural_graph reversed(const Structural_graph& graph)
 {
   Shape_structure shape = structure(graph);
@@ -72,7 +70,7 @@ Structural_graph reversed(const Structural_graph& graph)
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// A table with a second row of legs next to the first: a group of its own.
+// A table with a second row of legs next to the first, in its own group.
 Structural_graph table_with_double_legs()
 {
   Structural_graph table = hand_made::table();
@@ -115,7 +113,7 @@ TEST_CASE("Of eight legs in two groups, those where the other table has its four
 TEST_CASE("Rows match all to all, unless they pair one to one")
 {
   const Structural_graph slats = hand_made::slatted_chair();
-  Shape_structure shape = structure(slats); // the slats lower and leaning
+  Shape_structure shape = structure(slats); // lowers and tilts the slats
   const double x[] = {-.15, 0, .15};
   for (std::size_t slat = 1; slat <= 3; ++slat)
     shape.parts[slat] = hand_made::curve("slat", {x[slat - 1], .6, -.25}, {x[slat - 1], .9, -.4});
@@ -132,7 +130,7 @@ TEST_CASE("Rows match all to all, unless they pair one to one")
 
 TEST_CASE("The supports of two tables correspond as sets")
 {
-  // a column on a plate: two parts for four legs
+  // A column on a plate: two parts correspond to four legs
   Shape_structure shape = structure(hand_made::pedestal_table());
   shape.parts[1] = hand_made::curve("column", {0, .05, 0}, {0, 1, 0});
   shape.parts.push_back(hand_made::sheet("plate", {-.3, 0, -.3}, {.6, 0, 0}, {0, 0, .6}));
@@ -156,7 +154,7 @@ TEST_CASE("A part on the ground beside the legs leaves them one to one")
     CHECK(std::count_if(found.begin(), found.end(), [&](const auto& pair) { return pair.first == leg; }) == 1);
 }
 
-TEST_CASE("What has a chain hangs; rings of chains correspond to such rings or to nothing")
+TEST_CASE("A shape with a chain hangs; rings of chains correspond to such rings or to nothing")
 {
   const auto lantern = [](std::size_t links, double link) {
     Shape_structure shape;
@@ -180,7 +178,7 @@ TEST_CASE("What has a chain hangs; rings of chains correspond to such rings or t
   for (const bool swap : {false, true}) {
     const Part_matching found = swap ? matching(standing, hanging) : matching(hanging, standing);
     CHECK(found.upside_down);
-    CHECK(found.pairs.size() >= 2); // light, arm or mount of either
+    CHECK(found.pairs.size() >= 2); // light, arm or mount of both
     for (const auto& [i, j] : pairs(found)) {
       const std::size_t part = swap ? j : i;
       CHECK((part < 2 || part > 5));
@@ -195,10 +193,10 @@ TEST_CASE("What has a chain hangs; rings of chains correspond to such rings or t
   }
   CHECK(rings >= 6); // every ring of either chain is in a pair
   CHECK(both.pairs.size() > rings);
-  CHECK(matching(hanging, lantern(2, .1)).upside_down); // two rings are no chain
+  CHECK(matching(hanging, lantern(2, .1)).upside_down); // two rings are not a chain
 }
 
-TEST_CASE("Source and target have the same standing, to the bit")
+TEST_CASE("Results are symmetric in source and target, to the bit")
 {
   const Part_matching there = matching(hand_made::chair(), hand_made::slatted_chair());
   const Part_matching back = matching(hand_made::slatted_chair(), hand_made::chair());
@@ -252,7 +250,7 @@ TEST_CASE("Confidence: a probability, high where there is no doubt and lower whe
     CHECK(pair.confidence > 0.8);
     CHECK(pair.confidence < 1);
   }
-  Part_matching_options strict; // either of two legs side by side would do, but only one top
+  Part_matching_options strict; // either of two adjacent legs is a candidate, but there is only one top
   strict.excess = strict.confident_excess = 0;
   const Part_matching doubtful = matching(table_with_double_legs(), hand_made::table(), strict);
   CHECK(confidence(doubtful, 1, 1) > 0);

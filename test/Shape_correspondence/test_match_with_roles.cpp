@@ -73,7 +73,7 @@ TEST_CASE("Roles joined to the energy")
     CHECK(off.pairs == without.pairs);
     CHECK(off.energy == without.energy);
     CHECK(off.category.empty());
-    options.matching.weights.roles = 100; // decides alone
+    options.matching.weights.roles = 100; // roles decide alone
     const Correspondence with = find_correspondence(a.graph, b.graph, options);
     CHECK(with.category == "shelf");
     CHECK(with.source_roles == roles(a.labels));
@@ -81,10 +81,10 @@ TEST_CASE("Roles joined to the energy")
       CHECK(a.labels[pair.source].coarse == b.labels[pair.target].coarse);
     CHECK(with.terms.roles < 0.1);
     CHECK(with.energy == Approx(deformation_energy(with.terms, options.matching.weights)));
-    // From either shape
+    // The result is symmetric
     const Correspondence back = find_correspondence(b.graph, a.graph, options);
     CHECK(back.energy == Approx(with.energy));
-    // No model, nothing to charge
+    // Without a model, there is no cost of roles
     options.roles = nullptr;
     CHECK(find_correspondence(a.graph, b.graph, options).energy == without.energy);
     options.matching.role_costs = Eigen::MatrixXd::Zero(2, 2);
@@ -107,7 +107,7 @@ TEST_CASE("Matching with roles")
   CHECK(ab.source_roles == roles(a.labels));
   CHECK(ab.target_roles == roles(b.labels));
 
-  // Every board with every board, and sides with sides only
+  // Every board corresponds to every board, and sides only to sides
   std::size_t boards = 0;
   for (const Part_correspondence& pair : ab.pairs) {
     CHECK(a.labels[pair.source].coarse == b.labels[pair.target].coarse);
@@ -116,14 +116,14 @@ TEST_CASE("Matching with roles")
   }
   CHECK(boards == 15);
 
-  // Neither shape comes first
+  // Swapping the shapes gives the inverse pairs
   std::vector<Part_correspondence> inverted;
   for (const Part_correspondence& pair : ba.pairs)
     inverted.push_back(inverse(pair));
   std::sort(inverted.begin(), inverted.end(), is_before);
   CHECK(ab.pairs == inverted);
 
-  // A shape of no known category is matched by geometry alone, and says so
+  // A shape of unknown category is matched by geometry alone, with a warning
   options.category = "";
   const Furniture rods =
       furniture("rods", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
@@ -150,7 +150,7 @@ void turn_by_a_quarter(Furniture& furniture)
   }
 }
 
-/// Whether all six parts of one chair are found in the other, and the turns are those that a result file may have.
+/// Whether all six parts of one chair are matched to the other's, with valid quarter turns.
 bool is_right(const Furniture& source, const Furniture& target, const Correspondence& found)
 {
   return found.target_quarter_turns >= 0 && found.target_quarter_turns < 4 && found.category == "chair" &&
@@ -262,8 +262,9 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
   const Role_model model = train_role_model(twice);
   const Furniture usual = chair(0.17, 1.9),
                   odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
-  CHECK(part_roles(usual.graph, model).category == "chair"); // the first of equals: the trees agree on its roles
-  CHECK(part_roles(odd.graph, model).category.empty());      // it is as far from chairs as from seats
+  // The first of two equally near categories: the trees agree on its roles
+  CHECK(part_roles(usual.graph, model).category == "chair");
+  CHECK(part_roles(odd.graph, model).category.empty()); // it is equally far from chairs and from seats
   Search_options options;
   options.roles = std::make_shared<const Role_model>(model);
   for (const int alignments : {1, 0}) {
@@ -275,13 +276,13 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
       return find_correspondence(shape.graph, shape.graph, options);
     };
     CHECK(found(usual, 0.64, 0.5).category == "chair");
-    const Correspondence refused = found(usual, 1.01, 0.5); // more than all trees
+    const Correspondence refused = found(usual, 1.01, 0.5); // more agreement than possible
     CHECK(refused.category.empty());
     REQUIRE(refused.warnings.size() == 1);
     CHECK_THAT(refused.warnings[0], Contains("the nearest is chair"));
-    CHECK(found(odd, 0, 0.5).category.empty()); // too far, whatever the trees say
+    CHECK(found(odd, 0, 0.5).category.empty()); // too far, regardless of the trees
     CHECK(found(odd, 0, 10).category == "chair");
-    CHECK(found(odd, 0.9, 10).category.empty()); // its trees do not agree so much
+    CHECK(found(odd, 0.9, 10).category.empty()); // less agreement of its trees than required
   }
 }
 
@@ -309,7 +310,7 @@ TEST_CASE("A prepared shape is matched with two models by several threads at onc
   }
 }
 
-TEST_CASE("What geometry alone matches is as sure as such pairs of the nearest category are right")
+TEST_CASE("Pairs matched by geometry alone have the confidence of such pairs in the nearest category")
 {
   Role_model_data data = Role_model_access::data(train_role_model(labelled(examples())));
   const std::size_t shelf = data.index("shelf");
@@ -320,7 +321,7 @@ TEST_CASE("What geometry alone matches is as sure as such pairs of the nearest c
   const Furniture odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
   const Correspondence geometric = find_correspondence(odd.graph, odd.graph, options);
   for (const std::size_t category : {shelf, std::size_t(1 - shelf)}) {
-    Role_model_data one = data; // that knows this category only
+    Role_model_data one = data; // knows only this category
     one.categories = {data.categories[category]};
     std::stringstream file;
     Role_model_access::model(std::move(one)).write(file);

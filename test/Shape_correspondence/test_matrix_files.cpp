@@ -59,7 +59,7 @@ TEST_CASE("CSV quotes names and keeps every bit of a number")
   std::ostringstream out;
   write_csv(out, matrix, {"a", "b, \"c\""});
   CHECK(out.str() == ",a,\"b, \"\"c\"\"\"\r\na,0,0.1\r\n\"b, \"\"c\"\"\",0.3333333333333333,2\r\n");
-  std::ostringstream formulas; // names that a spreadsheet would compute
+  std::ostringstream formulas; // names that a spreadsheet would evaluate
   matrix << -1, 0, 0, 0;
   write_csv(formulas, matrix, {"=1+1", "@a,b"});
   CHECK(formulas.str() == ",'=1+1,\"'@a,b\"\r\n'=1+1,-1,0\r\n\"'@a,b\",0,0\r\n");

@@ -26,7 +26,7 @@ Part_abstraction flow_abstraction_of(const Part_mesh& mesh, Abstraction_kind kin
   return abstract_part({"part", mesh}, options);
 }
 
-/// The points of a skeleton in one order.
+/// The points of a skeleton in lexicographic order.
 std::vector<std::vector<double>> sorted(const Points& points)
 {
   std::vector<std::vector<double>> result;
@@ -39,7 +39,7 @@ std::vector<std::vector<double>> sorted(const Points& points)
 
 } // namespace
 
-TEST_CASE("Step by step, the flow leaves the skeleton that CGAL's leaves in one go")
+TEST_CASE("The flow step by step gives the skeleton of CGAL's contraction at once")
 {
   const internal::Deadline deadline(1e9);
   const Part_mesh solid = internal::remeshed(torus(1, 0.2), 0.1, deadline);
@@ -86,7 +86,7 @@ TEST_CASE("A plate becomes a sheet on the meso-skeleton")
   const Points& points = part.control_points();
   REQUIRE(points.cols() == 64);
   CHECK((points.row(1).array() - 0.03).abs().maxCoeff() < 0.01);
-  // The flow draws rims back
+  // The flow shortens rims
   const double length = points.row(0).maxCoeff() - points.row(0).minCoeff();
   const double width = points.row(2).maxCoeff() - points.row(2).minCoeff();
   CHECK(length > 0.7);
@@ -140,7 +140,7 @@ TEST_CASE("The flow gives the same bits again")
 {
   const Part_mesh mesh = joined(torus(1, 0.25), box({0.9, -0.1, -0.1}, {2.4, 0.1, 0.1}));
   const Part_abstraction first = flow_abstraction_of(mesh);
-  std::vector<std::string> churn; // other addresses
+  std::vector<std::string> churn; // changes the addresses of later allocations
   for (std::size_t k = 0; k < 5000; ++k) {
     churn.emplace_back(16 + k * 7919 % 400, 'x');
   }

@@ -3,13 +3,12 @@
 
 #include <catch2/catch.hpp>
 
-// Balls that touch a surface from inside.
+// Medial balls, which touch a surface from inside.
 
 using namespace part_meshes;
 
 namespace {
 
-/// A torus whose faces are seen from outside.
 Part_mesh ring()
 {
   Part_mesh result = torus(1, 0.3);

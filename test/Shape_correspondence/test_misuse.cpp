@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls of the library with what it cannot work with: each is refused, and none is undefined.
+// Calls of the library with invalid arguments: each is refused, and none has undefined behaviour.
 
 #include "box_shapes.h"
 #include "boxed_graphs.h"
@@ -73,7 +73,7 @@ TEST_CASE("Numbers that are out of range, or none, are refused where graphs are 
   check_refused([](auto& options) { options.abstraction.triangles = 0; });
 }
 
-TEST_CASE("Pinned and forbidden parts that there are not are refused before they are used")
+TEST_CASE("Pinned and forbidden parts that do not exist are refused before they are used")
 {
   for (std::size_t part : {std::size_t(6), largest}) {
     check_search_refused([&](auto& options) { options.matching.pinned = {{part, 0}}; });
@@ -118,11 +118,11 @@ TEST_CASE("Meshes with indices of no vertex, or coordinates that are no numbers,
   CHECK_THROWS_AS(convex_hull_volume(bad_point.points), Invalid_input);
   CHECK(segment_mesh({}).shape.parts().empty());
   Segmentation_options most;
-  most.patches = largest; // as many as there are triangles
+  most.patches = largest; // clamped to the number of triangles
   CHECK(segment_mesh(box_shapes::box(Point::Zero(), Point::Ones()), most).shape.parts().size() == 1);
 }
 
-TEST_CASE("The upright axis of nothing, or with odds that are none, is refused")
+TEST_CASE("The upright axis of an empty shape, or with invalid odds, is refused")
 {
   const Segmented_shape table = box_shapes::table();
   CHECK_THROWS_AS(estimate_up(Segmented_shape()), Invalid_input);
@@ -157,7 +157,7 @@ TEST_CASE("Correspondences of other shapes are refused")
   CHECK_THROWS_AS(Correspondence_map(of_table, of_table, boxed_graphs::identity(table))(place), Invalid_input);
 }
 
-TEST_CASE("Energies that contradict themselves are refused")
+TEST_CASE("Inconsistent energies are refused")
 {
   for (const auto& change : std::vector<std::function<void(Pairwise_energy&)>>{
            [](auto& energy) { energy.edges[0].second = 7; },
@@ -175,7 +175,7 @@ TEST_CASE("Energies that contradict themselves are refused")
   CHECK_THROWS_AS(search.min_marginals(Search_result()), Invalid_input);
 }
 
-TEST_CASE("Indices of shapes, parts and groups that there are not are refused")
+TEST_CASE("Indices of shapes, parts and groups that do not exist are refused")
 {
   const Structural_graph chair = hand_made::chair();
   const Shape_structure shape = structure(chair);

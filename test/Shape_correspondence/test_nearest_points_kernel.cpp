@@ -15,7 +15,7 @@
 
 using namespace CGAL::Shape_correspondence;
 
-TEST_CASE("The machine's vector instructions find the nearest points of a loop to the bit")
+TEST_CASE("Vector instructions find the nearest points of a plain loop, to the bit")
 {
   std::srand(7);
   for (const int n : {1, 6, 37})
@@ -38,13 +38,13 @@ TEST_CASE("The machine's vector instructions find the nearest points of a loop t
 
 TEST_CASE("Of several nearest points, the tree of points finds the first")
 {
-  const int n = 6; // points of a grid along an axis; each is there twice
+  const int n = 6; // number of grid points along an axis; every point occurs twice
   Points grid(3, 2 * n * n * n);
   for (int i = 0; i < n * n * n; ++i) {
     grid.col(i) = Point(i / (n * n), i / n % n, i % n);
     grid.col(n * n * n + i) = grid.col(i);
   }
-  grid.rowwise().reverseInPlace(); // not in the order of a tree
+  grid.rowwise().reverseInPlace(); // avoids the order of a tree
   const internal::Nearest_points tree(grid);
   for (int i = 0; i < grid.cols(); ++i) {
     const Point query = grid.col(i) + 0.5 * Point(i % 2, i / 2 % 2, i / 4 % 2);

@@ -17,7 +17,7 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-// The parts moved at random, each as a whole, its contacts with it.
+// A graph whose parts are displaced at random, together with their contacts.
 Structural_graph shaken(Structural_graph graph, double by, std::mt19937& random)
 {
   const auto amount = [&] { return by * (double(random() % 1001) / 500 - 1); };
@@ -39,7 +39,7 @@ std::vector<Structural_graph> many_shapes()
   return result;
 }
 
-// The distances of all shapes, sorted, by matching all.
+// The sorted distances of all shapes, computed by matching all.
 std::vector<std::pair<double, std::size_t>> all_distances(const Structural_graph& query,
                                                           const std::vector<Structural_graph>& shapes,
                                                           const Energy_matrix_options& options)
@@ -112,7 +112,7 @@ TEST_CASE("The same in parallel, and of any number of neighbours")
   CHECK(nearest_shapes(hand_made::table(), std::vector<Structural_graph>(), 3).shapes.empty());
 }
 
-TEST_CASE("Shapes of the query's category come first, then those of none that is known, in parallel, too")
+TEST_CASE("Shapes of the query's category come first, then those of unknown category, in parallel, too")
 {
   Energy_matrix_options options;
   options.search.roles = std::make_shared<const Role_model>(
@@ -128,7 +128,7 @@ TEST_CASE("Shapes of the query's category come first, then those of none that is
     CHECK(near.category == categories[near.shape]);
     order.push_back(near.shape);
   }
-  CHECK(order == std::vector<std::size_t>{2, 3, 1, 0}); // without contacts the chairs are alike
+  CHECK(order == std::vector<std::size_t>{2, 3, 1, 0}); // without contacts the chairs look the same
   const Nearest_shapes two = nearest_shapes<CGAL::Parallel_if_available_tag>(shapes[3], shapes, 2, options);
   CHECK(two.shapes[0].shape == 2);
   CHECK(two.shapes[1].shape == 3);

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Numbers in texts: the functions for standard libraries that lack them do as the standard ones.
+// The replacements for number conversions missing in standard libraries give the standard results.
 #include "base/number_text.h"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,6 @@ using namespace CGAL::Shape_correspondence::internal;
 
 namespace {
 
-/// Of all sizes: any bits, as those of a number.
 template <typename Number, typename Bits>
 std::vector<Number> any_numbers()
 {

@@ -16,7 +16,6 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-// By index in the structural graph.
 Indices original(const Aligned_shape& shape, const Indices& parts)
 {
   Indices result;
@@ -60,8 +59,7 @@ Structural_graph with_parts(const Structural_graph& graph, const std::vector<Par
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// The slatted chair with a top rail (8), two posts (9, 10) and a far bar (11) on the rail, and a rail under the seat
-// (12).
+// The slatted chair with a top rail (8), posts (9, 10), a far bar (11) on the rail, and a rail under the seat (12).
 Structural_graph framed_chair()
 {
   using hand_made::curve;
@@ -80,7 +78,7 @@ Structural_graph framed_chair()
                      {{0, 12}, {0, .5, -.25}}});
 }
 
-// The pedestal table on a plate (2) on which the column stands.
+// The pedestal table with its column on a plate (2).
 Structural_graph table_on_plate()
 {
   Shape_structure shape = structure(hand_made::pedestal_table());
@@ -96,7 +94,7 @@ TEST_CASE("A row has a frame of what lies in its plane, is connected and extends
 {
   const Assemblies found = assemblies(framed_chair());
   REQUIRE(found.panels.size() == 1);
-  // neither the seat, nor the bar that leaves the plane, nor the rail under the seat
+  // The seat, the bar that leaves the plane, and the rail under the seat do not belong to it
   CHECK(found.panels[0] == Indices{1, 2, 3, 8, 9, 10});
 }
 
@@ -110,13 +108,13 @@ TEST_CASE("A row without a frame is the row; groups that are no rows are none")
 TEST_CASE("A row is no frame of another")
 {
   using hand_made::curve;
-  // a chair with slats off its sides and a knob on each of them
+  // A chair with slats away from its sides, each with a knob
   const Structural_graph slats = hand_made::slatted_chair();
   Shape_structure shape = structure(slats);
   const std::vector<Part_group> groups = {slats[0], slats[1], slats[2], slats[3],
                                           hand_made::group({8, 9, 10}, Symmetry_type::TRANSLATION, {.15, 0, 0}, .4)};
   for (const std::size_t slat : {1, 2, 3}) {
-    const double x = .15 * (double(slat) - 2); // off the sides, too
+    const double x = .15 * (double(slat) - 2); // away from the sides
     shape.parts[slat] = curve("slat", {x, .5, -.1}, {x, 1, -.1});
     shape.parts.push_back(curve("knob", {x, .7, -.1}, {x, .75, -.1}));
     shape.contacts.push_back(hand_made::contact(shape, slat, slat + 7, {x, .7, -.1}));
@@ -128,8 +126,8 @@ TEST_CASE("A row is no frame of another")
 TEST_CASE("What lies flat in a side of a shape, above its main surface, is a panel")
 {
   using hand_made::curve;
-  // a bed: the table with board and rail (5, 6) at one end, held by posts on two of its legs (7, 8), a rail (9) at the
-  // other end, one (10) under the mattress and one (11) across its middle
+  // A bed: the table with board and rail (5, 6) at one end, held by posts on two of its legs (7, 8), a rail (9) at the
+  // other end, one (10) under the mattress, and one (11) across its middle
   const Structural_graph bed =
       with_parts(hand_made::table(),
                  {hand_made::sheet("board", {-.5, 1.05, -.5}, {1, 0, 0}, {0, .3, 0}),
@@ -143,7 +141,7 @@ TEST_CASE("What lies flat in a side of a shape, above its main surface, is a pan
                   {{1, 10}, {-.5, .8, -.5}},
                   {{5, 11}, {-.5, 1.2, 0}},
                   {{9, 11}, {.5, 1.2, .5}}});
-  // 5 and 7 meet 6 and 8 over the legs only where the mattress does not count
+  // 5 and 7 are connected to 6 and 8 via the legs only if the mattress is ignored
   CHECK(assemblies(bed).panels == std::vector<Indices>{{5, 7}, {6, 8}});
 }
 
@@ -156,8 +154,9 @@ TEST_CASE("A chain is made of like closed curves that touch one after the other"
     const Point across = k % 2 == 0 ? Point(.1, 0, 0) : Point(0, 0, .1);
     shape.parts.push_back(hand_made::ring("ring", {0, 1 + .18 * k, 0}, {0, .1, 0}, across));
   }
-  shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5}));    // of another size
-  shape.parts.push_back(hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55})); // of like size, around it
+  shape.parts.push_back(hand_made::ring("rim", {0, 0, 0}, {.5, 0, 0}, {0, 0, .5})); // another size
+  // A ring of similar size around the rim
+  shape.parts.push_back(hand_made::ring("tyre", {0, 0, 0}, {.55, 0, 0}, {0, 0, .55}));
   shape.parts.push_back(hand_made::curve("rod", {0, 0, 0}, {0, .9, 0}));
   for (std::size_t k = 0; k + 1 < 4; ++k)
     shape.contacts.push_back(hand_made::contact(shape, k, k + 1, {0, 1.09 + .18 * double(k), 0}));
@@ -174,9 +173,9 @@ TEST_CASE("A chain is made of like closed curves that touch one after the other"
     return original(aligned, found);
   };
   CHECK(rings() == Indices{0, 1, 2, 3});
-  shape.contacts.erase(shape.contacts.begin()); // now the first hangs loose
+  shape.contacts.erase(shape.contacts.begin()); // the first ring is no longer connected
   CHECK(rings() == Indices{1, 2, 3});
-  shape.contacts.erase(shape.contacts.begin()); // and two are no chain, nor are rim and tyre
+  shape.contacts.erase(shape.contacts.begin()); // two are not a chain, nor are rim and tyre
   CHECK(rings().empty());
 }
 
@@ -186,7 +185,7 @@ TEST_CASE("Legs support the main surface, and so do parts that connect one of th
   CHECK(assemblies(hand_made::table()).support == Indices{1, 2, 3, 4});
   CHECK(assemblies(hand_made::pedestal_table()).support == Indices{1});
   CHECK(assemblies(table_on_plate()).support == Indices{1, 2});
-  // a stretcher between two legs supports nothing
+  // A stretcher between two legs supports nothing
   const Structural_graph table =
       with_parts(hand_made::table(), {hand_made::curve("stretcher", {-.5, .3, -.5}, {.5, .3, -.5})},
                  {{{1, 5}, {-.5, .3, -.5}}, {{2, 5}, {.5, .3, -.5}}});

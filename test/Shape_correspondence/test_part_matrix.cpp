@@ -27,7 +27,7 @@ TEST_CASE("The matrix has the mean of both directions, parts numbered shape afte
   CHECK(matrix.rejected == 0);
 }
 
-TEST_CASE("A map of a shape that is not there is refused")
+TEST_CASE("A map of a shape that does not exist is refused")
 {
   CHECK_THROWS_AS(part_matrix({1, 1}, {{0, 2, {{{0, 0, 1}}}}}, 0), Invalid_input);
 }

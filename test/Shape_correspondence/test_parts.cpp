@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parts and upright axes of raw models through the program: --parts, lists of pieces, the command parts.
+// Parts and upright axes of raw models in the program: --parts, lists of pieces, the command parts.
 #include "model_files.h"
 #include "program.h"
 
@@ -36,7 +36,7 @@ TEST_CASE("Parts are made of a model that has none, and marked as automatic")
   const json graph = json::parse(done.out);
   CHECK(graph["segmentation"] == "automatic");
   CHECK(graph["parts"].size() >= 2);
-  for (const char* words : {" --segment --parts file", " --parts file --segment"}) // it says more
+  for (const char* words : {" --segment --parts file", " --parts file --segment"}) // the explicit option wins
     CHECK(run("graph " + model + words + " --abstraction boxes --json -").out == done.out);
   CHECK_THAT(graph["warnings"][0].get<std::string>(), Contains("automatic segmentation"));
   CHECK_THAT(graph["warnings"].dump(), Contains("they have no area: 1."));
@@ -60,7 +60,6 @@ std::string obj_table_of_materials()
   return result;
 }
 
-/// The same with z up, as programs turn it.
 std::string with_z_up(const std::string& obj)
 {
   std::string result;
@@ -113,7 +112,7 @@ std::vector<std::string> part_names(const json& graph)
 
 } // namespace
 
-TEST_CASE("Objects of loose pieces are split, and what to type if they are not to be is said")
+TEST_CASE("Objects of loose pieces are split, and the output says how to prevent that")
 {
   const Temporary_folder folder;
   const std::string model = quoted(folder.write("table.obj", obj_table_of_materials()));
@@ -124,7 +123,7 @@ TEST_CASE("Objects of loose pieces are split, and what to type if they are not t
   CHECK(part_names(json::parse(run(graph + " --parts file").out)) == std::vector<std::string>{"top", "wood"});
   CHECK(part_names(json::parse(run(graph + " --parts components").out)).size() == 5);
   CHECK(run(graph + " --parts all").status == 2);
-  CHECK(json::parse(run(graph).out)["warnings"] == split["warnings"]); // from the cache
+  CHECK(json::parse(run(graph).out)["warnings"] == split["warnings"]); // read from the cache
 
   const Run shown = run("parts " + model + " --html " + quoted(folder.path("parts.html")));
   CHECK(shown.status == 0);
@@ -216,7 +215,7 @@ TEST_CASE("Where a model stands on several sides, the roles of its parts tell it
   const Temporary_folder folder;
   const std::string chair = obj_of_shape("chair_four_legged");
   const std::string y = quoted(folder.write("y.obj", chair)), z = quoted(folder.write("z.obj", with_z_up(chair)));
-  CHECK_THAT(run("parts " + z).out, Contains("z up")); // as all commands take it
+  CHECK_THAT(run("parts " + z).out, Contains("z up")); // the axis that all commands use
   CHECK_THAT(run("parts " + z + " --up y").out, Contains("y up"));
   const std::string boxes = " --abstraction boxes --json - ";
   const auto warnings = [&](const std::string& command) { return json::parse(run(command).out)["warnings"].dump(); };
@@ -239,7 +238,7 @@ TEST_CASE("Where a model stands on several sides, the roles of its parts tell it
 TEST_CASE("Pieces end where the material changes if the parts are then more like labelled ones")
 {
   const Temporary_folder folder;
-  // A table whose top and legs hang together at corners, of one object with two materials; and a shelf
+  // A table whose top and legs share vertices, one object of two materials; and a shelf
   const std::string table = obj_box("o table\nusemtl glass", 0, 0, 7, 0, 10, 1, 10) +
                             obj_box("usemtl wood", 1, 0, 0, 0, 1, 7, 1) + obj_box("usemtl wood", 2, 9, 0, 0, 1, 7, 1) +
                             obj_box("usemtl wood", 3, 0, 0, 9, 1, 7, 1) + obj_box("usemtl wood", 4, 9, 0, 9, 1, 7, 1) +

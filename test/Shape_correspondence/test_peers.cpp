@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-// The methods that the benchmark compares with: sanity, not quality.
+// The methods with which the benchmark compares: they run, without checks of quality.
 
 using namespace CGAL::Shape_correspondence;
 

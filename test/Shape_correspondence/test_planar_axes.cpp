@@ -19,7 +19,7 @@ using namespace CGAL::Shape_correspondence::internal;
 
 namespace {
 
-/// A regular polygon with one corner at an angle, and noise of the size of rounding errors.
+/// A regular polygon with one corner at a given angle, with noise of the size of rounding errors.
 Planar_points polygon(int corners, double angle, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -52,13 +52,13 @@ TEST_CASE("The least rectangle does not depend on rounding: of equal ones the on
     int corners;
     double angle, expected;
   } const cases[] = {
-      {4, 45, 0},   // a square along the axes
-      {4, 0, 45},   // on its tip
-      {4, 65, 20},  // turned a little
+      {4, 45, 0},   // parallel to the axes
+      {4, 0, 45},   // stands on a corner
+      {4, 65, 20},  // rotated slightly
       {4, 15, -30}, // turned by 60° is turned by -30°
-      {20, 9, 0},   // two of its edges are along the axes
-      {20, 0, 9},   // its edges are turned by 9° and by -9°
-      {20, 2, -7},  // by -7° and by 11°
+      {20, 9, 0},   // two of its edges are parallel to the axes
+      {20, 0, 9},   // its edges are rotated by 9° and -9°
+      {20, 2, -7},  // rotated by -7° and 11°
       {36, 5, 0},   //
       {36, 0, 5},   //
   };

@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <fstream>
 
-// The program from outside: exit status, messages, and what it leaves behind.
+// The program, run from a shell: exit status, messages, and remaining files.
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -28,7 +28,8 @@ using nlohmann::json;
 
 namespace {
 
-/// An input that must be refused: status 1, one message on standard error that names the file, nothing left behind.
+/// Checks that an input is refused: status 1, one message on standard error that names the file, no remaining files.
+/// \return the message
 std::string refused(const Temporary_folder& folder, const std::string& input)
 {
   const std::size_t files = folder.number_of_files();
@@ -143,7 +144,7 @@ TEST_CASE("A glTF whose buffer is not there: the message names it")
   CHECK_THAT(result.error, Contains("missing.bin', which it names, is not there"));
 }
 
-TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
+TEST_CASE("Wrong usage ends with status 2 and a reference to the help")
 {
   const Temporary_folder folder;
   const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
@@ -213,7 +214,7 @@ TEST_CASE("Bad usage ends with status 2 and a pointer to the help")
   }
 }
 
-TEST_CASE("Numbers beyond all sense and empty words are refused, and the message says why")
+TEST_CASE("Numbers out of range and empty words are refused, and the message says why")
 {
   const Temporary_folder folder;
   const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair())), two = a + " " + a + " ",
@@ -330,7 +331,7 @@ TEST_CASE("The demo matches its chairs without an error and blends them")
   REQUIRE(scores.status == 0);
   CHECK(json::parse(scores.out)["mean"]["f1"] == 1);
   fs::remove(demo + "/blend.html");
-  CHECK(run("demo " + quoted(demo)).status == 0); // over what an earlier one wrote
+  CHECK(run("demo " + quoted(demo)).status == 0); // overwrites the files of an earlier demo
   CHECK(fs::exists(demo + "/blend.html"));
   std::ofstream(demo + "/own.txt") << "x";
   CHECK(run("demo " + quoted(demo)).status == 1);
@@ -360,7 +361,7 @@ TEST_CASE("The table of match: sets of parts, their operation and confidence, on
   std::istringstream rows(text_of(csv));
   std::string row;
   std::getline(rows, row);
-  std::getline(rows, row); // of chair_four_legged
+  std::getline(rows, row); // the row of chair_four_legged
   std::ostringstream distance;
   distance.precision(4);
   distance << std::stod(row.substr(row.rfind(',') + 1));
@@ -369,7 +370,7 @@ TEST_CASE("The table of match: sets of parts, their operation and confidence, on
   CHECK_THAT(run("match " + airplanes + cache + " --search exact").out, Contains("proven minimal for this direction"));
 }
 
-TEST_CASE("Inputs that cannot be used end with status 1, a message and nothing left behind")
+TEST_CASE("Inputs that cannot be used end with status 1, a message and no files")
 {
   const Temporary_folder folder;
   const std::string box = obj_box("o leg", 0, 0, 0, 0, 1, 1, 1);

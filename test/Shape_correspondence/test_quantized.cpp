@@ -21,7 +21,7 @@ TEST_CASE("Numbers go to the nearest step of the grid, half a step away from zer
   CHECK(quantized(1e9) == 1'000'000'000'000'000);
 }
 
-TEST_CASE("What is beyond the grid is its last step, in 64 bits")
+TEST_CASE("Numbers beyond the grid become its last step, in 64 bits")
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   static_assert(sizeof(quantized(0)) == 8, "more than a `long` has on some machines");

@@ -27,7 +27,7 @@ std::uint32_t crc_of(const std::string& bytes)
   return ~crc;
 }
 
-/// An archive of files that are not compressed.
+/// A ZIP archive of uncompressed files.
 std::string zip(const std::vector<std::pair<std::string, std::string>>& files)
 {
   std::string result, directory;
@@ -35,7 +35,7 @@ std::string zip(const std::vector<std::pair<std::string, std::string>>& files)
     const auto append_entry = [&, &name = name, &bytes = bytes](std::string& to, bool is_in_directory) {
       const auto append = [&](auto number) { IO::append_little_endian(to, number); };
       to += is_in_directory ? std::string("PK\1\2\x14\0", 6) : std::string("PK\3\4");
-      to += std::string("\x14\0\0\0\0\0\0\0\0\0", 10); // version, not compressed, no date
+      to += std::string("\x14\0\0\0\0\0\0\0\0\0", 10); // version, uncompressed, no date
       append(crc_of(bytes));
       append(std::uint32_t(bytes.size()));
       append(std::uint32_t(bytes.size()));

@@ -33,7 +33,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A glTF model that is put together; every accessor has a buffer view of its own in one buffer.
+/// A glTF model under construction; every accessor has its own buffer view in one buffer.
 struct Model
 {
   json document = {{"asset", {{"version", "2.0"}}}, {"scenes", {{{"nodes", {0}}}}}};
@@ -96,7 +96,6 @@ const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 template <typename Number>
 const std::vector<Number> triangles = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
-/// One node with a tetrahedron.
 Model tetrahedron()
 {
   Model model;
@@ -111,7 +110,7 @@ std::string refused(const std::string& bytes)
   return complaint([&] { IO::read_gltf_parts(bytes, "input.glb"); });
 }
 
-/// What is said of a tetrahedron with a value changed, or taken away.
+/// The error for a tetrahedron with a value changed or removed.
 std::string refused_with(const std::string& place, const json& value)
 {
   Model model = tetrahedron();
@@ -147,7 +146,7 @@ TEST_CASE("Nodes of glTF are parts, moved by all nodes that they are in, and rea
   const auto highest = [&](int part) { return Point(shape.parts()[part].mesh.points.rowwise().maxCoeff()); };
   CHECK(lowest(0).isApprox(Point(10, 5, 0)));
   CHECK(highest(0).isApprox(Point(12, 7, 2)));
-  CHECK(lowest(1).isApprox(Point(10 + 2 - 6, 5, 0))); // y became -x
+  CHECK(lowest(1).isApprox(Point(10 + 2 - 6, 5, 0))); // y is mapped to -x
   CHECK(highest(1).isApprox(Point(12, 7, 2)));
   CHECK(highest(2).isApprox(Point(11, 1, 1)));
   model.document["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
@@ -253,7 +252,7 @@ TEST_CASE("Positions of glTF may be quantized, strided and sparse")
   }
 }
 
-TEST_CASE("Materials of glTF have their colours, textures and how they go on")
+TEST_CASE("Materials of glTF have their colours, textures and wrap modes")
 {
   Model model = tetrahedron();
   const std::string png = "\x89PNG\r\n\x1A\n";
@@ -293,12 +292,12 @@ TEST_CASE("Materials of glTF have their colours, textures and how they go on")
   const Part_appearance& part = looks.parts[0];
   CHECK(part.materials == std::vector<int>(4, 0));
   REQUIRE(part.coordinates.size() == 12);
-  CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // of corner 2
+  CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // corner 2
   CHECK(part.coordinates[5].isApprox(Eigen::Vector2f(0.2f, 0.2f)));
   CHECK(part.colours == std::vector<Eigen::Vector3f>(12, Eigen::Vector3f(1, 0, 0)));
 }
 
-TEST_CASE("What is wrong in a glTF document is refused by its place")
+TEST_CASE("Errors in a glTF document are reported with their place")
 {
   CHECK(refused(tetrahedron().glb()).empty());
   CHECK_THAT(refused_with("/asset/version", "3.0"), Contains("version '3.0'"));
@@ -349,7 +348,7 @@ TEST_CASE("What is wrong in a glTF document is refused by its place")
   CHECK_THAT(complaint([&] { infinite.read(); }), Contains("'seat'") && Contains("finite"));
 }
 
-TEST_CASE("Instances of a mesh are parts, by whichever of their places, turns and sizes a file gives")
+TEST_CASE("Instances of a mesh are parts, whichever of translations, rotations and scales a file gives")
 {
   Model model = tetrahedron();
   const float half = float(std::sqrt(0.5));
@@ -373,7 +372,7 @@ TEST_CASE("Instances of a mesh are parts, by whichever of their places, turns an
     const Points& points = all.parts()[std::size_t(part)].mesh.points;
     return std::pair<Point, Point>(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
   };
-  CHECK(extent(0).first.isApprox(Point(9, 5, 0), 1e-6)); // y became -x
+  CHECK(extent(0).first.isApprox(Point(9, 5, 0), 1e-6)); // y is mapped to -x
   CHECK(extent(0).second.isApprox(Point(10, 6, 3), 1e-6));
   CHECK(extent(1).second.isApprox(Point(22, 7, 2), 1e-6));
   CHECK(with({{"TRANSLATION", moves}}, "extensionsUsed").read().parts().size() == 2);
@@ -406,7 +405,7 @@ TEST_CASE("Textures are where their set of coordinates and their transform say")
     changed.document["extensionsRequired"] = {"KHR_texture_transform"};
     Shape_appearance looks;
     changed.read(&looks);
-    const std::vector<Eigen::Vector2f>& at = looks.parts[0].coordinates; // of the corners 0, 2, 1
+    const std::vector<Eigen::Vector2f>& at = looks.parts[0].coordinates; // coordinates of corners 0, 2, 1
     return std::vector<Eigen::Vector2f>{at[0], at[2], at[1]};
   };
   const auto are = [](const std::vector<Eigen::Vector2f>& found, const std::vector<Eigen::Vector2f>& expected) {
@@ -469,7 +468,8 @@ TEST_CASE("Parts that are only numbered have the name of the node above that say
                     {0});
   };
   CHECK(named("Object_4", "arm", "node_3") == Names{"leg.001_3", "arm", "rail", "rail#2"});
-  CHECK(named("mesh17", "Object_5", "12") == Names{"leg.001_3", "wedge", "rail", "rail#2"}); // chair has all parts
+  // The node `chair` contains all parts
+  CHECK(named("mesh17", "Object_5", "12") == Names{"leg.001_3", "wedge", "rail", "rail#2"});
   CHECK(named("Cube.001", "Object5b", "seat") == Names{"Cube.001", "Object5b", "seat", "rail"});
 }
 
@@ -547,7 +547,7 @@ TEST_CASE("Buffer views that meshoptimizer compressed are read")
       model.document["bufferViews"].erase(packed);
       extension.update(description);
       model.document["bufferViews"][view]["extensions"]["EXT_meshopt_compression"] = extension;
-      model.document["bufferViews"][view]["buffer"] = 1; // of which nothing is there
+      model.document["bufferViews"][view]["buffer"] = 1; // an empty buffer
     };
     std::vector<unsigned char> points(meshopt_encodeVertexBufferBound(4, 12)),
         faces(meshopt_encodeIndexBufferBound(12, 4));
@@ -577,7 +577,7 @@ TEST_CASE("Buffer views that meshoptimizer compressed are read")
 }
 #endif
 
-TEST_CASE("Nodes in a circle are refused, also where no scene leads to them")
+TEST_CASE("Cycles of nodes are refused, also where no scene leads to them")
 {
   Model model = tetrahedron();
   model.document["nodes"].push_back({{"mesh", 0}, {"children", {2}}});
@@ -589,7 +589,7 @@ TEST_CASE("Nodes in a circle are refused, also where no scene leads to them")
   CHECK_THAT(refused(model.glb()), Contains("nodes[1] is in the tree"));
 }
 
-TEST_CASE("What a glTF file claims or lists beyond what is in it takes no memory")
+TEST_CASE("Counts and lists of a glTF file beyond its data take no memory")
 {
   Model model = tetrahedron();
   const int indices = model.view(std::vector<std::uint16_t>{1}), values = model.view(std::vector<float>{1, 0, 0});
@@ -621,7 +621,7 @@ TEST_CASE("A small glTF file that uses a mesh very often is refused within momen
   model.document["bufferViews"][1]["byteLength"] = 8000;
   const auto begin = std::chrono::steady_clock::now();
   CHECK_THAT(refused(model.glb()), Contains("use the same meshes"));
-#ifndef __SANITIZE_THREAD__ // all is slow then
+#ifndef __SANITIZE_THREAD__ // sanitized programs are too slow
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
 #endif
   model = tetrahedron();
@@ -653,7 +653,7 @@ TEST_CASE("Meshes that nodes repeat make a million triangles more than there are
   const auto begin = std::chrono::steady_clock::now();
   CHECK_THAT(with_triangles(4000, 0), Contains("input.glb") && Contains("use the same meshes") && Contains("simplify"));
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
-  CHECK(with_triangles(1000, 1000000).empty()); // as large as a file that repeats nothing
+  CHECK(with_triangles(1000, 1000000).empty()); // as large as a file without repetitions
 }
 
 TEST_CASE("A GLB file that is cut off is refused, and one with any byte changed is read or refused")

@@ -32,7 +32,7 @@ TEST_CASE("The labels of a shape, of a folder, and of all of data/")
     CHECK(all[i - 1].file < all[i].file);
 }
 
-TEST_CASE("What has no labels is refused with its name")
+TEST_CASE("Shapes without labels are refused with their names")
 {
   CHECK_THROWS_AS(IO::read_part_labels("no/such/folder"), Invalid_input);
   CHECK_THROWS_WITH(IO::read_part_labels("no/such/folder"), Catch::Contains("no/such/folder"));

@@ -143,7 +143,7 @@ TEST_CASE("Coordinates keep double precision")
 TEST_CASE("Concave faces are triangulated, vertices at the same place welded")
 {
   const Temporary_folder folder;
-  // An L of area 3; its last vertex repeats the first
+  // An L-shape of area 3; its last vertex repeats the first
   const std::string text = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n"
                            "f 1 2 3 4 5 6\nf 4 3 2 7 6 5\n";
   const Part_mesh mesh = IO::read_segmented_shape(folder.write("l.obj", text)).parts()[0].mesh;
@@ -176,7 +176,7 @@ TEST_CASE("OFF, PLY, STL and COLLADA")
   CHECK(stl.parts()[1].mesh.points.cols() == 4);
   const Segmented_shape dae = IO::read_segmented_shape(folder.write("a.dae", collada));
   REQUIRE(names(dae) == Names{"low", "high"});
-  // Turned to y up
+  // Rotated to y up
   CHECK(dae.parts()[1].mesh.points.row(1).minCoeff() == Approx(5));
   CHECK(dae.parts()[1].mesh.points.row(1).maxCoeff() == Approx(6));
 }
@@ -221,7 +221,7 @@ TEST_CASE("AC3D, DXF and glTF: nodes are parts, also two of one mesh, moved and 
                   .parts()
                   .empty());
 
-  // One triangle of positions (0,0,0), (1,0,0), (0,1,0) in base 64
+  // One triangle with positions (0,0,0), (1,0,0), (0,1,0) in base 64
   const Segmented_shape gltf = IO::read_segmented_shape(
       folder.write("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
  "nodes": [{"name": "left", "mesh": 0}, {"name": "frame", "scale": [-1, 1, 1], "children": [2]}, {"name": "right", "mesh": 0}],
@@ -384,7 +384,7 @@ TEST_CASE("In an OBJ of one object that is one piece materials are parts, in one
 TEST_CASE("Polygons of many corners become triangles in their plane, without a corner that is in many of them")
 {
   constexpr int corners = 20000;
-  for (const double inner : {1., 0.5}) { // convex, and a star
+  for (const double inner : {1., 0.5}) { // convex, and star-shaped
     std::ostringstream obj;
     obj.precision(17);
     double area = 0;

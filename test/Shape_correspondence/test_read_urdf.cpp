@@ -38,7 +38,6 @@ std::string robot(const std::string& elements)
 
 const std::string box = "<box size=\"2 4 6\"/>";
 
-/// The lowest and the highest coordinates of a part.
 std::pair<Point, Point> extent(const Segmented_shape& shape, std::size_t part)
 {
   const Points& points = shape.parts().at(part).mesh.points;
@@ -72,11 +71,11 @@ TEST_CASE("The links of a robot are parts, where its joints put them, with z up"
   CHECK(shape.parts()[0].name == "base");
   CHECK(extent(shape, 0).first.isApprox(Point(-1, -2, -3)));
   CHECK(extent(shape, 0).second.isApprox(Point(1, 2, 3)));
-  CHECK(extent(shape, 1).first.isApprox(Point(8, -1, -2))); // x became y
+  CHECK(extent(shape, 1).first.isApprox(Point(8, -1, -2))); // x is mapped to y
   CHECK(extent(shape, 1).second.isApprox(Point(12, 1, 4)));
   CHECK((extent(shape, 2).first + extent(shape, 2).second).isApprox(2 * Point(10, 5, 0)));
   CHECK((extent(shape, 3).second - extent(shape, 3).first).isApprox(Point(8, 2, 2), 1e-2));
-  for (const Shape_part& part : shape.parts()) { // faces are outside
+  for (const Shape_part& part : shape.parts()) { // faces are oriented outwards
     double volume = 0;
     for (const auto& t : part.mesh.triangles.colwise())
       volume += part.mesh.points.col(t[0]).dot(part.mesh.points.col(t[1]).cross(part.mesh.points.col(t[2])));
@@ -107,9 +106,8 @@ TEST_CASE("Visuals of a link are one part, of meshes that many links may use, wi
   REQUIRE(materials[0] >= 0);
   CHECK(looks.materials[std::size_t(materials[0])].colour.isApprox(Eigen::Vector4d(1, 0, 0, 1)));
   CHECK(materials[12] == -1);
-  // A folder with one robot is that robot
   CHECK(IO::read_segmented_shape(folder.path("")).parts().size() == 2);
-  // Above the file only if that is allowed
+  // Files in folders above are read only if allowed
   std::string packaged = text;
   const std::string plain = "\"meshes/";
   packaged.replace(packaged.find(plain), plain.size(), "\"model://any/meshes/");
@@ -126,7 +124,7 @@ TEST_CASE("Visuals of a link are one part, of meshes that many links may use, wi
   CHECK(IO::read_segmented_shape(below, Point::UnitY(), nullptr, anywhere).parts().size() == 2);
 }
 
-TEST_CASE("What is wrong in a URDF file is refused by its link, and what to do is said")
+TEST_CASE("Errors in a URDF file are reported with their link and a remedy")
 {
   CHECK_THAT(refused(""), Contains("no link") && Contains("add <visual>"));
   CHECK_THAT(refused(link_of("a", box) + link_of("a", box)), Contains("link 'a' is there twice"));

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-// Prisms that are known by their faces: their axes and middle layers are exact.
+// Prisms recognized by their faces: their axes and middle layers are exact.
 
 using namespace part_meshes;
 
@@ -23,7 +23,7 @@ std::optional<std::variant<Curve, Sheet>> recognized(const Part_mesh& mesh, doub
   return internal::recognize_prism(mesh, volume, 5, 4);
 }
 
-/// Half the length of a straight curve through the origin along a direction; -1 of another curve or of a sheet.
+/// Half the length of a straight curve through the origin in a given direction; -1 for other curves and for sheets.
 double half_length(const std::optional<std::variant<Curve, Sheet>>& found, const Point& direction)
 {
   if (!found || !std::holds_alternative<Curve>(*found)) {
@@ -74,7 +74,7 @@ TEST_CASE("A long cylinder becomes its axis, of however many sides")
 
 TEST_CASE("The axis of a long prism goes through the centroid of its profile")
 {
-  // A right-angled triangle with its centroid in the origin.
+  // A right-angled triangle with its centroid at the origin.
   Part_mesh wedge;
   wedge.points.resize(3, 6);
   wedge.points << -1. / 3, 2. / 3, -1. / 3, -1. / 3, 2. / 3, -1. / 3, //
@@ -119,7 +119,7 @@ TEST_CASE("A disc becomes its middle layer")
   CHECK(points.colwise().norm().maxCoeff() == Approx(1).epsilon(0.01));
 }
 
-TEST_CASE("What is neither clearly long nor clearly flat is left to the medial axis")
+TEST_CASE("Prisms neither clearly long nor clearly flat are left to the medial axis")
 {
   CHECK_FALSE(recognized(box({-1, -1, -1}, {1, 1, 1}), 8));
   CHECK_FALSE(recognized(box({-1, -3, -1}, {1, 3, 1}), 24));
@@ -128,7 +128,7 @@ TEST_CASE("What is neither clearly long nor clearly flat is left to the medial a
 
 TEST_CASE("Parts that are no prisms are left to the medial axis")
 {
-  // A leg that tapers to four fifths of its width, a tube, a box of which a twentieth is missing
+  // A leg that tapers to four fifths of its width, a tube, a box with a twentieth missing
   const Part_mesh tapered = turned({{0, -5}, {0.5, -5}, {0.4, 5}, {0, 5}}, 16);
   const double frustum = 10. / 3 * (0.25 + 0.2 + 0.16) * 8 * std::sin(EIGEN_PI / 8);
   CHECK_FALSE(recognized(tapered, frustum));

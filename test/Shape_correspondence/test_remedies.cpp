@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Damaged inputs of every format: the error names the file, and after a semicolon, what to do.
+// Damaged inputs of every format: the error names the file and, after a semicolon, a remedy.
 
 #include "hand_made_graphs.h"
 #include "io/system/remedies.h"
@@ -32,7 +32,7 @@ const std::vector<std::string> imperatives{
     "name",   "put",      "remove", "rename", "repair",      "run",  "save",    "say",  "scale",
     "send",   "simplify", "take",   "train",  "triangulate", "try",  "use",     "write"};
 
-/// Whether the last clause says what to do.
+/// Whether the last clause is a remedy.
 bool says_what_to_do(const std::string& message)
 {
   const std::size_t at = message.rfind("; ");
@@ -98,7 +98,7 @@ std::string graph_json()
   return text.str();
 }
 
-/// A text with one change: cut off, or a token replaced.
+/// A text with one random change: truncated, or a token replaced.
 std::string damaged(const std::string& text, std::mt19937& random)
 {
   const std::vector<std::string> tokens{"nan", "-1", "1e400", "99999", "x", "", "{", "]", "\"", "<", "0.5", "null"};

@@ -10,13 +10,13 @@
 #include <random>
 #include <vector>
 
-// Splitting, collapsing and flipping edges, and the remeshing that is made of them.
+// Splitting and collapsing edges, and the remeshing built on them.
 
 using namespace part_meshes;
 
 namespace {
 
-/// Whether opposites are mutual, and the halfedges around every vertex come back to the first.
+/// Whether opposites are mutual, and the halfedges around every vertex form a cycle.
 bool is_consistent(const internal::Closed_triangulation& mesh)
 {
   for (int h = 0; h < mesh.number_of_halfedges(); ++h) {

@@ -3,8 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The laboratory: weights that are fitted to pairs of shapes, correspondences of shapes that the training does not see,
-// and intervals of scores.
+// The laboratory: weights fitted to pairs of shapes, cross-validated correspondences, and intervals of scores.
 #include "experiments/intervals.h"
 #include "experiments/role_validation.h"
 #include "labelled_furniture.h"
@@ -33,7 +32,6 @@ std::vector<Validation_shape> validation_shapes(const std::deque<Furniture>& sha
   return result;
 }
 
-// All pairs of shapes of a category among the first ones.
 std::vector<Shape_pair> pairs_of_category(const std::deque<Furniture>& shapes, std::size_t count)
 {
   std::vector<Shape_pair> result;
@@ -53,7 +51,7 @@ TEST_CASE("Weights are fitted to pairs of shapes, each matched as by a model tha
                         fitted = Role_model_access::data(validation.fitted_model());
   for (std::size_t c = 0; c < usual.categories.size(); ++c) {
     CHECK(fitted.categories[c].examples.size() == usual.categories[c].examples.size());
-    // Nothing speaks against the labels, so they count for more than usual
+    // All labels are right, so they get more weight than usual
     CHECK(fitted.categories[c].weights[SAME_LABEL] > usual_pair_weights()[SAME_LABEL]);
     CHECK(fitted.categories[c].weights != usual.categories[c].weights);
   }
@@ -68,7 +66,7 @@ TEST_CASE("Pairs of shapes that the training did not see")
   for (const Validated_pair& pair : validation.pairs()) {
     const std::string& category = examples()[pair.shapes[0]].category;
     CHECK((pair.category.empty() || pair.category == category));
-    // Labels of what the training has seen the like of are right
+    // Labels are right for shapes similar to those of the training
     if (!pair.category.empty()) CHECK(pair.joined.f1() == 1);
     CHECK(pair.judged.size() == pair.joined.matched);
     const auto count = [&](bool Judged_pair::*what) {
@@ -107,11 +105,11 @@ TEST_CASE("Shapes that are turned by any angle are matched as those that face th
   CHECK(known > 0);
 }
 
-TEST_CASE("What was left out of the training is not known")
+TEST_CASE("Shapes left out of the training are unknown to the model")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Shape_pair> pairs{{0, 2}, {1, 3}};
-  for (const Left_out left_out : {Left_out::SOURCES, Left_out::CATEGORY}) { // each category is of one source
+  for (const Left_out left_out : {Left_out::SOURCES, Left_out::CATEGORY}) { // each category has one source
     Validation_options options;
     options.left_out = left_out;
     const Role_validation validation(shapes, pairs, options, {});
@@ -142,7 +140,7 @@ TEST_CASE("Few examples: the training sees so many shapes of the category, and n
   const Role_validation unseen(shapes, pairs, options, {});
   for (const Validated_pair& pair : unseen.pairs())
     CHECK(pair.category.empty());
-  // As many as there are: the same as with the shapes left out alone
+  // Uses all examples there are: same result as with only the shapes left out
   options.left_out = Left_out::SHAPES;
   options.examples = 3;
   const Role_validation few(shapes, pairs, options, {});
@@ -154,8 +152,8 @@ TEST_CASE("Few examples: the training sees so many shapes of the category, and n
 
 TEST_CASE("Intervals come from drawing shapes")
 {
-  // Of three shapes with the pairs ab (1), ac (1), bc (0): a draw that has all gives 2/3, {a, a, b} gives ab alone: 1,
-  // {b, b, c} gives 0; every draw of a pair or more gives one of these
+  // Three shapes with the pairs ab (1), ac (1), bc (0): a draw of all gives 2/3, {a, a, b} has ab alone and gives 1,
+  // {b, b, c} gives 0; every draw with a pair gives one of these
   const auto scored = [](const char* source, const char* target, std::size_t right) {
     return Scored_correspondence{"x", source, target, {1, 1, right, right}};
   };
@@ -164,15 +162,14 @@ TEST_CASE("Intervals come from drawing shapes")
   CHECK(f1.mean == Approx(2. / 3));
   CHECK(f1.low == 0);
   CHECK(f1.high == 1);
-  // Paired differences of equal scores have none, and of two shapes there is one mean
+  // The paired difference of equal scores is 0, and two shapes have only one mean
   CHECK(mean_estimates(three, three).mean.f1.high == 0);
   CHECK(mean_estimates({three[0]}).mean.recall.low == 1);
 }
 
-TEST_CASE("Weights of the terms are those that the examples are likeliest with")
+TEST_CASE("Weights of the terms have the greatest likelihood of the examples")
 {
-  // Right in 3 of 4 pairs that have the term, in 1 of 4 that have not: logits log 3 and -log 3, so the weight is 2 log
-  // 3
+  // Right in 3 of 4 pairs with the term, in 1 of 4 without: logits log 3 and -log 3, so the weight is 2 log 3
   Judged_terms example;
   example.terms = Pair_terms::Zero(8, PAIR_TERM_COUNT);
   example.terms.col(CONSTANT).setOnes();
@@ -185,19 +182,19 @@ TEST_CASE("Weights of the terms are those that the examples are likeliest with")
   CHECK(weights[CONSTANT] == Approx(-std::log(3)).epsilon(0.01));
   CHECK(weights[VOTES_AGREE] == 0);
   CHECK(probabilities(example.terms, weights)[0] == Approx(0.75).epsilon(0.01));
-  // Examples that a term tells apart without fault have finite weights
+  // Examples that a term separates perfectly give finite weights
   example.is_right << 1, 1, 1, 1, 0, 0, 0, 0;
   CHECK(fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, none, none.Constant(1e-4)).allFinite());
-  // A charge that outweighs the examples leaves what was expected
+  // A penalty that outweighs the examples keeps the expected weights
   const Pair_weights expected = usual_pair_weights();
   CHECK((fitted_weights<PAIR_TERM_COUNT>({{&example, 8}}, expected, Pair_weights::Constant(1e6)) - expected).norm() <
         1e-4);
   CHECK((fitted_weights<PAIR_TERM_COUNT>({}, expected, Pair_weights::Ones()) - expected).norm() < pair_weight_unit);
 }
 
-TEST_CASE("Confidences are fitted to how often pairs of a probability are right")
+TEST_CASE("Confidences are fitted to the share of correct pairs at each probability")
 {
-  // Of pairs of a probability of .9, three quarters are right; of those of .5, a quarter
+  // Of pairs with probability .9, three quarters are right; with .5, a quarter
   Judged_confidences judged;
   judged.terms.resize(8, CONFIDENCE_TERM_COUNT);
   for (int k = 0; k < 8; ++k)
@@ -208,7 +205,7 @@ TEST_CASE("Confidences are fitted to how often pairs of a probability are right"
                            weights = fitted_weights<CONFIDENCE_TERM_COUNT>({{&judged, 8}}, none, none.Constant(1e-4));
   CHECK(confidence(0.9, weights) == Approx(0.75).epsilon(0.01));
   CHECK(confidence(0.5, weights) == Approx(0.25).epsilon(0.01));
-  // What is certain or impossible stays so, and the usual weights change nothing
+  // Certain and impossible pairs keep their probability, and the usual weights change nothing
   CHECK(confidence(0, weights) == 0);
   CHECK(confidence(1, weights) == 1);
   CHECK(confidence(0.3, usual_confidence_weights()) == Approx(0.3));

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The commands roles and label, and roles in the others, from outside.
+// The commands roles and label, and roles in other commands, run as programs.
 #include "labelled_furniture.h"
 #include "model_files.h"
 #include "program.h"
@@ -118,7 +118,7 @@ TEST_CASE("The shipped model knows the models of the package, and the program ma
 
 namespace {
 
-// A shelf as `shelf()` makes it, in a folder, with labels of its lower and upper boards. Returns its parts.
+// Writes a shelf as made by `shelf()` to a folder, with labels of its lower and upper boards. \return its parts
 std::string write_shelf(const Temporary_folder& folder, const std::string& name, double thickness, int boards)
 {
   const Furniture shape = shelf(thickness, boards);
@@ -164,9 +164,9 @@ TEST_CASE("The program uses the user's own examples of a category that it does n
                Contains("examples of the category chair were not used") && Contains("until there are 3"));
   }
   CHECK_THAT(run("collection " + folder.path("two") + " --json - --roles none" + two).error, Contains("not used"));
-  // Nothing else can label shapes of a category of one's own
+  // `label` uses any number of examples, since nothing else can label shapes of a user's own category
   const std::string stool = "label " + data + "/stool/parts -o - ";
-  CHECK(run(stool + two).error.find("not used") == std::string::npos); // chairs are known, too
+  CHECK(run(stool + two).error.find("not used") == std::string::npos); // chairs are a known category
 
   const std::string a = write_shelf(folder, "a", 0.06, 4), b = write_shelf(folder, "b", 0.1, 6);
   for (int i = 1; i < 6; ++i)

@@ -62,7 +62,7 @@ Part_mesh twice(const Part_mesh& mesh)
   return result;
 }
 
-/// The surface of the unit cubes that are in a solid, in a box of 12 x 12 x 12 of them.
+/// The boundary of a solid made of unit cubes within a grid of 12 × 12 × 12.
 Part_mesh surface_of_cubes(const std::function<bool(int, int, int)>& in_solid)
 {
   constexpr int n = 12;
@@ -122,7 +122,7 @@ TEST_CASE("A surface is divided where it is concave, also if it is everywhere eq
   SECTION("options")
   {
     Segmentation_options options;
-    options.least_area = 0.2; // a leg has less
+    options.least_area = 0.2; // each leg has less
     CHECK(segment_mesh(table, options).shape.parts().size() == 1);
     options = {};
     options.patches = 1;

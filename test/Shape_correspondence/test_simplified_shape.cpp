@@ -55,7 +55,7 @@ TEST_CASE("A shape of many triangles keeps its parts, their names and their exte
 TEST_CASE("Triangles that are no surface are simplified, too")
 {
   Segmented_shape shape("fan");
-  Part_mesh fan; // all share an edge
+  Part_mesh fan; // triangles that share one edge
   const int n = 200;
   fan.points.resize(3, n + 2);
   fan.triangles.resize(3, n);

@@ -32,7 +32,7 @@ Part_mesh joined(const std::vector<Part_mesh>& meshes)
   return result;
 }
 
-/// A sheet of one layer of triangles in the plane of x and y.
+/// A sheet in the plane of x and y, with one layer of triangles.
 Part_mesh sheet(const Point& middle, double width, double height)
 {
   Part_mesh mesh;
@@ -44,7 +44,6 @@ Part_mesh sheet(const Point& middle, double width, double height)
   return mesh;
 }
 
-/// Four legs of a table, loose.
 std::vector<Part_mesh> legs()
 {
   std::vector<Part_mesh> result;
@@ -56,7 +55,7 @@ std::vector<Part_mesh> legs()
 
 Part_mesh top() { return box({0, 0.725, 0}, {1, 0.05, 1}); }
 
-/// A rim, a hub and eight spokes, in the plane of x and y, that do not touch.
+/// A rim, a hub and eight spokes in the plane of x and y, not in contact.
 std::vector<Part_mesh> wheel(const Point& middle)
 {
   const Eigen::Matrix3d upright = Eigen::AngleAxisd(EIGEN_PI / 2, Point::UnitX()).toRotationMatrix();
@@ -87,7 +86,7 @@ std::vector<std::string> names(const Part_split& split)
   return result;
 }
 
-/// The pieces of every part, as sets of names.
+/// The names of the pieces in each part.
 std::set<std::set<std::string>> partition(const Part_split& split)
 {
   std::vector<std::set<std::string>> parts(split.shape.parts().size());
@@ -96,7 +95,7 @@ std::set<std::set<std::string>> partition(const Part_split& split)
   return {parts.begin(), parts.end()};
 }
 
-/// The sizes of the pieces of every part, in millionths of the model.
+/// The sizes of the pieces in each part, in millionths of the model.
 std::multiset<std::multiset<long>> sizes(const Part_split& split)
 {
   std::vector<std::multiset<long>> parts(split.shape.parts().size());
@@ -131,7 +130,7 @@ TEST_CASE("Four legs that share an object become four parts, with its name")
   CHECK(split.shape.parts()[4].mesh.points == top().points);
 }
 
-TEST_CASE("The other modes")
+TEST_CASE("The modes FILE, COMPONENTS and SEGMENTS")
 {
   const Segmented_shape table = table_of_materials();
   const Part_split file = split_by(table, Part_splitting::FILE);
@@ -195,9 +194,9 @@ TEST_CASE("Screws join what they touch, all of them alike")
   CHECK(parts_of_wood(0.03) == expected); // one of four copies touches nothing
 }
 
-TEST_CASE("What few of several copies would do, none does")
+TEST_CASE("If only a few of several copies could join other pieces, none does")
 {
-  // Of four drawers one alone stands so near to a board that it would be its lining
+  // Of four drawers, only one is so near a board that it could be its lining
   std::vector<Part_mesh> pieces{box({0, 0.5, 0}, {0.02, 1, 1})};
   for (int k = 0; k < 4; ++k)
     pieces.push_back(box({k == 0 ? 0.0125 : 0.3, 0.1 + 0.25 * k, 0}, {0.004, 0.2, 0.5}));
@@ -257,7 +256,7 @@ TEST_CASE("An object that would become too many parts stays as it is")
   CHECK(names(split) == std::vector<std::string>{"leaves", "pot"});
   CHECK_THAT(split.decisions[0], Contains("it would be 120 parts"));
 
-  // Nor do its pieces join others, however small they are
+  // Nor do its pieces join others, even if they are small
   std::vector<Part_mesh> dust;
   for (int i = 0; i < 40; ++i)
     for (int k = 0; k < 30; ++k)
@@ -268,7 +267,7 @@ TEST_CASE("An object that would become too many parts stays as it is")
 
 namespace {
 
-/// The cover of a cushion in three patches with piping between them: front, back, and the sides as a strip.
+/// The cover of a cushion in three patches with piping between them: front, back, and a strip for the sides.
 std::vector<Part_mesh> patches_of_cushion(double gap)
 {
   Part_mesh sides = box({0, 0, 0}, {1, 1, 0.3}, 0, 4);
@@ -301,7 +300,7 @@ TEST_CASE("Patches whose borders run along one another are one part, unless thei
   CHECK(parts(0.05, {}).shape.parts().size() == 4);
   const Eigen::Index strip = patches_of_cushion(0)[0].triangles.cols();
   std::vector<int> of_fabric(std::size_t(strip) + 4, 0);
-  of_fabric[std::size_t(strip)] = of_fabric[std::size_t(strip) + 1] = 1; // a face of another one
+  of_fabric[std::size_t(strip)] = of_fabric[std::size_t(strip) + 1] = 1; // one face has another material
   const std::vector<int> of_frame(std::size_t(frame.triangles.cols()), 0);
   const Part_split split = parts(0.004, {of_fabric, of_frame});
   CHECK(split.shape.parts().size() == 3);
@@ -320,9 +319,9 @@ TEST_CASE("Tubes that stand on one another are no patches")
   CHECK(split.shape.parts().size() == 3);
 }
 
-TEST_CASE("What the frame of a model holds are parts, such as drawers")
+TEST_CASE("Pieces that the frame of a model holds, such as drawers, are parts")
 {
-  const auto parts = [](double size) { // of the cabinet, over that of the model
+  const auto parts = [](double size) { // size of the cabinet, over that of the model
     const Part_mesh drawers = joined({box({0, 0.3, 0}, {0.8, 0.3, 0.8}), box({0, -0.3, 0}, {0.8, 0.3, 0.8})});
     return split_parts(model({{"wood", joined({box({0, 0, 0}, {1, 1, 1}), drawers})},
                               {"far", box({0, 0, 1 / size}, {1, 1, 0.1})}}))
@@ -352,7 +351,7 @@ TEST_CASE("A model of one object becomes its pieces, one of one piece its segmen
   const Part_split pieces = split_parts(model({{"table", joined({top(), legs()[0], legs()[1]})}}));
   CHECK(names(pieces) == std::vector<std::string>{"table", "table#2", "table#3"});
   CHECK_FALSE(pieces.by_segments);
-  // A drawer in its cabinet: the cabinet holds it, but there would be nothing else
+  // A drawer in its cabinet: the cabinet contains it, but joining them would leave a single part
   CHECK(split_parts(model({{"all", joined({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {0.5, 0.5, 0.5})})}}))
             .shape.parts()
             .size() == 2);
@@ -366,7 +365,7 @@ TEST_CASE("A model of one object becomes its pieces, one of one piece its segmen
 
   const auto ring = part_meshes::torus_like(320, 320, [](double u, double v) {
     return Point((3 + std::cos(v)) * std::cos(u), std::sin(v), (3 + std::cos(v)) * std::sin(u));
-  }); // of more triangles than are divided without being asked to
+  }); // more triangles than are divided by default
   const Part_split large = split_parts(model({{"ring", ring}}));
   CHECK(names(large) == std::vector<std::string>{"ring"});
   CHECK_FALSE(large.by_segments);
@@ -409,7 +408,7 @@ TEST_CASE("Names of parts do not meet those of objects")
   CHECK(found.back() == "wood#2");
 }
 
-TEST_CASE("Parts as a person wants them")
+TEST_CASE("Parts follow an edited list of pieces")
 {
   const Segmented_shape table = table_of_materials();
   std::map<std::string, std::string> parts{

@@ -89,7 +89,7 @@ TEST_CASE("The content hash tells shapes and options apart")
   CHECK(is_new(changed([](auto& o) { o.symmetry.enabled = false; })));
   CHECK(is_new(changed([](auto& o) { o.contacts.tolerance = 0.03; })));
   CHECK(is_new(changed([](auto& o) { o.contacts.closest_points = true; })));
-  // What a limit of time changed is not kept
+  // Results that depend on a time limit are not stored
   CHECK_FALSE(is_new(changed([](auto& o) { o.abstraction.time_limit = 30; })));
   CHECK_FALSE(is_new(changed([](auto& o) { o.abstraction.progress = [](std::size_t, std::size_t) {}; })));
 }
@@ -129,7 +129,7 @@ TEST_CASE("A cache returns what was saved, and nothing else")
   }
 }
 
-TEST_CASE("What depends on the machine's speed is not saved")
+TEST_CASE("Results that depend on the machine's speed are not saved")
 {
   const Temporary_folder folder;
   const IO::Structural_graph_cache cache(folder.path("cache"));

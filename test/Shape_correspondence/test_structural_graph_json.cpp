@@ -35,7 +35,7 @@ Structural_graph read(const std::string& text, const Structure_options& options 
   return IO::read_structural_graph_json(in, "chair.json", options);
 }
 
-/// What reading says of a chair that `change` has spoilt.
+/// The error for a chair modified by `change`.
 template <typename Change>
 std::string complaint_after(Change&& change)
 {
@@ -44,7 +44,7 @@ std::string complaint_after(Change&& change)
   return model_files::complaint([&] { read(document.dump()); });
 }
 
-/// Numbers with all 53 bits in use
+/// A graph with numbers that use all 53 bits.
 Structural_graph crooked(const Structural_graph& graph)
 {
   Structural_graph result = hand_made::moved(graph, 0.3, 1 / 3.0, Point(std::sqrt(2.0), 1e-17, -1e9));
@@ -138,7 +138,7 @@ TEST_CASE("The keys are those of the format")
   CHECK(leg["type"] == "curve");
   CHECK(leg["closed"] == false);
   CHECK(leg["points"].size() == 2);
-  CHECK_FALSE(leg.contains("surface")); // unknown
+  CHECK_FALSE(leg.contains("surface")); // it is unknown
   CHECK(leg["abstraction"]["method"] == "given");
   CHECK(leg["abstraction"]["repair"] == "none");
   CHECK(leg["abstraction"]["coverage"] == 1.0);
@@ -153,7 +153,7 @@ TEST_CASE("The keys are those of the format")
   CHECK(contact["parameters"] == json::parse("[[1.0, 1.0], [1.0]]"));
 }
 
-TEST_CASE("How parts were abstracted is called what it is, and older names are understood")
+TEST_CASE("The method of abstraction is written by its name, and older names are read, too")
 {
   using Method = Abstraction_report::Method;
   const std::pair<const char*, Method> names[] = {{"skeleton", Method::SKELETON},
@@ -183,7 +183,7 @@ TEST_CASE("How parts were abstracted is called what it is, and older names are u
              Contains("parts[0].abstraction.method") && Contains("medial_axis"));
 }
 
-TEST_CASE("What is missing is detected, what is unknown passed over")
+TEST_CASE("Missing entries are detected from the surfaces, unknown ones ignored")
 {
   json document = json::parse(written(hand_made::chair()));
   for (const char* key : {"groups", "contacts", "frame", "up", "warnings"})
@@ -199,7 +199,7 @@ TEST_CASE("What is missing is detected, what is unknown passed over")
   CHECK(is_valid_structural_graph(graph));
 }
 
-TEST_CASE("Parts that the groups leave out are groups of their own")
+TEST_CASE("Parts in no group of the file become groups of their own")
 {
   json document = json::parse(written(hand_made::chair()));
   document["groups"].erase(0);

@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-// Surfaces that have no map onto each other, boxes of pairs, and coordinates that do not tear.
+// Surfaces without a map to each other, boxes of pairs, and coordinates that do not tear.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
@@ -57,15 +57,15 @@ TEST_CASE("Four legs are exchanged for a column with its foot in an instant: the
     CHECK(blend_checks::height_error(blend, t) < 0.02);
     CHECK(blend.quality(t).apart <= 0.02);
     const Segmented_shape shape = blend(t);
-    double column = 1, foot = 1, leg = 1; // how high the lowest point is
+    double column = 1, foot = 1, leg = 1; // heights of the lowest points
     for (const Shape_part& part : shape.parts()) {
       const internal::contacts::Box box = internal::box_of(part.mesh.points);
       if (part.name == "~column") column = box.min().y();
       if (part.name == "~foot") foot = box.min().y();
       if (part.name == "leg_1~") leg = box.min().y();
     }
-    CHECK(std::min(foot, leg) < 0.01);                               // it stands
-    if (foot < 1) CHECK(foot == Approx(column - 0.05).margin(0.06)); // and the foot hangs at the column
+    CHECK(std::min(foot, leg) < 0.01);                               // a part stands on the ground
+    if (foot < 1) CHECK(foot == Approx(column - 0.05).margin(0.06)); // the foot is attached to the column
     CHECK((leg < 1) == (t < 0.45));
     CHECK((column < 1) == (t >= 0.45));
   }
@@ -83,7 +83,7 @@ TEST_CASE("Of parts without counterpart, two alike in one place become each othe
     CHECK(task.obstacle == Blend_obstacle::NONE);
     if (task.source == 3) CHECK(task.target == 3);
   }
-  winged.push_back({"other", {0.02, 1.2, 0.255}, {0.8, 0.4, 0.04}}); // not as much in its place
+  winged.push_back({"other", {0.02, 1.2, 0.255}, {0.8, 0.4, 0.04}}); // shares less of its place
   const std::vector<Blend_task> tasks = blend_of(model_of(armed), model_of(winged), same_parts(3)).schedules()[0].tasks;
   CHECK(std::count_if(tasks.begin(), tasks.end(),
                       [](const Blend_task& task) { return task.type == Blend_task_type::EXCHANGE; }) == 1);
@@ -98,16 +98,16 @@ TEST_CASE("The axes of boxes are paired for the least rotation; a box has its ow
   const auto turn_of = [](const internal::Pair_charts& charts) {
     return Eigen::AngleAxisd(charts.target.axes() * charts.source.axes().transpose()).angle();
   };
-  Eigen::Matrix3d other; // the same box with its axes in another order
+  Eigen::Matrix3d other; // permutes the axes of the box
   other << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   const Part_mesh cushion = box_shapes::box({0, 0, 0}, {1, 0.4, 0.9}), back = box_shapes::box({0, 0, 0}, {1, 0.9, 0.4});
   CHECK(turn_of(charts(cushion, back, Eigen::Matrix3d::Identity(), other)) == Approx(0).margin(1e-6));
-  const auto spine = [&](const Point& size) -> Point { // where the first axis points
+  const auto spine = [&](const Point& size) -> Point { // direction of the first axis
     const Part_mesh part = box_shapes::box({0, 0, 0}, size);
     return charts(part, part, Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity()).source.axes().col(0).cwiseAbs();
   };
-  CHECK(spine({1, 0.6, 0.8}).isApprox(Point::UnitX())); // the longest one
-  CHECK(spine({1, 0.6, 0.9}).isApprox(Point::UnitY())); // what may be round turns about the other one
+  CHECK(spine({1, 0.6, 0.8}).isApprox(Point::UnitX())); // the longest axis
+  CHECK(spine({1, 0.6, 0.9}).isApprox(Point::UnitY())); // the axis of a part that may be round
   constexpr double angle = 0.6;
   Part_mesh rod = box_shapes::box({0, 0, 0}, {0.05, 1, 0.05}), slanted = rod;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitZ()).toRotationMatrix();
@@ -132,18 +132,18 @@ TEST_CASE("Coordinates relative to outlines: a round one and one with corners ar
     CHECK((internal::Chart_outline::between(disc, plate, 1).absolute(round.col(i)) - plate.absolute(round.col(i)))
               .norm() < 1e-12);
   }
-  const internal::Chart_outline flat(false, Points::Zero(3, 4)); // no outline at all
+  const internal::Chart_outline flat(false, Points::Zero(3, 4)); // no outline
   CHECK((flat.absolute(flat.relative(Point(0.3, 0.2, 0.1))) - Point(0.3, 0.2, 0.1)).norm() < 1e-12);
 }
 
-TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and components do not see each other")
+TEST_CASE("Displacements are smoothed over a length: a step becomes two exponentials; components are independent")
 {
   constexpr int cells = 200;
-  constexpr double step = 0.05, length = 0.5; // a strip from -5 to 5, in triangles that share no points
+  constexpr double step = 0.05, length = 0.5; // a strip from -5 to 5, of triangles that share no points
   Points strip(3, 6 * cells);
   Eigen::Matrix3Xi triangles(3, 2 * cells);
   for (int i = 0; i < cells; ++i) {
-    const double x = (i - cells / 2) * step, next = (i + 1 - cells / 2) * step; // the same to the bit
+    const double x = (i - cells / 2) * step, next = (i + 1 - cells / 2) * step; // bitwise equal at shared ends
     strip.middleCols<6>(6 * i) << x, next, next, x, next, x, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0;
     triangles.col(2 * i) << 6 * i, 6 * i + 1, 6 * i + 2;
     triangles.col(2 * i + 1) << 6 * i + 3, 6 * i + 4, 6 * i + 5;
@@ -157,17 +157,18 @@ TEST_CASE("Ways are smoothed over a length: a step becomes two exponentials, and
     ways(0, i) = strip(0, i) < -step / 2 ? -1 : strip(0, i) > step / 2 ? 1 : 0;
   const Points joined = internal::Surface_smoother(strip, triangles)(ways, length);
   for (Eigen::Index i = 0; i < strip.cols(); ++i) {
-    const double x = strip(0, i), due = std::copysign(1 - std::exp(-std::abs(x) / length), x); // w - l² w'' = given
+    // Solution of w - l² w'' = given
+    const double x = strip(0, i), due = std::copysign(1 - std::exp(-std::abs(x) / length), x);
     if (std::abs(x) < 2) CHECK(joined(0, i) == Approx(due).margin(0.02));
   }
   for (Eigen::Index i = 0; i < strip.cols() / 2; ++i)
-    strip(1, i) += 10; // the left half elsewhere
+    strip(1, i) += 10; // separates the left half
   const Points apart = internal::Surface_smoother(strip, triangles)(ways, length);
   CHECK(apart(0, strip.cols() - 1) == Approx(1).margin(1e-3));
   CHECK(apart(0, 0) == Approx(-1).margin(1e-3));
 }
 
-TEST_CASE("A sheet with both sides in one place is not closed")
+TEST_CASE("A sheet whose two sides coincide is not closed")
 {
   Part_mesh sheet = part_meshes::without_triangles(ball, 1);
   const Eigen::Index half = sheet.triangles.cols();
@@ -203,7 +204,7 @@ TEST_CASE("A cube becomes a ball: the surface that takes over lies on the other 
   }
 }
 
-TEST_CASE("A closed surface may differ more from its counterpart than one with rims, which would be seen to gape")
+TEST_CASE("A closed surface may differ more from its counterpart than one with borders, where gaps would be visible")
 {
   const auto stand_with = [](const Part_mesh& top) {
     Segmented_shape shape("stand");

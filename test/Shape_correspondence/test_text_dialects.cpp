@@ -18,7 +18,7 @@
 #include <cstring>
 #include <functional>
 
-// Model files that are text, or may be, as other programs write them.
+// Text files of models, or files that may be text, as written by other programs.
 
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
@@ -69,7 +69,6 @@ void check_same(const Segmented_shape& a, const Segmented_shape& b)
   }
 }
 
-// A box of 1 by 2 by 3
 const std::string off_numbers = box_vertices(0, 0, 0, 1, 2, 3, "") + box_faces(0, "4 ");
 const std::string off_box = "OFF\n8 6 0\n" + off_numbers;
 const std::string ply_box = "ply\nformat ascii 1.0\ncomment by hand\nobj_info none\nelement vertex 8\n"
@@ -77,7 +76,7 @@ const std::string ply_box = "ply\nformat ascii 1.0\ncomment by hand\nobj_info no
                             "property list uchar int vertex_indices\nend_header\n" +
                             off_numbers;
 
-/// A tetrahedron at a place. \param keyword writes words of the format
+/// A tetrahedron at a given place as STL text. \param keyword spells the keywords of the format
 std::string text_solid(const std::string& name, double x, const std::function<std::string(std::string)>& keyword)
 {
   std::ostringstream out;
@@ -99,7 +98,7 @@ std::string text_solid(const std::string& name, double x)
   return text_solid(name, x, [](const std::string& word) { return word; });
 }
 
-/// The same as a binary file. \param count that its header says
+/// The tetrahedron as a binary file. \param count number of triangles in its header
 std::string binary_solid(const std::string& header, float x, std::uint32_t count = 4)
 {
   std::string result = header;
@@ -176,7 +175,7 @@ TEST_CASE("A binary PLY file with a header of any line ends is read from its fir
   };
   std::string bytes;
   append(2.0f, bytes);
-  bytes[0] = '\n'; // as if the line ended there
+  bytes[0] = '\n'; // looks like the end of a line
   for (float coordinate : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f})
     append(coordinate, bytes);
   bytes += '\3';
@@ -227,11 +226,11 @@ TEST_CASE("OBJ: a group that is named again goes on with its own vertices, one w
   }
   CHECK(names(IO::read_segmented_shape(folder.write("a.obj", square + "g seat\nf 1 2 3 4\ng seat\n" + far +
                                                                  "f 5 6 7\n"))) == Names{"seat", "seat#2"});
-  // A third one joins both
+  // A third group joins both
   CHECK(names(IO::read_segmented_shape(
             folder.write("a.obj", square + far + "g seat\nf 1 2 3 4\ng seat\nf 5 6 7\ng seat\nf 1 5 6\n" + other))) ==
         Names{"seat", "other"});
-  // Of several objects of one name, too
+  // The same holds for several objects with the same name
   CHECK(names(IO::read_segmented_shape(folder.write(
             "a.obj", square + far + "o leg\nf 1 2 3\no top\nf 5 6 7\no leg\nf 1 3 4\n"))) == Names{"leg", "top"});
 }
@@ -249,11 +248,11 @@ TEST_CASE("OBJ: groups of an object that share vertices name its faces, others a
   };
   CHECK(names(IO::read_segmented_shape(
             folder.write("a.obj", box_of_sides("seat", 0, 0) + box_of_sides("back", 1, 1)))) == Names{"seat", "back"});
-  // One object of separate groups, which touch, and one of faces
+  // An object of separate groups in contact, and one whose groups are regions of a surface
   CHECK(names(IO::read_segmented_shape(folder.write(
             "a.obj", obj_box("o chair\ng seat", 0, 0, 0, 0, 1, 1, 1) + obj_box("g back", 1, 0, 1, 0, 1, 1, 1) +
                          box_of_sides("table", 2, 7)))) == Names{"seat", "back", "table"});
-  // The groups of the only object, which is one surface, stay: they are all that there is
+  // The groups of the only object, which is one surface, are kept, since there is nothing else
   CHECK(names(IO::read_segmented_shape(folder.write("a.obj", box_of_sides("seat", 0, 0)))).size() == 6);
 }
 
@@ -298,11 +297,12 @@ TEST_CASE("OFF: headers of all kinds, comments, colours of vertices and faces")
   using Colours = std::vector<Eigen::Vector3f>;
   const Colours expected{red, blue, blue};
   CHECK(colours("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 0 255 255\n0 1 0 0 0 255 255\n3 0 1 2\n") == expected);
-  CHECK(colours("OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 0 255\n0 1 0 0 0 255\n3 0 1 2\n") == expected); // unannounced
+  // The header does not announce the colours
+  CHECK(colours("OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 0 255\n0 1 0 0 0 255\n3 0 1 2\n") == expected);
   CHECK(colours("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 0 1 1\n0 1 0 0 0 1 1\n3 0 1 2\n") == expected);
   CHECK(colours("CNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0\n1 0 0 0 0 1 0 0 1\n0 1 0 0 0 1 0 0 1\n3 0 1 2\n") == expected);
   CHECK(colours("NCOFF\n3 1 0\n0 0 0 255 0 0 9 0 0 1\n1 0 0 0 0 255 9 0 0 1\n0 1 0 0 0 255 9 0 0 1\n3 0 1 2\n") ==
-        expected); // of MeshLab
+        expected); // written by MeshLab
   CHECK(colours("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 0 0\n") == Colours{red, red, red});
   CHECK(colours("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0 255\n") == Colours{red, red, red});
   CHECK(colours("OFF\n3 1 0\n0 0 0 .5 .5 .5\n1 0 0 .5 .5 .5\n0 1 0 .5 .5 .5\n3 0 1 2 7\n").empty());
@@ -325,7 +325,7 @@ TEST_CASE("PLY: triangle strips, as text and in bytes, with and without signs")
       const Point a = mesh.points.col(mesh.triangles(0, t));
       area += (mesh.points.col(mesh.triangles(1, t)) - a).cross(mesh.points.col(mesh.triangles(2, t)) - a).z() / 2;
     }
-    CHECK(area == Approx(1)); // both face the same way
+    CHECK(area == Approx(1)); // both have the same orientation
   };
   check(header("ascii", "int", 1) + vertices + "8 0 1 2 3 -1 4 5 6\n");
   check(header("ascii", "int", 2) + vertices + "5 0 1 2 3 -1\n3 4 5 6\n");
@@ -382,7 +382,7 @@ TEST_CASE("STL: words in capitals, on one line, several solids, and files one af
   check(text_solid("", 0) + text_solid("", 5), {"part_1", "part_2"});
   check(replaced(replaced(text_solid("a", 0), "endloop\n", "endloop "), "outer loop\n", "outer loop "), {"a"});
   check("\n\n" + text_solid("a", 0) + "\0\0\0"s, {"a"});
-  check(text_solid("a", 0).substr(8), {"m"}); // without its first line
+  check(text_solid("a", 0).substr(8), {"m"}); // the text without its first line
   check(binary_solid("solid by a program", 0), {"m"});
   check(binary_solid("seat", 0) + binary_solid("back", 5), {"seat", "back"});
   check(binary_solid("by X", 0) + binary_solid("by X", 5), {"part_1", "part_2"});
@@ -391,7 +391,7 @@ TEST_CASE("STL: words in capitals, on one line, several solids, and files one af
   check(binary_solid("zeros", 0) + std::string(37, '\0'), {"m"});
 }
 
-TEST_CASE("STL: what is left out of a file, or is not as its header says, is told")
+TEST_CASE("STL: parts of a file that are left out, or differ from its header, are reported")
 {
   const Temporary_folder folder;
   const auto warning = [&](const std::string& text) {

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Limits of the time and the memory of a match: there is always a result, and it says what it is.
+// Limits of time and memory in a match: there is always a result, which reports the limit.
 
 #include "base/deadline.h"
 #include "hand_made_graphs.h"
@@ -25,7 +25,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// A clock that moves on by a second whenever somebody looks at it.
+/// A clock that advances by a second at every reading.
 struct Looked_at_clock
 {
   std::shared_ptr<int> looks = std::make_shared<int>(0);
@@ -35,7 +35,7 @@ struct Looked_at_clock
 
 internal::Deadline after(int looks) { return internal::Deadline(looks, Looked_at_clock()); }
 
-/// Points of which each touches all others.
+/// Points, all in contact with each other.
 Structural_graph cluster(std::size_t n)
 {
   std::vector<Point> places;
@@ -99,7 +99,7 @@ TEST_CASE("Beam search completes its best solution fast when the time is over")
   }
 }
 
-TEST_CASE("The tables of a search look at the clock")
+TEST_CASE("The tables of a search check the time limit")
 {
   using Shape = Deformable_shape;
   const auto chair = std::make_shared<const Shape>(align_shape(hand_made::slatted_chair()));
@@ -116,7 +116,7 @@ TEST_CASE("The tables of a search look at the clock")
   CHECK_THROWS_AS(tangents.touch({1}, bound), internal::Out_of_time);
 }
 
-TEST_CASE("Distances of surfaces look at the clock; without time for them boxes are compared")
+TEST_CASE("Distances of surfaces check the time limit; when it is reached, boxes are compared")
 {
   const Aligned_shape chair = align_shape(hand_made::slatted_chair());
   const Part_matching_options options;

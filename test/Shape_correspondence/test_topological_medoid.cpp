@@ -27,6 +27,6 @@ TEST_CASE("The medoid of points on a line is the median")
 {
   CHECK(topological_medoid(distances_of({9, 1, 4, 3, 20})) == 2);
   CHECK(topological_medoid(distances_of({5})) == 0);
-  CHECK(topological_medoid(distances_of({1, 2})) == 0); // a tie: the first
+  CHECK(topological_medoid(distances_of({1, 2})) == 0); // the first one in case of a tie
   CHECK(topological_medoid(distances_of({7, 3, 4, 3})) == 1);
 }

@@ -36,7 +36,7 @@ namespace gen = CGAL::Shape_correspondence::generator;
 
 namespace {
 
-// Colours of corners that go over smoothly and are different everywhere
+// Colours of corners that vary smoothly and are all different.
 Shape_appearance rainbow(const Segmented_shape& shape)
 {
   Shape_appearance looks;
@@ -55,7 +55,7 @@ Shape_appearance rainbow(const Segmented_shape& shape)
   return looks;
 }
 
-// A material a part
+// An appearance with one material for each part.
 Shape_appearance painted(const Segmented_shape& shape, const std::vector<Eigen::Vector3d>& colours)
 {
   Shape_appearance looks;
@@ -85,7 +85,7 @@ Segmented_shape plate()
   return shape;
 }
 
-// The greatest difference of the looks of two shapes at the middles of the triangles of the second
+// The largest difference in colour at the centroids of the second shape's triangles.
 double greatest_difference(const Shape_appearance& a, const Shape_appearance& b, const Segmented_shape& shape)
 {
   const Looks_sampler from(a, Eigen::Vector3d::Zero()), to(b, Eigen::Vector3d::Zero());
@@ -100,7 +100,7 @@ double greatest_difference(const Shape_appearance& a, const Shape_appearance& b,
 
 } // namespace
 
-TEST_CASE("A shape that is mapped to itself keeps its looks, in new texture coordinates")
+TEST_CASE("A shape that is mapped to itself keeps its appearance, in new texture coordinates")
 {
   const Segmented_shape shape = chair();
   const Structural_graph graph = graph_of(shape);
@@ -112,10 +112,11 @@ TEST_CASE("A shape that is mapped to itself keeps its looks, in new texture coor
   CHECK_FALSE(result.has_given_coordinates);
   for (const Transferred_part& part : result.parts)
     CHECK(part.origin == Looks_origin::SOURCE);
-  CHECK(greatest_difference(looks, result.appearance, shape) < 0.03); // of pixels and bytes
+  // Tolerance for the resolution and depth of the texture
+  CHECK(greatest_difference(looks, result.appearance, shape) < 0.03);
 }
 
-TEST_CASE("Looks do not depend on where the target stands and how large it is")
+TEST_CASE("The appearance does not depend on the position and size of the target")
 {
   const Segmented_shape shape = chair();
   const Shape_appearance looks = rainbow(shape);
@@ -129,7 +130,7 @@ TEST_CASE("Looks do not depend on where the target stands and how large it is")
   CHECK(greatest_difference(looks, result.appearance, shape) < 0.03);
 }
 
-TEST_CASE("New texture coordinates are inside, apart, and of one scale")
+TEST_CASE("New texture coordinates are inside the image, do not overlap, and have one scale")
 {
   for (const gen::Model& model : gen::models()) {
     const gen::Assembly assembly = model.make();
@@ -171,12 +172,12 @@ TEST_CASE("New texture coordinates are inside, apart, and of one scale")
         greatest = std::max(greatest, flat_area / area);
       }
     CHECK(double(twice) < 0.01 * double(covered));
-    CHECK(greatest < 3 * least); // triangles that are seen from the side are smaller
+    CHECK(greatest < 3 * least); // triangles oblique to the projection are smaller
   }
 }
 
 TEST_CASE(
-    "A panel that three laths merge into is not in bands: it has the looks of the largest, and what touches it, too")
+    "A panel that three laths merge into has the appearance of the largest, not bands, and so do parts that touch it")
 {
   Segmented_shape source("laths");
   const double widths[] = {0.3, 0.5, 0.2};
@@ -191,12 +192,12 @@ TEST_CASE(
                           graph_of(target), target, {}, pairing({{0, 0}, {1, 0}, {2, 0}}));
   CHECK(result.parts[0].sources == std::vector<std::size_t>{1, 0, 2});
   CHECK(result.parts[0].origin == Looks_origin::SOURCE);
-  CHECK(result.parts[1].origin == Looks_origin::NEIGHBOUR); // the knob has no looks of its own
+  CHECK(result.parts[1].origin == Looks_origin::NEIGHBOUR); // the knob has no appearance of its own
   CHECK(result.parts[1].neighbour == 0);
   CHECK(greatest_difference(painted(target, {{0, 1, 0}, {0, 1, 0}}), result.appearance, target) < 0.02);
 }
 
-TEST_CASE("Of parts that merge and are about as large the highest one has the looks, if it has any")
+TEST_CASE("Of merged parts of about equal size the highest one gives the appearance, if it has any")
 {
   Segmented_shape source("seat");
   source.add_part("board", box({0, 0.05, 0}, {1.25, 0.1, 0.6}));
@@ -215,9 +216,9 @@ TEST_CASE("Of parts that merge and are about as large the highest one has the lo
   CHECK(first_source() == 0);
 }
 
-TEST_CASE("A part without counterpart looks like what it touches if it is of the same material, also by way of another")
+TEST_CASE("A part without counterpart looks like the part of its material that it touches, also by way of others")
 {
-  Segmented_shape target("tower"); // of a plate, a block on it, a knob on that, and a handle of another material
+  Segmented_shape target("tower"); // a plate, a block on it, a knob on that, and a handle of another material
   target.add_part("plate", box({0, 0.05, 0}, {1.2, 0.1, 0.6}));
   target.add_part("block", box({0, 0.2, 0}, {0.3, 0.2, 0.3}));
   target.add_part("knob", box({0, 0.35, 0}, {0.1, 0.1, 0.1}));
@@ -262,7 +263,7 @@ TEST_CASE("Labels of faces have straight borders, and parts without counterpart 
                   Invalid_input);
 }
 
-TEST_CASE("A part without counterpart keeps its own looks, and one to many goes to all of them")
+TEST_CASE("A part without counterpart keeps its own appearance; of one to many all get that of the one")
 {
   const Segmented_shape source = plate(), target = laths(4);
   const Transferred_appearance result = transfer_appearance(
@@ -307,7 +308,7 @@ TEST_CASE("Texture coordinates of the target are used only if no triangles overl
   CHECK_FALSE(transferred(good).has_given_coordinates);
 }
 
-TEST_CASE("A source without looks, and options out of their ranges, are refused")
+TEST_CASE("A source without appearance, and options out of their ranges, are refused")
 {
   const Segmented_shape shape = laths();
   const Structural_graph graph = graph_of(shape);
@@ -340,7 +341,7 @@ TEST_CASE("The program transfers a texture; what it writes reads back")
     const auto json = nlohmann::json::parse(model_files::text_of(folder.path("t.json")));
     CHECK(json["format"] == "shape_correspondence/transfer");
     CHECK(json["parts"].size() == shape.parts().size());
-    CHECK(json["texture_coordinates"] == "new"); // the generator's overlap
+    CHECK(json["texture_coordinates"] == "new"); // the given ones overlap
     REQUIRE(looks.textures.size() == 1);
     IO::decode_textures(looks, looks.warnings);
     CHECK(looks.warnings.empty());
@@ -395,7 +396,6 @@ TEST_CASE("The program says what is missing for a transfer")
 
 namespace {
 
-// The document of a GLB
 nlohmann::json document_of(const std::string& glb)
 {
   std::size_t size = 0;
@@ -404,7 +404,7 @@ nlohmann::json document_of(const std::string& glb)
   return nlohmann::json::parse(glb.substr(20, size));
 }
 
-// The reds of the materials of surfaces in between, by name of the node
+// The red channels of the materials of in-between surfaces, by name of the node.
 std::map<std::string, std::set<double>> reds_in_between(const nlohmann::json& document)
 {
   std::map<std::string, std::set<double>> result;
@@ -420,7 +420,7 @@ std::map<std::string, std::set<double>> reds_in_between(const nlohmann::json& do
 
 } // namespace
 
-TEST_CASE("In a blend a colour goes over into the other, and a texture stays on its surface")
+TEST_CASE("In a blend colours are interpolated, and a texture stays on its surface")
 {
   const Segmented_shape shape = table();
   const Structural_graph graph = graph_of(shape);
@@ -429,7 +429,7 @@ TEST_CASE("In a blend a colour goes over into the other, and a texture stays on 
   before[0] = {1, 0, 0};
   after[0] = {0, 0, 1};
   IO::Blend_appearance looks{painted(shape, before), painted(shape, after)};
-  // The second part has a texture in the source
+  // In the source, the second part has a texture
   looks.source.textures.push_back({"picture", gen::test_picture(), {}});
   looks.source.materials[1].texture = 0;
   looks.source.parts[1].coordinates.assign(3 * looks.source.parts[1].materials.size(), Eigen::Vector2f(0.5f, 0.5f));
@@ -439,7 +439,7 @@ TEST_CASE("In a blend a colour goes over into the other, and a texture stays on 
   const nlohmann::json document = document_of(animation.str());
   auto reds = reds_in_between(document);
   const std::string name = shape.parts()[0].name, other = shape.parts()[2].name;
-  CHECK(reds[name + "~" + name].size() == 6); // by interval between frames, of which one has both surfaces
+  CHECK(reds[name + "~" + name].size() == 6); // for each interval between frames, one of which has both surfaces
   CHECK(reds[other + "~" + other] == std::set<double>{0.2});
   REQUIRE(document["images"].size() == 1);
   bool is_textured_between = false;
@@ -452,9 +452,9 @@ TEST_CASE("In a blend a colour goes over into the other, and a texture stays on 
   IO::write_blend_frame_glb(frame, blend, looks, 0.5);
   reds = reds_in_between(document_of(frame.str()));
   REQUIRE(reds[name + "~" + name].size() == 1);
-  CHECK(*reds[name + "~" + name].begin() == Approx(0.5).margin(0.3)); // at half of its task
+  CHECK(*reds[name + "~" + name].begin() == Approx(0.5).margin(0.3)); // half-way through its task
 
-  // There is one surface of a part at any time, also at that when the target's takes over
+  // A part has one surface at any time, also when the target's replaces the source's
   Segmented_shape blunt("blunt");
   for (Shape_part part : shape.parts()) {
     part.mesh.points.row(2).array() += (part.mesh.points.row(0).array() > 0.75).cast<double>() * 0.1;

@@ -70,7 +70,7 @@ TEST_CASE("The spanning tree is as short as Kruskal's, and joins all shapes")
 
 TEST_CASE("A chain is taken only where it costs less, the shortest among equals")
 {
-  Eigen::MatrixXd energies(4, 4); // a way of three steps of 1 each; 0 and 2 are 2 apart, 0 and 3 are 9
+  Eigen::MatrixXd energies(4, 4); // a path of three steps of 1; the distance of 0 and 2 is 2, that of 0 and 3 is 9
   energies << 0, 1, 2, 9,         //
       1, 0, 1, 4,                 //
       2, 1, 0, 1,                 //
@@ -80,9 +80,9 @@ TEST_CASE("A chain is taken only where it costs less, the shortest among equals"
   const std::vector<Shape_chain> chains = best_chains(energies, tree, 0);
   CHECK(chains[0].shapes == Shapes{0});
   CHECK(chains[2].is_direct());
-  CHECK(chains[3].shapes == Shapes{0, 2, 3}); // the way along the tree costs as much, in more steps
+  CHECK(chains[3].shapes == Shapes{0, 2, 3}); // the path along the tree costs the same, with more steps
   CHECK(chains[3].energy == 3);
-  CHECK(best_chains(energies, tree, 1)[3].shapes == Shapes{1, 2, 3}); // energies are of ordered pairs
+  CHECK(best_chains(energies, tree, 1)[3].shapes == Shapes{1, 2, 3}); // energies are those of ordered pairs
   energies(0, 2) = 7;
   CHECK(best_chains(energies, tree, 0)[3].shapes == Shapes{0, 1, 2, 3});
   CHECK(best_chains(Eigen::MatrixXd::Ones(2, 2), {{0, 1}}, 0)[1].is_direct());

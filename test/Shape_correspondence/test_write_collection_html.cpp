@@ -21,7 +21,6 @@ using nlohmann::json;
 
 namespace {
 
-/// The JSON of the GLB in a page.
 json glb_json(const std::string& page)
 {
   const std::string glb = from_base64(document_of(page, "collection.glb"));
@@ -105,17 +104,17 @@ TEST_CASE("The page shows surfaces where there are models, of few triangles each
       triangles[shape] +=
           glb["accessors"][mesh["primitives"][0]["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
     }
-  CHECK(triangles[0] <= 200000); // of 460800
+  CHECK(triangles[0] <= 200000); // the model has 460800
   CHECK(triangles[0] > 1000);
   CHECK(triangles[1] > 0);
 }
 
-TEST_CASE("Of very many shapes the page shows some from every branch of the tree, and says so")
+TEST_CASE("Of very many shapes the page shows some of every branch of the tree, and says so")
 {
   const Structural_graph chair = hand_made::chair();
   const std::size_t n = 2 * IO::largest_pictured + 5, half = n / 2;
   IO::Collection collection;
-  collection.energy = [&](std::size_t i, std::size_t j) { // two far chains
+  collection.energy = [&](std::size_t i, std::size_t j) {
     return std::abs(double(i) - double(j)) / double(n) + ((i < half) != (j < half) ? 10 : 0);
   };
   for (std::size_t i = 0; i < n; ++i) {

@@ -46,7 +46,7 @@ struct Glb
   std::string buffer;
 };
 
-/// Takes a GLB apart, checking what the specification demands of its chunks.
+/// Splits a GLB into its chunks, and checks the requirements of the specification.
 Glb opened(const std::string& bytes)
 {
   REQUIRE(bytes.substr(0, 4) == "glTF");
@@ -62,7 +62,7 @@ Glb opened(const std::string& bytes)
   return {json::parse(bytes.substr(20, json_size)), bytes.substr(binary + 8)};
 }
 
-/// Checks that every accessor lies in the buffer, its bounds hold, and indices are in range.
+/// Checks that accessors lie within the buffer, that their bounds hold, and that indices are in range.
 void check_accessors(const Glb& glb)
 {
   REQUIRE(glb.document["buffers"][0]["byteLength"] == glb.buffer.size());
@@ -70,7 +70,7 @@ void check_accessors(const Glb& glb)
     const json& view = glb.document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
     const std::size_t offset = view["byteOffset"], count = accessor["count"];
     const std::size_t components = accessor["type"] == "VEC3" ? 3 : 1;
-    const std::size_t bytes = accessor["componentType"] == 5123 ? 2 : 4; // numbers of 16 bits, or of 32
+    const std::size_t bytes = accessor["componentType"] == 5123 ? 2 : 4; // 16-bit or 32-bit numbers
     REQUIRE(view["byteLength"] == count * components * bytes);
     REQUIRE(offset % 4 == 0);
     REQUIRE(offset + count * components * bytes <= glb.buffer.size());
@@ -90,7 +90,7 @@ Point vector_at(const Glb& glb, int accessor, std::uint32_t index)
   return Point(float_at(glb.buffer, offset), float_at(glb.buffer, offset + 4), float_at(glb.buffer, offset + 8));
 }
 
-/// Normals are unit vectors on the side of their triangles' front.
+/// Checks that normals are unit vectors on the front side of their triangles.
 void check_normals(const Glb& glb)
 {
   for (const json& mesh : glb.document["meshes"]) {
@@ -154,7 +154,7 @@ std::string picture(const Correspondence& c)
 
 } // namespace
 
-TEST_CASE("A picture of a correspondence is a sound GLB with the parts as nodes")
+TEST_CASE("A picture of a correspondence is a valid GLB with the parts as nodes")
 {
   const Glb glb = opened(picture(some_match()));
   check_accessors(glb);
@@ -196,7 +196,7 @@ TEST_CASE("Further scenes hold the curves and sheets, and the contacts as lines,
         CHECK(primitive.value("mode", 4) == (scene < 2 ? 4 : 1));
         if (scene < 2) CHECK(child["name"] == shape.parts[i].name);
         if (scene < 2) CHECK(child["extras"]["part"] == i);
-        if (scene == 2) // three steps a line
+        if (scene == 2) // three segments for each line
           CHECK(glb.document["accessors"][primitive["indices"].get<std::size_t>()]["count"] ==
                 6 * shape.contacts.size());
       }
@@ -204,7 +204,7 @@ TEST_CASE("Further scenes hold the curves and sheets, and the contacts as lines,
   }
 }
 
-TEST_CASE("What corresponds has one colour, the rest is grey")
+TEST_CASE("Corresponding parts have one colour, all others are grey")
 {
   const Glb glb = opened(picture(some_match()));
   const json grey = colour_of(glb, 0, "leg hind left");
@@ -214,7 +214,7 @@ TEST_CASE("What corresponds has one colour, the rest is grey")
   CHECK(colour_of(glb, 0, "seat") == colour_of(glb, 1, "seat"));
   CHECK(colour_of(glb, 0, "back") == colour_of(glb, 1, "slat 1"));
   CHECK(colour_of(glb, 0, "back") == colour_of(glb, 1, "slat 3"));
-  // Symmetric parts, which the search takes as one group, are told apart
+  // Symmetric parts, which the search treats as one group, have different colours
   const json left = colour_of(glb, 0, structure(hand_made::chair()).parts[2].name);
   const json right = colour_of(glb, 0, structure(hand_made::chair()).parts[3].name);
   CHECK(left == colour_of(glb, 1, structure(hand_made::slatted_chair()).parts[4].name));
@@ -235,7 +235,7 @@ TEST_CASE("assimp reads the picture back: the source left, both upright")
     }
     throw std::runtime_error("no part " + part);
   };
-  // Names must differ to be read as one model
+  // Names must be unique to be read as one model
   Structural_graph source = hand_made::chair(), target = hand_made::chair();
   for (Part_abstraction& part : structure(target).parts)
     part.name += " of target";
@@ -247,7 +247,7 @@ TEST_CASE("assimp reads the picture back: the source left, both upright")
   CHECK(bounds("back").min().y() > bounds("leg front left").min().y());
   CHECK(bounds("leg front left").center().z() > 0);
 
-  c.target_quarter_turns = 1; // front (+z) goes to +x
+  c.target_quarter_turns = 1; // front +z goes to +x
   std::ostringstream turned;
   IO::write_correspondence_glb(turned, c, source, target);
   folder.write("a.glb", turned.str());

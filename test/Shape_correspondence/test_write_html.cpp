@@ -48,9 +48,9 @@ std::size_t count(const std::string& text, const std::string& what)
 
 } // namespace
 
-// That the pages work is tested in a browser, browser/test_pages.py
+// browser/test_pages.py tests in a browser that the pages work
 
-TEST_CASE("A page needs no network, and lets nothing run but its own script")
+TEST_CASE("A page needs no network, and allows no script but its own")
 {
   const std::string page = graph_page(hand_made::chair());
   CHECK(page.find("<!DOCTYPE html>") == 0);

@@ -33,13 +33,13 @@ struct Blend_options
   /// Largest gap between parts in contact in the source or target, as a fraction of the height, in [0, 1].
   double contact_tolerance = 0.02;
   int samples = 7; ///< number of in-between shapes by which a schedule is rated, 1 to 1000
-  /// Pairs of lower confidence, in [0, 1], are left out: their parts come and go. By default, those that are more
-  /// probably wrong than right.
+  /// Pairs of lower confidence, in [0, 1], are not morphed: their parts shrink and grow. By default, those that are
+  /// more probably wrong than right.
   double min_confidence = 0.5;
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
   std::string schedule;                ///< name of the schedule to use; empty: the best one
-  /// Called while steps are sought and before a schedule is rated, with the fraction done, in [0, 1]; `false` ends
-  /// both, and `in two steps` is used, with the best steps so far.
+  /// Called during the search for steps and before a schedule is rated, with the fraction done, in [0, 1]; `false` ends
+  /// both, and the schedule `in two steps` is used with the best steps so far.
   std::function<bool(double)> progress;
 };
 

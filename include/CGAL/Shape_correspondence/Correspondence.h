@@ -26,10 +26,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// Which shape is deformed into which.
+/// The direction of the deformation.
 enum class Direction {
-  SOURCE_TO_TARGET, ///< the source into the target
-  TARGET_TO_SOURCE  ///< the target into the source
+  SOURCE_TO_TARGET, ///< the source is deformed into the target
+  TARGET_TO_SOURCE  ///< the target is deformed into the source
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
@@ -38,14 +38,14 @@ struct Group_match
 {
   std::vector<std::size_t> source;        ///< part indices in the source shape
   std::vector<std::size_t> target;        ///< part indices in the target shape
-  Operation operation = Operation::MATCH; ///< what the GeoTopo transform did to the group
+  Operation operation = Operation::MATCH; ///< operation of the GeoTopo transform on the group
   double energy =
-      0; ///< its share of E_d + w_c E_c: the energies of contacts inside it and half of those with other groups
-  double distortion = 0;     ///< its share of E_d
-  double connectedness = 0;  ///< its share of E_c, before weighting
+      0; ///< share of E_d + w_c E_c: the energies of contacts inside the group and half of those with other groups
+  double distortion = 0;     ///< share of E_d
+  double connectedness = 0;  ///< share of E_c, before weighting
   double solidity_ratio = 1; ///< S_i of Eq. 5, its entry in E_s
-  /// Min-marginal: increase of the least energy if the group may not have this match. 0: another match is as good;
-  /// infinity: there is no other match; not a number: not computed (`Search_options::min_marginals`).
+  /// Min-marginal: increase of the least energy if this match of the group is forbidden. 0: another match is as good;
+  /// infinity: there is no other match; NaN: not computed (`Search_options::min_marginals`).
   double min_marginal = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -54,8 +54,8 @@ struct Group_match
 struct Contact_energy
 {
   std::array<std::size_t, 2> parts; ///< the two parts
-  double distortion = 0;            ///< its share of E_d
-  double connectedness = 0;         ///< its share of E_c, before weighting
+  double distortion = 0;            ///< share of E_d
+  double connectedness = 0;         ///< share of E_c, before weighting
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
@@ -64,25 +64,26 @@ struct Correspondence
 {
   /// Corresponding parts, sorted by source, then target, each pair once. A search for the least energy gives the images
   /// of every part of the deformed shape, with the segments of cut curves. Matching by parts pairs sets of parts, every
-  /// part of the one with every part of the other, and gives confidences.
+  /// part of one set with every part of the other, and gives confidences.
   std::vector<Part_correspondence> pairs;
-  std::vector<Group_match> groups;           ///< by group of the deformed shape
-  std::vector<Contact_energy> contacts;      ///< by contact of the deformed shape
+  std::vector<Group_match> groups;           ///< indexed by group of the deformed shape
+  std::vector<Contact_energy> contacts;      ///< indexed by contact of the deformed shape
   std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
-  /// Deformation energy, E of Eq. 1. After matching by parts it is computed for whole parts, after a search with the
-  /// pieces of split sheets.
+  /// Deformation energy, E of Eq. 1; after matching by parts, of whole parts, after a search with the pieces of split
+  /// sheets.
   double energy = 0;
   Energy_terms terms;                                ///< the terms of the energy
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
-  bool complete = false; ///< every group of the deformed shape is assigned, or left unmatched where that is allowed
-  bool optimal = false;  ///< the energy is proven minimal over all labels, for this direction and turn of the target
-  int target_quarter_turns = 0;          ///< turns of the target by 90° about up that align it with the source
-  Search_summary search;                 ///< effort of the search, and its lower bound
-  std::string category;                  ///< category whose roles were used; empty: none
+  /// Whether every group of the deformed shape is assigned, or left unmatched where that is allowed.
+  bool complete = false;
+  bool optimal = false; ///< whether the energy is proven minimal over all labels, for this direction and alignment
+  int target_quarter_turns = 0; ///< quarter turns of the target about the up axis that align it with the source
+  Search_summary search;        ///< effort of the search, and its lower bound
+  std::string category;         ///< category whose roles were used; empty: none
   std::vector<std::string> source_roles; ///< most probable role of each source part; empty without a category
-  std::vector<std::string> target_roles; ///< the same for the target parts
-  std::vector<std::string> warnings;     ///< approximations made and limits reached, in sentences
+  std::vector<std::string> target_roles; ///< most probable role of each target part; empty without a category
+  std::vector<std::string> warnings;     ///< sentences on approximations made and limits reached
 };
 
 } // namespace Shape_correspondence

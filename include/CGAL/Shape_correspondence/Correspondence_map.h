@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// A place on the abstraction of a part.
+/// A location on the abstraction of a part.
 struct Part_parameter
 {
   std::size_t part = 0;      ///< index of the part
-  Eigen::Vector2d parameter; ///< (t, 0) on a curve, (u, v) on a sheet, as `evaluate()` takes them
+  Eigen::Vector2d parameter; ///< (t, 0) on a curve, (u, v) on a sheet, see `evaluate()`
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
@@ -34,9 +34,9 @@ struct Part_parameter
 /// (paper, section 1).
 ///
 /// Parts that correspond one to one are mapped as a whole, in the direction in which they are fitted to each other. A
-/// part that corresponds to several is divided among them by their places: a curve into intervals of its parameter, a
-/// sheet into rectangles, each mapped to one part; if they lie side by side across it, it is mapped to all of them. A
-/// curve that corresponds to a sheet runs along its middle, in the longer direction. Continuous inside every piece.
+/// part that corresponds to several is divided among them by their positions: a curve into intervals of its parameter,
+/// a sheet into rectangles, each mapped to one part; if they lie side by side across it, it is mapped to all of them. A
+/// curve is mapped to the middle of a sheet, in the longer direction. Continuous within every piece.
 class Correspondence_map
 {
 public:
@@ -44,8 +44,8 @@ public:
   Correspondence_map(const Structural_graph& source, const Structural_graph& target,
                      const Correspondence& correspondence);
 
-  /// The images of a place on the source: none if its part has no counterpart, otherwise one or several; on the border
-  /// of two pieces of the part, the images by both. Linear in the number of pieces of the part.
+  /// The images of a location on the source: none if its part has no counterpart, otherwise one or several; on the
+  /// border between two pieces, the images under both. Linear in the number of pieces of the part.
   std::vector<Part_parameter> operator()(const Part_parameter& place) const;
 
   /// The map from the target to the source.

@@ -44,11 +44,11 @@ struct Energy_weights
 double deformation_energy(const Energy_terms& terms, const Energy_weights& weights = {});
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// An entry of D (Eq. 2): the cosine of the angle by which a structural rod, the vector from a sample of one part to a
-/// sample of another, turns; 0 beyond a right angle. A rod of length zero keeps its direction whatever happens (1); one
-/// that becomes zero loses it (0). Lengths count as zero if their square is below 1e-9, and 1 is the shape's height.
+/// An entry of D (Eq. 2): the cosine of the rotation angle of a structural rod, the vector from a sample of one part to
+/// a sample of another; 0 beyond a right angle. For a rod of length zero the entry is 1, for one that becomes zero it
+/// is 0. Lengths count as zero if their square is below 1e-9, in units of the shape's height.
 /// \param before the rod before the deformation
-/// \param after the rod after it
+/// \param after the rod after the deformation
 double rod_rotation(const Point& before, const Point& after);
 
 /// \ingroup PkgShapeCorrespondenceSearch
@@ -60,19 +60,19 @@ double distortion_energy(double mean_squared_cosine);
 /// E_c of two connected parts (Eq. 4): min(1, d'/f) if they have come apart (d' > d), else 0. The sign of the printed
 /// equation is corrected: as printed, E_c decreases as parts separate.
 /// \param shortest_before d, the length of the shortest structural rod before the deformation
-/// \param shortest_after d', the same after it
-/// \param longest_before f, the length of the longest rod before it
+/// \param shortest_after d', the length of the shortest rod after the deformation
+/// \param longest_before f, the length of the longest rod before the deformation
 double connectedness_energy(double shortest_before, double shortest_after, double longest_before);
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// E_s (Eq. 5) of the vector S of solidity ratios, one entry for each group of parts; 0 if there are no groups. If a
 /// group and its image differ in their numbers of parts, S_i is the smaller of their solidities divided by the larger.
-/// It is 1 for groups not matched yet, for groups of equal size (the paper mentions only single parts, and charges
-/// "one-to-many and many-to-one" only), and for rotational groups.
+/// It is 1 for groups that are not matched yet, for groups of equal size (the paper mentions only single parts, and
+/// charges "one-to-many and many-to-one" only), and for rotational groups.
 double split_energy(const std::vector<double>& solidity_ratios);
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// 1 - ||v|| / ||J|| of a vector v: what Eq. 3 and Eq. 5 have in common.
+/// 1 - ||v|| / ||J|| for a vector v, the form shared by Eq. 3 and Eq. 5.
 /// \param mean_square mean of the squared entries of v
 double norm_loss(double mean_square);
 

@@ -20,12 +20,12 @@ namespace Shape_correspondence {
 /// Options of `exact_search()`.
 struct Exact_options
 {
-  /// Largest number of entries of a table of the bound at the start; larger tables are split. A long search restarts
-  /// with larger tables, up to a million entries.
+  /// Initial limit for the entries of a table of the bound; larger tables are split. A long search restarts with larger
+  /// tables, up to a million entries.
   std::size_t table_limit = 1u << 12;
   std::size_t node_limit =
-      2'000'000; ///< maximum of nodes of the search tree; then the best solution so far is returned
-  /// In seconds from the construction on, with the same effect; 0: none, so that results do not depend on speed.
+      2'000'000; ///< limit for the nodes of the search tree; if reached, the best solution so far is returned
+  /// Limit in seconds from construction, with the same effect; 0: no limit, so that results do not depend on speed.
   double time_limit = 0;
   std::size_t solutions = 1; ///< number of best assignments to return, at least 1
 };

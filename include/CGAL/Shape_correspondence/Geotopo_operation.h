@@ -15,15 +15,16 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// What the GeoTopo transform does to the parts of a group, seen in the direction of the search (paper, section 4.1).
+/// Operations of the GeoTopo transform on the parts of a group, in the direction of the deformation (paper, section
+/// 4.1).
 enum class Operation {
-  MATCH,     ///< as many parts as before, one to one
+  MATCH,     ///< parts correspond one to one
   SPLIT,     ///< one part becomes many
-  DUPLICATE, ///< some parts of several are cloned
+  DUPLICATE, ///< some of several parts are cloned
   MERGE,     ///< many parts become fewer
   CUT,       ///< curves are cut into equally long segments, one for each target part
   JOIN,      ///< the inverse: several curves become the segments of one
-  NONE       ///< left unmatched
+  NONE       ///< the group is left unmatched
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Thrown, in Release as in Debug mode, when input data cannot be used. The message gives the file and the
-/// part, if there is one, what is wrong, and what to do.
+/// Thrown, in Release as in Debug mode, when input data cannot be used. The message gives the file and part, if any,
+/// the error, and a remedy.
 class Invalid_input : public std::runtime_error
 {
 public:

@@ -23,18 +23,18 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// How E_d and E_c are computed from the pairs of connected parts.
+/// Ways to combine E_d and E_c of the pairs of connected parts.
 enum class Energy_norm {
   SUM,   ///< sums over the connected pairs (the paper's Eq. 1)
   POOLED ///< E_d: one norm over the rods of all pairs, without resampling curves as sheets; E_c: the mean
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// How a matched part takes the shape of its target part (paper, section 5, "Deform-to-fit").
+/// Ways to deform a matched part into its target part (paper, section 5, "Deform-to-fit").
 enum class Deform_to_fit {
   SAMPLES,    ///< sample by sample: it becomes the target part
-  EXTREMITIES ///< ends or corners take their places, the displacements between them are interpolated linearly: it keeps
-              ///< its bow; closed curves sample by sample
+  EXTREMITIES ///< ends or corners move to those of the target, with linearly interpolated displacements in between,
+              ///< which keeps the part's curvature; closed curves are fitted sample by sample
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -49,26 +49,25 @@ struct Part_pair
 /// Options of the deformation energy and its labels.
 struct Matching_options
 {
-  /// An infinite cost, of what is not allowed.
+  /// An infinite cost, for what is not allowed.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Energy_weights weights;                     ///< weights of the terms of the energy
   Energy_norm norm = Energy_norm::SUM;        ///< how E_d and E_c are computed
-  bool cut_curves = true;                     ///< allow `Operation::CUT` and `Operation::JOIN`
+  bool cut_curves = true;                     ///< whether to allow `Operation::CUT` and `Operation::JOIN`
   Deform_to_fit fit = Deform_to_fit::SAMPLES; ///< how matched parts are deformed
-  /// Contacts of parts that are not matched yet are hard constraints (paper, section 4.2): a part follows the points at
-  /// which it touches others wherever an affine map can. Otherwise it resists being stretched a little.
+  /// Whether contacts of unmatched parts are hard constraints (paper, section 4.2): then a part follows its contact
+  /// points wherever an affine map can; otherwise it resists stretching slightly.
   bool hard_proximity = false;
-  /// Energy of an unmatched group, for each of its contacts (at least once), not negative; `never`: groups must be
-  /// matched.
+  /// Energy of an unmatched group per contact (at least once), not negative; `never`: groups must be matched.
   double unmatched_cost = never;
   /// Pairs that must correspond; their parts correspond to no other parts. A part in several pairs corresponds to all
-  /// of them. A search takes these parts out of their symmetry groups and charges no E_s for them.
+  /// its partners. A search removes these parts from their symmetry groups and charges no E_s for them.
   std::vector<Part_pair> pinned;
   std::vector<Part_pair> forbidden; ///< pairs that must not correspond
-  /// Disagreement of the roles of each source part (row) and target part (column), by their indices, between 0 and 1;
-  /// empty: 0. The energy of a contact is increased by `Energy_weights::roles` times the mean disagreement of its two
-  /// parts with their images; a part without contacts is charged once. If it is empty and the weight is not 0,
+  /// Disagreement of the roles of each source part (row) and target part (column), by their indices, in [0, 1]; empty:
+  /// 0. The energy of a contact is increased by `Energy_weights::roles` times the mean disagreement of its two parts
+  /// with their images; a part without contacts is charged once. If the matrix is empty and the weight is not 0,
   /// `find_correspondence()` computes it from `Search_options::roles`.
   Eigen::MatrixXd role_costs;
 };

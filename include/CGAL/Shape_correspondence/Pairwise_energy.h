@@ -20,10 +20,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// The index of the label of every variable; `unassigned` for a variable that has none yet.
+/// The index of the label of every variable; `unassigned` for a variable without a label.
 using Assignment = std::vector<int>;
 /// \ingroup PkgShapeCorrespondenceSearch
-/// The label of a variable that has none yet.
+/// The label of a variable that is not assigned yet.
 constexpr int unassigned = -1;
 
 /// \ingroup PkgShapeCorrespondenceSearch
@@ -31,7 +31,7 @@ constexpr int unassigned = -1;
 /// form w (1 - sqrt(Q / n)) where Q is again a sum of such terms (E_s of Eq. 5 is one; so is a pooled E_d).
 struct Pairwise_energy
 {
-  /// Two variables and a value for every pair of their labels.
+  /// An edge between two variables, with a value for every pair of their labels.
   struct Edge
   {
     std::size_t first;    ///< the smaller variable
@@ -45,29 +45,29 @@ struct Pairwise_energy
   {
     double weight = 0;                  ///< w, not negative
     double count = 1;                   ///< n
-    std::vector<Eigen::VectorXd> unary; ///< share of Q by variable and label
-    std::vector<Eigen::MatrixXd> edge;  ///< share of Q by edge and pair of labels; empty: none
+    std::vector<Eigen::VectorXd> unary; ///< contribution to Q, by variable and label
+    std::vector<Eigen::MatrixXd> edge;  ///< contribution to Q, by edge and pair of labels; empty: none
 
-    /// The term for a value of Q.
+    /// The value of the term for a given Q.
     double operator()(double sum) const;
   };
 
-  std::vector<Eigen::VectorXd> unary; ///< for every variable, the cost of each of its labels
+  std::vector<Eigen::VectorXd> unary; ///< cost of each label, by variable
   std::vector<Edge> edges;            ///< the terms of two variables
   std::vector<Root_term> root_terms;  ///< the terms with a root
 
-  /// The number of variables.
+  /// Number of variables.
   std::size_t number_of_variables() const { return unary.size(); }
-  /// The number of labels of a variable.
+  /// Number of labels of a variable.
   std::size_t number_of_labels(std::size_t variable) const { return std::size_t(unary[variable].size()); }
 
-  /// Q of a root term.
+  /// Q of a root term for an assignment.
   double root_sum(const Root_term& term, const Assignment& assignment) const;
 
   /// The energy of a complete assignment.
   double operator()(const Assignment& assignment) const;
 
-  /// A lower bound of the energy of all assignments: the sum of the least values of all terms.
+  /// A lower bound of the energy: the sum of the least values of all terms.
   double lower_bound() const;
 };
 

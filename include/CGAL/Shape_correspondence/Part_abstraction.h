@@ -21,19 +21,19 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// The abstraction of an elongated part: a polyline with parameter t in [0, 1], the fraction of its length.
+/// The abstraction of an elongated part: a polyline, parametrized by t in [0, 1], the fraction of its length.
 struct Curve
 {
   Points points;       ///< at least 2 control points; a closed curve does not repeat its first one
-  bool closed = false; ///< the last control point is joined to the first one
+  bool closed = false; ///< whether the last control point is joined to the first one
 
   /// The point at parameter `t`, linear in between control points. O(number of points).
   Point operator()(double t) const;
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// The abstraction of a plate-like part: a grid of control points, bilinear in between, with parameters
-/// (u, v) in [0, 1]²; u runs over the rows, v over the columns.
+/// The abstraction of a plate-like part: a grid of control points with bilinear interpolation, parametrized by (u, v)
+/// in [0, 1]²; u runs over the rows, v over the columns.
 struct Sheet
 {
   Points points; ///< control point (row i, column j) is column i * cols + j
@@ -45,7 +45,7 @@ struct Sheet
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Milliseconds of each phase of an abstraction.
+/// Time of each phase of an abstraction, in milliseconds.
 struct Phase_milliseconds
 {
   double measure = 0; ///< area, hull, surface samples
@@ -59,7 +59,7 @@ struct Phase_milliseconds
 /// How an abstraction was made, and how well it fits.
 struct Abstraction_report
 {
-  /// What a curve or sheet was fitted to.
+  /// The object to which a curve or sheet was fitted.
   enum class Method {
     SKELETON,      ///< the curve skeleton, by mean curvature flow until convergence
     MESO_SKELETON, ///< the meso-skeleton, by mean curvature flow until little of the enclosed volume is left
@@ -78,23 +78,23 @@ struct Abstraction_report
     WRAP   ///< it was wrapped (`CGAL::alpha_wrap_3()`)
   };
 
-  Method method = Method::GIVEN;   ///< what the curve or sheet was fitted to
-  Repair repair = Repair::NONE;    ///< how the surface was closed
-  bool tube = false;               ///< a hollow tube, abstracted by its axis of revolution or a sheet across it
-  bool blob = false;               ///< neither elongated nor flat: a curve along its axis, or through it
-  bool branching = false;          ///< the curve or sheet is a rough approximation: `coverage` is less than 0.8
-  bool several_components = false; ///< the part's surface is not connected
-  bool hull_of_box = false;        ///< the hull is that of the part's box, since it could not be computed
-  bool time_limit = false;         ///< the time limit was reached
-  std::string fallback;            ///< why the bounding box was used (for a copy: for its original); empty: it was not
-  std::string copy_of;             ///< of a copy: the name of its original
-  double residual = 0; ///< root mean square distance of the fitted points, as a fraction of the diagonal of the part
-  double coverage = 1; ///< length of the curve divided by that of the skeleton; share of the sheet that is in the part
-  int iterations = 0;  ///< steps of the flow
+  Method method = Method::GIVEN; ///< object to which the curve or sheet was fitted
+  Repair repair = Repair::NONE;  ///< how the surface was closed
+  bool tube = false; ///< whether the part is a hollow tube, abstracted by its axis of revolution or a sheet across it
+  bool blob = false; ///< whether the part is neither elongated nor flat: its curve is along its axis, or through it
+  bool branching = false;          ///< whether the curve or sheet is a rough approximation: `coverage` is less than 0.8
+  bool several_components = false; ///< whether the part's surface is disconnected
+  bool hull_of_box = false; ///< whether the hull is that of the part's bounding box, since it could not be computed
+  bool time_limit = false;  ///< whether the time limit was reached
+  std::string fallback;     ///< reason for using the bounding box (for a copy: of its original); empty: it was not used
+  std::string copy_of;      ///< name of the original, if the part is a copy
+  double residual = 0;      ///< root mean square distance of the fitted points, over the diagonal of the part
+  double coverage = 1; ///< length of the curve over that of the skeleton; share of the sheet that is inside the part
+  int iterations = 0;  ///< number of steps of the flow
   double milliseconds = 0;   ///< time of the abstraction; not saved in files
   Phase_milliseconds phases; ///< time of each phase
 
-  /// Whether the bounding box was used since no skeleton could be computed.
+  /// Whether the bounding box was used because no skeleton could be computed.
   bool is_fallback() const { return !fallback.empty(); }
 };
 
@@ -104,11 +104,11 @@ struct Part_abstraction
 {
   std::string name;                    ///< name of the part
   std::variant<Curve, Sheet> geometry; ///< the curve or sheet, in world coordinates
-  double volume = 0;                   ///< of the enclosed solid; 0 where unknown
-  double hull_volume = 0;              ///< of the convex hull; 0 where unknown or flat
-  double area = 0;                     ///< of the surface; 0 where unknown
-  Points surface;            ///< points spread evenly over the surface; so are the first n, for any n; empty: unknown
-  Points hull;               ///< vertices of the convex hull; empty where unknown
+  double volume = 0;                   ///< volume of the enclosed solid; 0 if unknown
+  double hull_volume = 0;              ///< volume of the convex hull; 0 if unknown or flat
+  double area = 0;                     ///< area of the surface; 0 if unknown
+  Points surface; ///< points spread evenly over the surface, as are the first n of them for any n; empty: unknown
+  Points hull;    ///< vertices of the convex hull; empty if unknown
   Abstraction_report report; ///< how the abstraction was made
 
   /// Whether `geometry` is a sheet.
@@ -125,10 +125,10 @@ struct Part_abstraction
 /// \pre `e >= 2`
 Points sample(const Curve& curve, int e);
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Samples of a sheet, as above.
+/// Samples of a sheet at e × e uniform parameters, row by row.
 Points sample(const Sheet& sheet, int e);
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Samples of a part's curve or sheet, as above.
+/// Samples of a part's curve or sheet, see `sample(const Curve&, int)`.
 Points sample(const Part_abstraction& part, int e);
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
@@ -136,12 +136,11 @@ Points sample(const Part_abstraction& part, int e);
 Eigen::Vector2d nearest_parameter(const Part_abstraction& part, const Point& p);
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// The point of the abstraction at a parameter, as `nearest_parameter()` returns them.
+/// The point of the abstraction at a parameter: (t, 0) on a curve, (u, v) on a sheet.
 Point evaluate(const Part_abstraction& part, const Eigen::Vector2d& parameter);
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
-/// Solidity (paper, section 4.3): volume over volume of the convex hull, at most 1; 1 where either is unknown or the
-/// hull is flat.
+/// Solidity (paper, section 4.3): volume over that of the convex hull, at most 1; 1 if either is unknown or 0.
 double solidity(double volume, double hull_volume);
 
 } // namespace Shape_correspondence

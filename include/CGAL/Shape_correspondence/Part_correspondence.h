@@ -21,17 +21,17 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// One of several equally long segments of a curve (paper, section 5, cutting); if it is the only one, the whole part.
-/// Small types, since sets of shapes keep millions of pairs.
+/// One of several equally long segments of a curve (paper, section 5, cutting); the whole part if there is only one.
+/// The types are small, since sets of shapes keep millions of pairs.
 struct Curve_segment
 {
   short index = 0; ///< along the curve, from 0 on
-  short count = 1; ///< of segments of the curve
+  short count = 1; ///< number of segments of the curve
 
   /// Whether the part is not cut.
   bool is_whole_part() const { return count == 1; }
 
-  /// Whether both have equal indices and counts.
+  /// Whether index and count are equal.
   friend bool operator==(const Curve_segment& a, const Curve_segment& b)
   {
     return a.index == b.index && a.count == b.count;
@@ -44,7 +44,7 @@ struct Part_correspondence
 {
   std::size_t source = 0; ///< the source part
   std::size_t target = 0; ///< the target part
-  /// Probability that the pair is right, in [0, 1]; not a number if the method does not compute it.
+  /// Probability that the pair is right, in [0, 1]; NaN if the method does not compute it.
   double confidence = std::numeric_limits<double>::quiet_NaN();
   Curve_segment source_segment = {}; ///< segment of the source part, if the search cut it
   Curve_segment target_segment = {}; ///< segment of the target part, if the search cut it
@@ -52,7 +52,7 @@ struct Part_correspondence
   /// Whether the method computes a confidence.
   bool has_confidence() const { return !std::isnan(confidence); }
 
-  /// Whether all members are equal; two pairs without confidence have equal confidence.
+  /// Whether all members are equal; NaN confidences count as equal.
   friend bool operator==(const Part_correspondence& a, const Part_correspondence& b)
   {
     const bool same_confidence = a.has_confidence() ? a.confidence == b.confidence : !b.has_confidence();
@@ -62,7 +62,7 @@ struct Part_correspondence
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// The order in which pairs are listed: by source, then target.
+/// The order of pairs in lists: by source, then target.
 inline bool is_before(const Part_correspondence& a, const Part_correspondence& b)
 {
   return a.source != b.source ? a.source < b.source : a.target < b.target;

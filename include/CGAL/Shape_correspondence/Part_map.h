@@ -22,8 +22,7 @@ namespace Shape_correspondence {
 struct Correspondence;
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Corresponding parts of two shapes with their confidences: the part of a `Correspondence` that is kept for sets of
-/// shapes.
+/// Corresponding parts with their confidences: the part of a `Correspondence` that is stored for sets of shapes.
 struct Part_map
 {
   /// Pairs of whole parts, sorted by source, then target, each once; the confidence is 1 if the method computes none.
@@ -47,7 +46,7 @@ struct Shape_pair_map
 Part_map part_map(const Correspondence& correspondence);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Every part corresponds to itself, with confidence 1.
+/// The map of every part to itself, with confidence 1.
 Part_map identity_part_map(std::size_t parts);
 
 /// \ingroup PkgShapeCorrespondenceSets
@@ -55,8 +54,8 @@ Part_map identity_part_map(std::size_t parts);
 Part_map inverse(const Part_map& map);
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// First `first`, then `second`: two parts correspond if both correspond to some part in between, one-to-many matches
-/// included. The confidence is the largest product of the two confidences over all parts in between.
+/// The composition of `first`, then `second`: two parts correspond if both correspond to a common intermediate part;
+/// maps may be one-to-many. The confidence is the largest product of the two confidences over all intermediate parts.
 Part_map composed(const Part_map& first, const Part_map& second);
 
 } // namespace Shape_correspondence

@@ -8,8 +8,8 @@
 //
 // Author(s)     : the Shape_correspondence developers
 
-// Values were chosen on labelled and generated shapes. Values fitted by coordinate descent scored less on categories
-// that were left out of the fit (the manual's page on accuracy).
+// Values were chosen on labelled and generated shapes. Values fitted by coordinate descent gave lower scores on
+// categories left out of the fit (manual, "Accuracy").
 
 #ifndef CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H
@@ -22,56 +22,54 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Weights of the terms in the cost of substituting one part for another. Lengths are fractions of the extents of the
-/// shapes: along each axis of the common frame, either shape extends from 0 to 1. Weights are not negative; 0 switches
-/// a term off.
+/// Weights, not negative, of the terms in the cost of substituting one part for another; 0 switches a term off. Lengths
+/// are relative to the extents of the shapes: along each axis of the common frame, each shape extends from 0 to 1.
 struct Part_cost_weights
 {
-  /// share of the smaller bounding box that lies outside of the other one
+  /// Share of the smaller bounding box that lies outside of the other one.
   double overlap = 2;
-  /// |log of the ratio of the sides of the bounding boxes|, summed over the axes
+  /// Absolute log ratio of the sides of the bounding boxes, summed over the axes.
   double extent = 0.7;
-  /// one part stands on the ground and the other does not; half for upright boards
+  /// Whether only one of the parts stands on the ground; half for upright boards.
   double ground = 1.5;
-  /// level distance of the centres of the bounding boxes, summed over the axes
+  /// Horizontal distance of the centres of the bounding boxes, summed over the two axes.
   double place = 3.2;
-  /// Frobenius distance of the normalized square roots of the covariances of the surfaces
+  /// Frobenius distance of the normalized square roots of the covariance matrices of the surfaces.
   double orientation = 1.5;
-  /// mean distance of points of either surface from the other one
+  /// Mean distance of points of either surface from the other one.
   double chamfer = 2;
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `Search_method::PARTS`. Costs are in the unit of `Part_cost_weights`, lengths as there. They are not
-/// negative; `tolerance`, `anchor` and `warp_width` are above 0.
+/// Options of `Search_method::PARTS`. Costs and lengths are in the units of `Part_cost_weights`. All numbers
+/// are not negative; `tolerance`, `anchor` and `warp_width` are above 0.
 struct Part_matching_options : Role_options
 {
   Part_cost_weights weights; ///< weights of the terms of a cost
-  /// Cost. Added where a part corresponds to a panel or a regular arrangement as a whole.
+  /// Cost added if a part corresponds to a panel or a regular arrangement as a whole.
   double whole = 1;
-  /// Length. What is shorter is as good as 0: added to the sides of bounding boxes, and the height up to which a part
-  /// stands on the ground. Parts that pair one to one at no more than this cost are the same.
+  /// Length that counts as 0: added to the sides of bounding boxes, and the height up to which a part stands on the
+  /// ground. Parts that pair one to one at a cost of at most this number are the same.
   double tolerance = 0.03;
-  /// Likelihood, in [0, 1]. Pairs above it warp one shape towards the other; staying in place has this weight.
+  /// Likelihood, in [0, 1], above which pairs warp one shape towards the other; also the weight of no displacement.
   double anchor = 0.2;
-  /// Length. Standard deviation of the influence of such a pair.
+  /// Length: standard deviation of the influence of such a pair.
   double warp_width = 0.15;
-  /// Cost. A pair is matched if its cost is the least one of either part and exceeds the least costs of both parts by
-  /// at most this sum. Smaller values give fewer pairs of higher precision.
+  /// Cost by which a matched pair may exceed the least costs of its two parts in sum; it must be the least one of
+  /// either part. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
-  /// Cost. The same bound for pairs that decide which sets of parts correspond.
+  /// The same bound for pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;
-  /// Share. A seat or table top covers at least this much of the shape as seen from above, and is no thicker than this
-  /// much of its shorter side.
+  /// Share of the top view that a seat or table top covers at least, and its largest thickness over its shorter side.
   double main_surface = 0.3;
-  /// Length. What lies in one side of the shape is no thicker, and no farther from it.
+  /// Length: largest thickness of a board that belongs to a side of the shape, and its largest distance from that side.
   double side_depth = 0.1;
-  /// Length. A wider part on the ground is a wall, not a leg.
+  /// Length: width from which on a part on the ground is a wall rather than a leg.
   double wall_width = 0.7;
-  /// Count, at least 2. A regular arrangement has this number of parts or more.
+  /// Least number of parts of a regular arrangement, at least 2.
   std::size_t repetition = 3;
-  bool panels = true;  ///< match panels as sets: rows of parts, and boards in one side of the shape
-  bool support = true; ///< match the parts that support a seat or table top as a set
+  bool panels = true;  ///< whether to match panels as sets: rows of parts, and boards in one side of the shape
+  bool support = true; ///< whether to match the parts that support a seat or table top as a set
 };
 
 } // namespace Shape_correspondence

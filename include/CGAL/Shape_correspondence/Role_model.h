@@ -35,14 +35,14 @@ struct Role_model_access;
 /// \ingroup PkgShapeCorrespondenceRoles
 /// The roles of parts, such as legs and seat of a chair, learned from labelled shapes. For each category, a model has a
 /// forest of extremely randomised trees (P. Geurts, D. Ernst, L. Wehenkel, *Extremely randomized trees*, 2006), which
-/// predicts the role and the fine label (a front leg) of a part from its place, size and shape in the upright shape
+/// predicts the role and the fine label (a front leg) of a part from its position, size and form in the upright shape
 /// that faces +z; the features of the labelled parts, by which a shape's category is detected; and weights for the
 /// probability that a pair of parts corresponds, given predicted labels and the geometric match. Names and the order of
-/// parts are not used. Copies share their data; threads may share a model.
+/// parts are not used. Copies share their data. Thread-safe.
 class Role_model
 {
 public:
-  /// A model without categories: it knows no roles.
+  /// A model without categories.
   Role_model();
 
   /// Names of the categories, sorted.
@@ -50,9 +50,9 @@ public:
   /// Names of the roles of a category, sorted. \throw Invalid_input if the model does not have the category
   const std::vector<std::string>& roles(const std::string& category) const;
 
-  /// Writes the model, in bytes that are the same on all machines.
+  /// Writes the model; the bytes do not depend on the machine.
   void write(std::ostream& out) const;
-  /// Reads what `write()` has written, and the stream to its end. \throw Invalid_input if it is damaged; the message
+  /// Reads a model written by `write()`, to the end of the stream. \throw Invalid_input if it is damaged; the message
   /// begins with `name`
   static Role_model read(std::istream& in, const std::string& name);
 
@@ -68,29 +68,28 @@ private:
 /// Thresholds for the category of shapes and for the direction that they face.
 struct Role_options
 {
-  /// Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from any
-  /// other one.
+  /// Limit for the distance from a category's labelled parts over that from any other's for a shape to belong to it.
   double category_ratio = 0.78;
-  /// Share of the trees. They are also of the nearest category if at least this share of its trees, in the geometric
-  /// mean over their parts, votes for the likeliest role of a part,
+  /// Shapes also belong to the nearest category if at least this share of its trees, in the geometric mean over their
+  /// parts, votes for the likeliest role of a part, and the distance is at most `category_distance`.
   double category_agreement = 0.64;
-  /// and if the distance is at most this on average, in standard deviations of a feature: the trees of a category of
+  /// Largest mean distance for `category_agreement`, in standard deviations of a feature: the trees of a category with
   /// few labelled shapes agree on anything.
   double category_distance = 0.5;
-  /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
+  /// Share, less than 1, by which another front or alignment must be better to be preferred to the given one.
   double clearly_better = 0.05;
 };
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// The roles of the parts of a shape, as far as a model knows them.
+/// The roles of the parts of a shape, as predicted by a model.
 struct Part_roles
 {
-  std::string category;           ///< category of the shape; empty: none that the model knows
+  std::string category;           ///< category of the shape; empty: none of the model's
   std::vector<std::string> roles; ///< names of the roles of the category
-  Eigen::MatrixXd probabilities;  ///< part × role; every row sums up to 1
+  Eigen::MatrixXd probabilities;  ///< part × role; rows sum to 1
   std::vector<Part_label> labels; ///< the most probable label of every part
-  /// Distance from the labelled parts of the category: mean over parts and features of the difference from the nearest
-  /// labelled part, in standard deviations of the feature.
+  /// Distance from the labelled parts of the category: the mean, over parts and features, of the difference from the
+  /// nearest labelled part, in standard deviations of the feature.
   double distance = 0;
 };
 
@@ -98,20 +97,20 @@ struct Part_roles
 /// The roles of the parts of a shape that is upright and faces +z.
 /// \param graph the shape
 /// \param model the role model
-/// \param category of the shape; empty: the one whose labelled parts are nearest, or none if by `Role_options` it is none
+/// \param category category of the shape; empty: the one with the nearest labelled parts, or none, see `Role_options`
 /// \throw Invalid_input if the model does not have the category
 Part_roles part_roles(const Structural_graph& graph, const Role_model& model, const std::string& category = "");
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// A shape that roles are learned from.
+/// A labelled shape for training.
 struct Labelled_graph
 {
   const Structural_graph* graph = nullptr; ///< the shape, upright, facing +z
-  std::string category;                    ///< of the shape
-  /// Of every part; `Part_label::coarse` is its role. Fine labels such as `leg_front_left` are learned where all parts
-  /// of a role have one; `left` and `right` in them are replaced by the side on which a part lies.
+  std::string category;                    ///< category of the shape
+  /// Labels of all parts; `Part_label::coarse` is the role. Fine labels such as `leg_front_left` are learned if all
+  /// parts of a role have one; `left` and `right` in them are replaced by the side of the part.
   std::vector<Part_label> labels;
-  double weight = 1; ///< in the training, above 0; less for generated shapes than for real ones
+  double weight = 1; ///< weight in the training, above 0; smaller for generated shapes than for real ones
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions

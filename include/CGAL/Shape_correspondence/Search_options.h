@@ -28,11 +28,11 @@ namespace Shape_correspondence {
 class Role_model;
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// How a correspondence is found.
+/// Methods of finding a correspondence.
 enum class Search_method {
-  PARTS, ///< least cost of substituting parts, no deformation; highest F1 against human labels
+  PARTS, ///< least cost of substituting parts, without deformation; highest F1 against human labels
   BEAM,  ///< least deformation energy, by the beam search of the paper
-  EXACT  ///< least deformation energy, proven
+  EXACT  ///< least deformation energy, with a proof
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
@@ -44,39 +44,41 @@ struct Search_options
   /// Role model used by `Search_method::PARTS`, and by the others if `Energy_weights::roles` is not 0; null: none.
   /// Shapes should face +z. The program uses `IO::shipped_role_model()`.
   std::shared_ptr<const Role_model> roles;
-  /// Category of both shapes, for `roles`; empty: the most similar one, or none if no category is similar.
+  /// Category of both shapes, for `roles`; empty: the most similar one, or none if no category is similar enough.
   std::string category;
-  double min_confidence = 0;   ///< leave out pairs of lower confidence, in [0, 1]; for `Search_method::PARTS`
-  Beam_options beam;           ///< options of `Search_method::BEAM`
-  Exact_options exact;         ///< options of `Search_method::EXACT`
-  Matching_options matching;   ///< options of the deformation energy
-  bool both_directions = true; ///< deform either shape, and keep the lower energy per pair of connected parts
-  /// Compare directions by their energies, as in the paper, not by the energies per pair of connected parts.
+  double min_confidence = 0; ///< pairs of lower confidence, in [0, 1], are left out; for `Search_method::PARTS`
+  Beam_options beam;         ///< options of `Search_method::BEAM`
+  Exact_options exact;       ///< options of `Search_method::EXACT`
+  Matching_options matching; ///< options of the deformation energy
+  /// Whether to deform either shape, and keep the lower energy per pair of connected parts.
+  bool both_directions = true;
+  /// Whether to compare directions by energy, as in the paper, instead of energy per pair of connected parts.
   bool direction_by_energy = false;
-  /// Coarse correspondence: match this number of largest parts, whole groups as far as they fit; 0: all parts.
+  /// Coarse correspondence: number of largest parts to match, in whole groups as far as they fit; 0: all parts.
   int maximum_parts = 0;
   /// Whether `maximum_parts` applies to both shapes. Otherwise it applies to the source only, which is deformed into
   /// the whole target (paper, section 6.1).
   bool coarse_target = true;
   /// Coarse to fine (paper, section 3), for shapes of many parts: `BEAM` and `EXACT` first match this number of largest
-  /// parts of either shape. Every other group of parts may then become only the images of its nearest large parts, or
-  /// groups near these, so that time and memory depend on the number of groups near a large part. 0: all at once.
+  /// parts of each shape. Every other group may then only be matched to the images of its nearest large parts, or
+  /// groups near these, so that time and memory depend on the number of groups near a large part. 0: all parts at once.
   int coarse_to_fine = 0;
-  std::vector<std::size_t> source_parts; ///< only these parts of the source, by their index; empty: all parts
-  std::vector<std::size_t> target_parts; ///< only these parts of the target, by their index; empty: all parts
+  std::vector<std::size_t> source_parts; ///< indices of the source parts to match; empty: all parts
+  std::vector<std::size_t> target_parts; ///< indices of the target parts to match; empty: all parts
   /// Number of alignments to try, at least 0: turns of the target about the upright axis by 90° or 180°. 1: only the
   /// one nearest to the given orientation, see `front_is_sure`; 0: all. The best one is taken; `Search_method::PARTS`
-  /// prefers the nearest one unless another is better by a margin. With `roles`, any number but 1 tries all alignments
-  /// in which the fronts of both shapes, by the roles of their parts, coincide.
+  /// prefers the nearest one unless another is better by a margin. With `roles`, any number other than 1 tries all
+  /// alignments that make the fronts of both shapes, according to the roles of their parts, coincide.
   int alignments = 1;
   /// Whether the given orientation is right. Otherwise, with 1 alignment, `Search_method::PARTS` turns a shape by a
-  /// multiple of 90° if the roles of its parts, by `roles`, clearly show another front.
+  /// multiple of 90° if the roles of its parts clearly show another front.
   bool front_is_sure = false;
-  int solutions = 1;          ///< largest number of results of `Correspondence_finder::ranked()`, at least 1
-  bool min_marginals = false; ///< compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`
-  /// Time limit of a match, in seconds; 0: none, so that results do not depend on speed. The best result up to then is
-  /// returned, `Correspondence::complete` and `optimal` are false, and a warning says so. If there is none yet, parts
-  /// are matched by their costs, as by `Search_method::PARTS`, of which one alignment at least is tried.
+  int solutions = 1; ///< largest number of results of `Correspondence_finder::ranked()`, at least 1
+  /// Whether to compute `Group_match::min_marginal` by exact search, also with `Search_method::BEAM`.
+  bool min_marginals = false;
+  /// Time limit of a match, in seconds; 0: none, so that results do not depend on speed. When it is reached, the best
+  /// result so far is returned with a warning, and `Correspondence::complete` and `optimal` are false. If there is none
+  /// yet, parts are matched by their costs as with `Search_method::PARTS`, which tries at least one alignment.
   double time_limit = 0;
   /// Called before every direction of every alignment with the completed share, in [0, 1]; `false` ends the search.
   std::function<bool(double)> progress;

@@ -28,7 +28,7 @@ struct Solution
 };
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// What a search found.
+/// The result of a search.
 struct Search_result
 {
   std::vector<Solution> solutions; ///< the best first; at least one

@@ -18,13 +18,13 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// How the search went.
+/// Effort and lower bound of a search.
 struct Search_summary
 {
   std::string method = "beam"; ///< parts, beam or exact
   std::size_t states = 0;      ///< search states kept
   std::size_t evaluations = 0; ///< states whose energy, or a lower bound of it, was computed
-  double lower_bound = 0;      ///< no correspondence in the direction of the result has a lower energy
+  double lower_bound = 0;      ///< lower bound of the energy of any correspondence in the direction of the result
 };
 
 } // namespace Shape_correspondence

@@ -42,19 +42,19 @@ struct Shape_part
 /// \ingroup PkgShapeCorrespondenceShapes
 /// A shape that is segmented into named parts, each a triangle mesh; the input of the package.
 ///
-/// Units and position are arbitrary as long as no coordinate is beyond 1e15; the up direction is the only convention.
+/// Units and position are arbitrary, with absolute coordinates up to 1e15; the up direction is the only convention.
 class Segmented_shape
 {
 public:
   /// A shape without parts.
-  /// \param name names the shape in messages and files
+  /// \param name name of the shape in messages and files
   /// \param up the upright direction, a unit vector
   explicit Segmented_shape(std::string name = "shape", const Point& up = Point(0, 1, 0));
 
   /// Builds a shape from a range of pairs (name, triangle mesh).
   /// \tparam NamedMeshRange a range of pairs of a `std::string` and a model of `FaceListGraph`
   /// \param meshes the parts
-  /// \param name names the shape in messages and files
+  /// \param name name of the shape in messages and files
   /// \param up the upright direction, a unit vector
   /// \param np optional named parameters for every mesh, those of `add_mesh()`
   template <typename NamedMeshRange, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -67,7 +67,7 @@ public:
   /// \tparam SegmentIdMap a model of `ReadablePropertyMap`, face descriptor to an integer
   /// \param mesh the surface of the shape
   /// \param segment_ids the segment of every face
-  /// \param name names the shape in messages and files
+  /// \param name name of the shape in messages and files
   /// \param up the upright direction, a unit vector
   /// \param np an optional sequence of named parameters among the ones listed below
   ///
@@ -91,7 +91,7 @@ public:
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            std::string name = "shape", const Point& up = Point(0, 1, 0),
                                            const NamedParameters& np = NamedParameters());
-  /// The same, for a shape with the name "shape" and the y axis up.
+  /// Builds a shape from a segmented mesh, with the name "shape" and the y axis up.
   template <typename TriangleMesh, typename SegmentIdMap, typename T, typename Tag, typename Base>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            const CGAL::Named_function_parameters<T, Tag, Base>& np)
@@ -104,7 +104,7 @@ public:
   /// or the part has no triangle of positive area
   void add_part(std::string name, Part_mesh mesh);
 
-  /// Adds a part given as a triangle mesh; throws as `add_part()` does.
+  /// Adds a part given as a triangle mesh; throws like `add_part()`.
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \param name the name of the part
   /// \param mesh its surface
@@ -135,7 +135,7 @@ private:
   std::string name_;
   Point up_;
   std::vector<Shape_part> parts_;
-  std::unordered_set<std::string> names_; ///< of the parts
+  std::unordered_set<std::string> names_; ///< names of the parts
 };
 
 template <typename TriangleMesh, typename NamedParameters>

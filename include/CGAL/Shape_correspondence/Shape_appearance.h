@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// A picture: red, green, blue, alpha of each pixel in bytes, sRGB, row by row from the top.
+/// An sRGB image with one byte each for red, green, blue and alpha, row by row from the top.
 struct Image
 {
-  int width = 0;                    ///< pixels in a row
-  int height = 0;                   ///< rows
+  int width = 0;                    ///< number of pixels in a row
+  int height = 0;                   ///< number of rows
   std::vector<std::uint8_t> pixels; ///< four bytes for each pixel
 
   /// Whether there is no pixel.
@@ -34,22 +34,22 @@ struct Image
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// How a texture is continued outside of [0, 1].
+/// Extension of a texture outside of [0, 1].
 enum class Texture_wrap { REPEAT, MIRROR, CLAMP };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// A texture as a model has it.
+/// A texture of a model.
 struct Texture
 {
   std::string name;                           ///< file name, or a name inside the model
-  std::string bytes;                          ///< of a PNG or JPEG file
-  Image image;                                ///< the same decoded; empty: not decoded
+  std::string bytes;                          ///< content of a PNG or JPEG file
+  Image image;                                ///< the decoded image; empty: not decoded
   Texture_wrap wrap_u = Texture_wrap::REPEAT; ///< along the first coordinate
   Texture_wrap wrap_v = Texture_wrap::REPEAT; ///< along the second coordinate
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// A material, as far as it is transferred: its base colour, multiplied by a texture.
+/// The part of a material that is transferred: its base colour, multiplied by a texture.
 struct Surface_material
 {
   std::string name;                   ///< as in the model
@@ -58,27 +58,27 @@ struct Surface_material
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// What the triangles of a part look like, in addition to its `Part_mesh`. Empty: unknown.
+/// The appearance of the triangles of a `Part_mesh`; empty: unknown.
 struct Part_appearance
 {
-  std::vector<int> materials; ///< by triangle, index of its material; -1: none
-  std::vector<Eigen::Vector2f>
-      coordinates;                      ///< by corner, three per triangle: texture coordinates, v downwards as in glTF
-  std::vector<Eigen::Vector3f> colours; ///< by corner, three per triangle: linear factors of the base colour, in [0, 1]
+  std::vector<int> materials; ///< for each triangle, the index of its material; -1: none
+  /// Indexed by corner, three per triangle: texture coordinates, v downwards as in glTF.
+  std::vector<Eigen::Vector2f> coordinates;
+  /// Indexed by corner, three per triangle: linear factors of the base colour, in [0, 1].
+  std::vector<Eigen::Vector3f> colours;
 
-  /// Whether nothing is known.
+  /// Whether the appearance is unknown.
   bool empty() const { return materials.empty() && coordinates.empty() && colours.empty(); }
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// Materials, textures and colours of a shape. They are kept beside its `Segmented_shape`: no result of matching
-/// depends on them.
+/// Materials, textures and colours of a shape, apart from its `Segmented_shape`, since matching does not use them.
 struct Shape_appearance
 {
-  std::vector<Surface_material> materials; ///< of all parts
-  std::vector<Texture> textures;           ///< of all materials
-  std::vector<Part_appearance> parts;      ///< by part of the shape
-  std::vector<std::string> warnings;       ///< which files named by the model are missing or damaged, in sentences
+  std::vector<Surface_material> materials; ///< materials of all parts
+  std::vector<Texture> textures;           ///< textures of all materials
+  std::vector<Part_appearance> parts;      ///< indexed by part of the shape
+  std::vector<std::string> warnings;       ///< sentences on missing or damaged files named by the model
 
   /// Whether no part has a material or colours.
   bool empty() const

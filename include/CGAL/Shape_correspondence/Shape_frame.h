@@ -23,15 +23,15 @@ namespace Shape_correspondence {
 /// when two shapes are aligned.
 struct Shape_frame
 {
-  Point origin{0, 0, 0};                                 ///< on the ground, in world coordinates
-  Eigen::Matrix3d axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; ///< columns: side x, up y, front z, a rotation
+  Point origin{0, 0, 0};                                 ///< point on the ground, in world coordinates
+  Eigen::Matrix3d axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; ///< columns: side x, up y, front z; a rotation
   double height = 1;                                     ///< extent along up; for a flat shape, its largest extent
-  bool mirror_x = false;                                 ///< x = 0 is a mirror plane of the shape
-  bool mirror_z = false;                                 ///< z = 0 is a mirror plane of the shape
+  bool mirror_x = false;                                 ///< whether x = 0 is a mirror plane of the shape
+  bool mirror_z = false;                                 ///< whether z = 0 is a mirror plane of the shape
 
-  /// The points `world`, in world coordinates, in coordinates of the frame.
+  /// Converts points from world coordinates to coordinates of the frame.
   Points to_frame(const Points& world) const;
-  /// The points `local`, in coordinates of the frame, in world coordinates.
+  /// Converts points from coordinates of the frame to world coordinates.
   Points to_world(const Points& local) const;
 };
 

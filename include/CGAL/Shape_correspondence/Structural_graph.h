@@ -27,10 +27,10 @@ namespace Shape_correspondence {
 /// \ingroup PkgShapeCorrespondenceGraph
 /// Kinds of symmetry groups.
 enum class Symmetry_type {
-  NONE,       ///< a single part that is not symmetric by itself
+  NONE,       ///< a single part without a mirror plane of its own
   SELF,       ///< a single part that is its own mirror image
-  REFLECTION, ///< mirror images in a plane
-  ROTATION,   ///< images under turns about an axis
+  REFLECTION, ///< images under reflection in a plane
+  ROTATION,   ///< images under rotation about an axis
   TRANSLATION ///< parts in a row
 };
 
@@ -38,11 +38,11 @@ enum class Symmetry_type {
 /// The generator of a symmetry group, in world coordinates.
 struct Symmetry
 {
-  Symmetry_type type = Symmetry_type::NONE; ///< its kind
-  Point point{0, 0, 0};                     ///< on the mirror plane or the rotation axis
+  Symmetry_type type = Symmetry_type::NONE; ///< kind of the symmetry
+  Point point{0, 0, 0};                     ///< point on the mirror plane or the rotation axis
   Point direction{0, 0, 0}; ///< unit normal of the plane; unit axis; the translation from member to member
-  int order = 1;            ///< of a rotation: n of n-fold
-  double residual = 0;      ///< distance of members from their images, as a fraction of the height of the shape
+  int order = 1;            ///< order n of an n-fold rotation
+  double residual = 0;      ///< distance of members from their images, over the height of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -56,15 +56,15 @@ struct Part_group
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Two parts that touch, by index into `Shape_structure::parts`, and where, as parameters on both abstractions.
+/// Two parts in contact, with the locations of the contact as parameters on both abstractions.
 struct Contact
 {
-  /// For each of the two parts the parameters of a point of its curve, (t, 0), or of its sheet, (u, v).
+  /// For each of the two parts, the parameters of a point of its curve, (t, 0), or of its sheet, (u, v).
   using Parameters = std::array<Eigen::Vector2d, 2>;
 
   std::array<std::size_t, 2> parts; ///< indices into `Shape_structure::parts`
-  Parameters parameters;            ///< of the region where they touch; of the largest if there are several
-  std::vector<Parameters> further;  ///< of the other regions, such as of an arm that touches the back twice
+  Parameters parameters;            ///< location of the contact region; of the largest if there are several
+  std::vector<Parameters> further;  ///< locations of the other regions, as of an arm that touches the back twice
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -78,13 +78,13 @@ struct Group_contact
 /// Data of the whole shape.
 struct Shape_structure
 {
-  std::string name;                    ///< name of the shape, as messages and files have it
+  std::string name;                    ///< name of the shape in messages and files
   Shape_frame frame;                   ///< the frame in which shapes are compared
   std::vector<Part_abstraction> parts; ///< the parts, in the order of the input
-  std::vector<Contact> contacts;       ///< contacts of parts, also inside one group, which are in no edge
-  std::vector<std::string> warnings;   ///< approximations made and limits reached, in sentences
-  bool automatic_parts = false;        ///< the parts come from an automatic segmentation
-  std::string content;                 ///< hash of the meshes and options that the graph was made from; empty: unknown
+  std::vector<Contact> contacts;       ///< contacts of parts, including those within a group, which are in no edge
+  std::vector<std::string> warnings;   ///< sentences on approximations made and limits reached
+  bool automatic_parts = false;        ///< whether the parts come from an automatic segmentation
+  std::string content;                 ///< hash of the meshes and options of the graph; empty: unknown
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -94,10 +94,10 @@ using Structural_graph =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Part_group, Group_contact, Shape_structure>;
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// What belongs to the shape as a whole.
+/// The data of the whole shape.
 inline const Shape_structure& structure(const Structural_graph& graph) { return graph[boost::graph_bundle]; }
 /// \ingroup PkgShapeCorrespondenceGraph
-/// What belongs to the shape as a whole.
+/// The data of the whole shape.
 inline Shape_structure& structure(Structural_graph& graph) { return graph[boost::graph_bundle]; }
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -110,8 +110,8 @@ std::vector<std::size_t> group_of_parts(const Structural_graph& graph);
 Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_group> groups);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Checks that the groups partition the parts, that edges and contacts agree, that all numbers are finite and that
-/// every group but a lone one has an edge. With `verbose`, it prints errors to `std::cerr`.
+/// Checks that the groups partition the parts, that edges and contacts agree, that all numbers are finite, and that
+/// every group has an edge unless there is only one. With `verbose`, it prints errors to `std::cerr`.
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
 
 } // namespace Shape_correspondence

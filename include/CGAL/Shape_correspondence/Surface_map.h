@@ -26,52 +26,51 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceMaps
-/// A place on the surface of a part.
+/// A location on the surface of a part.
 struct Surface_place
 {
   std::size_t part = 0;             ///< index of the part
-  Eigen::Index triangle = 0;        ///< of the part's mesh
+  Eigen::Index triangle = 0;        ///< index in the part's mesh
   Eigen::Vector3d weights{0, 0, 0}; ///< barycentric coordinates
-  Point point{0, 0, 0};             ///< in world coordinates
+  Point point{0, 0, 0};             ///< the location in world coordinates
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// The map between the surfaces of two shapes. A point is described by its parameters on the abstraction of its part
 /// and by coordinates in the local frame, relative to the extents of the part's cross-section. It is mapped to the same
-/// coordinates on the other part, and from there to the nearest point of its surface that faces the same way. Splits
-/// and merges are those of the `Correspondence_map`.
+/// coordinates on the other part, and then to the nearest point of its surface with a similar normal. Splits and merges
+/// are those of the `Correspondence_map`.
 class Surface_map
 {
 public:
   /// \param source,target the structural graphs
   /// \param source_shape,target_shape the models that the graphs were built from
-  /// \param correspondence of the graphs
+  /// \param correspondence correspondence of the graphs
   /// \throw Invalid_input if a model does not have the parts of its graph
   Surface_map(const Structural_graph& source, const Segmented_shape& source_shape, const Structural_graph& target,
               const Segmented_shape& target_shape, const Correspondence& correspondence);
 
-  /// The place on the source's surface of a vertex of the target; none if its part has no counterpart.
-  /// \throw Invalid_input if there is no such part or vertex, as `target_of()` does
+  /// The location on the source's surface for a vertex of the target; none if its part has no counterpart.
+  /// \throw Invalid_input if there is no such part or vertex, as for `target_of()`
   std::optional<Surface_place> source_of(std::size_t target_part, Eigen::Index vertex) const;
-  /// The place on the surface of the target of a vertex of the part `source_part` of the source.
+  /// The location on the target's surface for a vertex of the source; none if its part has no counterpart.
   std::optional<Surface_place> target_of(std::size_t source_part, Eigen::Index vertex) const;
 
-  /// Values for the vertices of the target: those of the source, interpolated over triangles; labels (integral and
+  /// Transfers values from the source's vertices to the target's, interpolated over triangles; labels (integral and
   /// enumerated types) are taken from the nearest corner.
   /// \param values by source part and vertex
-  /// \param none where there is no counterpart
-  /// \pre values other than labels can be added and multiplied by a number; there is one for every vertex of every source
-  /// part
+  /// \param none value for vertices without a counterpart
+  /// \pre values other than labels can be added and multiplied by a number; every vertex of the source has a value
   template <typename Value>
   std::vector<std::vector<Value>> transferred(const std::vector<std::vector<Value>>& values, const Value& none) const;
 
 private:
-  using Places = std::vector<std::vector<std::optional<Surface_place>>>; ///< by part and vertex
+  using Places = std::vector<std::vector<std::optional<Surface_place>>>; ///< indexed by part and vertex
 
   static std::optional<Surface_place> place_of(const Places& places, std::size_t part, Eigen::Index vertex);
 
   Places sources_, targets_;
-  std::vector<Eigen::Matrix3Xi> triangles_; ///< of the source's parts
+  std::vector<Eigen::Matrix3Xi> triangles_; ///< triangles of the source's parts
 };
 
 template <typename Value>

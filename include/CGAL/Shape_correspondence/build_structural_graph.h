@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `build_structural_graph()`, those of its three steps.
+/// Options of the three steps of `build_structural_graph()`.
 struct Structure_options
 {
   Abstraction_options abstraction; ///< options of `abstract_parts()`
@@ -28,7 +28,7 @@ struct Structure_options
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Seconds of the steps of `build_structural_graph()`.
+/// Time of the steps of `build_structural_graph()`, in seconds.
 struct Structure_times
 {
   double abstraction = 0; ///< abstracting all parts
@@ -36,22 +36,21 @@ struct Structure_times
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Builds the structural graph of a segmented shape: its frame, the abstraction of every part, symmetry groups and
-/// contacts.
+/// Builds the structural graph of a shape: its frame, the abstraction of every part, symmetry groups and contacts.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
-/// \param options of the steps
-/// \param times if not null, set to the seconds of the steps
-/// \throw Invalid_input if the shape has fewer than two parts or more than 2000, or if more than 50000 pairs of them touch
+/// \param options the options of the steps
+/// \param times receives the time of the steps; may be null
+/// \throw Invalid_input if the shape has fewer than 2 or more than 2000 parts, or more than 50000 pairs of them touch
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Structural_graph build_structural_graph(const Segmented_shape& shape, const Structure_options& options = {},
                                         Structure_times* times = nullptr);
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Builds the graph of a shape whose parts are abstracted already: detects the groups if `groups` is empty, and the
-/// contacts if `shape.contacts` is empty. The frame is taken as it is.
-/// \throw Invalid_input if the shape has fewer than two parts or more than 2000, if more than 50000 pairs of them touch, if a coordinate is not finite or
-/// beyond 1e15, or if a volume or area is negative or beyond 1e50
+/// Builds the graph of a shape with given abstractions of its parts: detects the groups if `groups` is empty, and the
+/// contacts if `shape.contacts` is empty. Uses the given frame.
+/// \throw Invalid_input if the shape has fewer than two parts or more than 2000, if more than 50000 pairs of them
+/// touch, if a coordinate is not finite or beyond 1e15, or if a volume or area is negative or beyond 1e50
 Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Part_group> groups,
                                            const Structure_options& options = {});
 

@@ -25,8 +25,7 @@ namespace Shape_correspondence {
 struct Co_analysis_options
 {
   Markov_clustering_options clustering; ///< options of the clustering
-  /// A pair of parts is an outlier if less than this share of the third shapes that could confirm it do so, in [0, 1].
-  /// 0: no outliers.
+  /// Share, in [0, 1], of the third shapes able to confirm a pair of parts below which it is an outlier; 0: none is.
   double least_cycle_support = 0.5;
 };
 
@@ -36,24 +35,24 @@ struct Co_analysis
 {
   static constexpr int none = -1; ///< label of a part in no cluster
 
-  std::vector<std::vector<int>> labels; ///< by shape and part; 0 is the largest cluster, `none`: in no cluster
-  int number_of_labels = 0;             ///< labels are 0 to `number_of_labels` - 1
-  std::size_t part_pairs = 0;           ///< number of unordered pairs of parts in the matrix
-  std::size_t rejected_pairs = 0;       ///< number of pairs left out as outliers
+  /// Indexed by shape and part; 0 is the largest cluster; `none` for parts in no cluster.
+  std::vector<std::vector<int>> labels;
+  int number_of_labels = 0;       ///< labels are 0 to `number_of_labels` - 1
+  std::size_t part_pairs = 0;     ///< number of unordered pairs of parts in the matrix
+  std::size_t rejected_pairs = 0; ///< number of pairs left out as outliers
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// Finds which parts of a set of shapes correspond over the set: clusters the matrix of all part correspondences by
-/// Markov clustering, where each cluster is a label (paper, section 6.2), unless all of its parts are of one shape.
-/// Memory: 100 bytes for each pair of parts in addition to the maps, then that of `markov_clustering()`.
-/// `part_counts` are the numbers of parts of the shapes, `maps` are of any pairs of shapes.
+/// Finds labels of parts over a set of shapes: clusters the matrix of all part correspondences by Markov clustering;
+/// each cluster is a label (paper, section 6.2), unless all of its parts are of one shape. Memory: 100 bytes for each
+/// pair of parts in addition to the maps, then that of `markov_clustering()`. `part_counts` are the numbers of parts of
+/// the shapes, `maps` are of any pairs of shapes.
 /// \throw Invalid_input if a map has a part or a shape that does not exist, or an option is out of its range
 Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::vector<Shape_pair_map>& maps,
                         const Co_analysis_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The maps with only those pairs of parts that are in one cluster, and so confirmed by the whole set. These are fewer
-/// pairs, which are right more often.
+/// The maps reduced to pairs of parts in one cluster, which the whole set confirms: fewer pairs of higher precision.
 std::vector<Shape_pair_map> agreeing_maps(std::vector<Shape_pair_map> maps, const Co_analysis& analysis);
 
 } // namespace Shape_correspondence

@@ -28,21 +28,21 @@ struct Correspondence_block
 {
   std::vector<std::size_t> source;        ///< part indices in the source shape, ascending, not empty
   std::vector<std::size_t> target;        ///< part indices in the target shape, ascending, not empty
-  std::string role;                       ///< role of most of its parts; empty if roles are not known
+  std::string role;                       ///< most frequent role of its parts; empty if roles are unknown
   Operation operation = Operation::MATCH; ///< how the source parts become the target parts
-  /// Mean confidence of its pairs, in [0, 1]; not a number if the method does not compute confidences.
+  /// Mean confidence of its pairs, in [0, 1]; NaN if the method does not compute confidences.
   double confidence = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// Divides the parts that correspond to any into blocks, sorted by their first source part; every such part is in one
-/// block. Blocks grow from the pairs of most confidence: the two sets of parts are joined whose pairs have the greatest
-/// mean confidence, where pairs of different roles count half and pairs that `correspondence` does not have count 0.
-/// Two sets that both have parts of source and target stay apart if that mean is less than half of the mean inside
-/// either, so that a few unsure pairs do not connect what corresponds well within itself. Pairs without confidences
-/// count 1; without roles, too, blocks are the connected components of the pairs.
+/// Partitions the parts with a counterpart into blocks, sorted by their first source part. Blocks are built by
+/// agglomerative clustering: the two sets of parts whose pairs have the greatest mean confidence are joined, where
+/// pairs of different roles count half, and pairs that are not in `correspondence` count 0. Two sets that both have
+/// parts of source and target stay apart if that mean is less than half of the mean inside either, so that a few
+/// uncertain pairs do not connect sets that correspond well on their own. Pairs without confidences count 1; without
+/// confidences and roles, blocks are the connected components of the pairs.
 ///
-/// Does not depend on the order of parts, or on which shape is the source.
+/// The result does not depend on the order of parts, or on which shape is the source.
 /// Complexity: for <i>p</i> pairs and <i>n</i> parts, O((<i>p</i> + <i>n</i>²) log <i>n</i>).
 std::vector<Correspondence_block> correspondence_blocks(const Correspondence& correspondence);
 

@@ -27,7 +27,8 @@ namespace Shape_correspondence {
 struct Contact_options
 {
   double tolerance = 0.02; ///< largest gap between parts in contact, as a fraction of the diagonal of the shape
-  /// Contacts are at a closest pair of points (paper, section 3), not in the middle of all that are nearly as close.
+  /// Whether contacts are at a closest pair of points (paper, section 3) rather than in the middle of the region where
+  /// the parts are nearly as close.
   bool closest_points = false;
 };
 
@@ -35,14 +36,14 @@ struct Contact_options
 /// Finds the pairs of parts whose surfaces touch, interpenetrate or nearly touch, and where (paper, section 3: "a point
 /// from each part with minimum distance"; of all such points, the middle). A part inside another touches it. Each pair
 /// of parts has one contact, with a region for every place where their distance exceeds the least one by at most half
-/// the tolerance. A shape that falls into pieces is joined by its closest pairs; every such pair adds a sentence to
-/// `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
+/// the tolerance. The connected components of a disconnected shape are joined by their closest pairs; every such pair
+/// adds a sentence to `warnings`. Contacts are sorted by part indices. Distances of surfaces are exact up to rounding.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
 /// \param parts the abstractions of its parts, for the parameters of contacts
-/// \param frame of the shape; measuring in it makes the result independent of the shape's pose
-/// \param options the tolerance
-/// \param warnings approximations are appended to it
+/// \param frame frame of the shape, in which distances are measured, independently of the shape's pose
+/// \param options the options
+/// \param warnings receives sentences on approximations
 /// \throw Invalid_input if more than 50000 pairs of parts touch
 /// \pre `parts` are the abstractions of `shape.parts()`
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
@@ -51,7 +52,7 @@ std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::ve
                                      std::vector<std::string>& warnings);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// As above for parts without a mesh: surfaces are estimated from the abstractions and the volumes of the parts.
+/// Finds the contacts of parts without meshes, whose surfaces are estimated from their abstractions and volumes.
 std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                      const Contact_options& options, std::vector<std::string>& warnings);
 

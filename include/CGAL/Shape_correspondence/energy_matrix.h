@@ -32,11 +32,10 @@ namespace Shape_correspondence {
 struct Energy_matrix_options
 {
   Search_options search; ///< options of every match
-  /// Energy of a pair of connected parts of which one has no counterpart, not negative. The default is about that of a
-  /// badly deformed pair.
+  /// Energy, not negative, of a pair of connected parts one of which is unmatched; by default about a bad
+  /// deformation's.
   double unmatched_energy = 0.5;
-  /// Called after pairs of shapes, by one thread at a time, with the numbers of completed and of all pairs; `false`
-  /// ends the work.
+  /// Called from one thread at a time with the numbers of completed and of all pairs of shapes; `false` ends the work.
   std::function<bool(std::size_t done, std::size_t total)> progress;
 };
 
@@ -44,15 +43,15 @@ struct Energy_matrix_options
 /// The distance of two shapes, and the correspondence of their parts.
 struct Rated_map
 {
-  double energy = std::numeric_limits<double>::quiet_NaN(); ///< `distance_energy()`; not a number: not computed
+  double energy = std::numeric_limits<double>::quiet_NaN(); ///< see `distance_energy()`; NaN: not computed
   Part_map map;                                             ///< source to target
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The distance of two shapes: E of Eq. 1 per pair of connected parts of the deformed shape, so that shapes of few and
-/// of many parts can be compared. A pair of which a part has no counterpart counts `unmatched_energy`, unless the
-/// search charged it already; a part without contacts counts as a pair. So a match of few parts does not give a small
-/// distance.
+/// The distance of two shapes: E of Eq. 1 per pair of connected parts of the deformed shape, so that shapes with
+/// different numbers of parts can be compared. A pair with an unmatched part counts `unmatched_energy`, unless the
+/// search charged it, so that a match of few parts does not give a small distance; a part without contacts counts as a
+/// pair.
 double distance_energy(const Correspondence& correspondence, double unmatched_energy);
 
 /// \ingroup PkgShapeCorrespondenceSets
@@ -66,7 +65,7 @@ std::vector<Rated_map> match_pairs(const std::vector<Structural_graph>& shapes,
                                    const Energy_matrix_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The same of shapes that were matched before, of which nothing is computed again.
+/// Matches pairs of prepared shapes, whose cached data are reused.
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 std::vector<Rated_map> match_pairs(const std::vector<Prepared_shape>& shapes,
                                    const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
@@ -77,8 +76,8 @@ std::vector<Rated_map> match_pairs(const std::vector<Prepared_shape>& shapes,
 struct Energy_matrix
 {
   Eigen::MatrixXd energies;   ///< `distance_energy()` of source × target; 0 on the diagonal
-  std::vector<Part_map> maps; ///< source after source
-  bool complete = true;       ///< false if `progress` ended the work
+  std::vector<Part_map> maps; ///< ordered by source, then target
+  bool complete = true;       ///< whether all pairs were matched: `progress` did not end the work
 
   /// The part map of a pair of shapes.
   const Part_map& map(std::size_t source, std::size_t target) const

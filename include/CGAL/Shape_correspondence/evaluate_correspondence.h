@@ -22,16 +22,16 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// How well a correspondence agrees with the ground truth; all shares are between 0 and 1.
+/// The agreement of a correspondence with the ground truth; all shares are in [0, 1].
 struct Correspondence_score
 {
-  std::size_t matched = 0;      ///< pairs of the correspondence
-  std::size_t expected = 0;     ///< pairs of the ground truth
-  std::size_t right = 0;        ///< pairs that are in both
-  std::size_t right_coarse = 0; ///< pairs of the correspondence that have equal coarse labels
+  std::size_t matched = 0;      ///< number of pairs of the correspondence
+  std::size_t expected = 0;     ///< number of pairs of the ground truth
+  std::size_t right = 0;        ///< number of pairs that are in both
+  std::size_t right_coarse = 0; ///< number of pairs of the correspondence with equal coarse labels
 
   double precision() const;        ///< right / matched; 0 if nothing is matched
-  double recall() const;           ///< right / expected; if nothing is expected, 1 where nothing is matched and else 0
+  double recall() const;           ///< right / expected; if nothing is expected, 1 if nothing is matched and else 0
   double f1() const;               ///< harmonic mean of precision and recall; 0 if both are 0
   double coarse_precision() const; ///< right_coarse / matched; 0 if nothing is matched
 };
@@ -44,7 +44,7 @@ Correspondence_score evaluate_correspondence(Part_pairs pairs, const Ground_trut
 /// The score of a correspondence of two shapes of a category.
 struct Scored_correspondence
 {
-  std::string category;       ///< of both shapes, such as `chair`
+  std::string category;       ///< category of both shapes, such as `chair`
   std::string source;         ///< name of the source shape, within its category
   std::string target;         ///< name of the target shape, within its category
   Correspondence_score score; ///< the score
@@ -54,22 +54,22 @@ struct Scored_correspondence
 /// Means over the correspondences of a category, or over categories.
 struct Mean_score
 {
-  std::size_t correspondences = 0; ///< how many there are
-  double precision = 0;            ///< of `Correspondence_score::precision()`
-  double recall = 0;               ///< of `Correspondence_score::recall()`
-  double f1 = 0;                   ///< of `Correspondence_score::f1()`
+  std::size_t correspondences = 0; ///< number of correspondences
+  double precision = 0;            ///< mean of `Correspondence_score::precision()`
+  double recall = 0;               ///< mean of `Correspondence_score::recall()`
+  double f1 = 0;                   ///< mean of `Correspondence_score::f1()`
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// Mean scores by category and over all categories.
 struct Evaluation
 {
-  std::vector<std::pair<std::string, Mean_score>> categories; ///< by name
-  Mean_score mean;                                            ///< every category weighs the same
+  std::vector<std::pair<std::string, Mean_score>> categories; ///< sorted by name
+  Mean_score mean;                                            ///< mean over categories, which weigh the same
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// Means of scores by category and over categories. The F1 of a category is the mean of its correspondences' F1.
+/// The means of scores by category and over categories. The F1 of a category is the mean of its correspondences' F1.
 /// \throw Invalid_input if there are no scores
 Evaluation mean_scores(const std::vector<Scored_correspondence>& scores);
 

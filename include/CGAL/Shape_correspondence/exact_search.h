@@ -22,28 +22,28 @@ namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// Finds the assignments of least energy and proves them. Root terms are bounded from below by their tangents, which
-/// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order solves it exactly where
-/// its tables fit; else message passing (TRW-S; Kolmogorov 2006) moves costs to where mini-buckets (Dechter and Rish
-/// 2003) bound it well. A depth-first branch and bound over what the bound leaves makes the result optimal for the
-/// energy itself; if it takes long, it starts again with larger tables. Deterministic, unless a time limit ends it.
+/// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order minimizes it exactly if
+/// its tables fit into `Exact_options::table_limit`; otherwise message passing (TRW-S; Kolmogorov 2006) redistributes
+/// costs so that mini-buckets (Dechter and Rish 2003) bound it well. Depth-first branch and bound with this bound makes
+/// the result optimal for the energy itself; if slow, it restarts with larger tables. Deterministic without a time
+/// limit.
 ///
 /// Time: O(number of variables · labels^(w + 1)) for tables of induced width w that fit, exponential in the worst case.
-/// Where a limit ends the search, `optimal` is false and `summary.lower_bound` is the proven lower bound.
+/// If a limit ends the search, `optimal` is false and `summary.lower_bound` is the proven lower bound.
 class Exact_search
 {
 public:
-  /// Sets up the bound. The energy is kept by reference, so that it may not be a temporary.
+  /// Sets up the bound. The energy is kept by reference, so it must not be a temporary.
   explicit Exact_search(const Pairwise_energy& energy, const Exact_options& options = {});
   explicit Exact_search(const Pairwise_energy&& energy, const Exact_options& options = {}) = delete;
   ~Exact_search();
 
   /// The assignment of least energy, and the next best ones.
-  /// \throw Invalid_input if no solution is asked for
+  /// \throw Invalid_input if `Exact_options::solutions` is 0
   Search_result run();
 
-  /// The min-marginals, by variable: the increase of the least energy if the variable may not have its label in
-  /// `result`. Infinite for a variable with one label. Where a limit ends a search, the increase to the best solution
-  /// found.
+  /// The min-marginals, by variable: the increase of the least energy if its label in `result` is forbidden; infinite
+  /// for a variable with one label. If a limit ends a search, the increase to the best solution found.
   std::vector<double> min_marginals(const Search_result& result);
 
 private:

@@ -24,8 +24,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// A shape that is matched many times: its alignments, by quarter turns, are computed once. Threads may
-/// share it; copies share what was computed.
+/// A shape to be matched repeatedly: its alignments, by quarter turns, are computed once, also for copies. Thread-safe.
 class Prepared_shape
 {
 public:
@@ -33,10 +32,10 @@ public:
   explicit Prepared_shape(const Structural_graph& graph);
   explicit Prepared_shape(const Structural_graph&&) = delete;
 
-  /// Predicts the roles of the parts now, rather than when the shape is first matched with this model.
+  /// Predicts the roles of the parts now rather than at the first match with this model.
   void read_roles(const std::shared_ptr<const Role_model>& model) const;
 
-  /// The graph that the object was made of.
+  /// The graph from which the object was constructed.
   const Structural_graph& graph() const { return graph_; }
 
 private:
@@ -48,15 +47,15 @@ private:
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// A label that was transferred to a part of a target from a part of the source.
+/// A label transferred from a part of the source to a part of a target.
 struct Transferred_label
 {
-  Part_label label;      ///< empty if the options left the part out of the match
-  double confidence = 0; ///< probability that the two parts correspond; 0: the source part of least cost was taken
+  Part_label label;      ///< empty if the part is excluded from the match
+  double confidence = 0; ///< probability that the two parts correspond; 0: the source part of least cost was used
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Finds the correspondences of one source shape with many targets: what depends on the source alone is computed once.
+/// Finds correspondences of one source with many targets; data that depend on the source alone are computed once.
 class Correspondence_finder
 {
 public:
@@ -65,35 +64,35 @@ public:
   /// \throw Invalid_input if an option is out of its range
   explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});
   explicit Correspondence_finder(const Structural_graph&&, const Search_options& = {}) = delete;
-  /// The same with a shape that keeps the alignments that other matches computed.
+  /// Constructs a finder from a prepared shape, whose cached alignments are used.
   explicit Correspondence_finder(const Prepared_shape& source, const Search_options& options = {});
 
-  /// Like `find_correspondence()`.
+  /// The correspondence with a target, see `CGAL::Shape_correspondence::find_correspondence()`.
   Correspondence operator()(const Structural_graph& target) const;
-  /// Like `find_correspondence()`.
+  /// The correspondence with a prepared target.
   Correspondence operator()(const Prepared_shape& target) const;
   /// The correspondences of the source with the target, and of the target with the source, with the same options.
-  /// `Search_method::PARTS`, which treats both shapes alike, matches them once for both.
+  /// `Search_method::PARTS`, which is symmetric, matches them only once.
   std::array<Correspondence, 2> both_orders(const Prepared_shape& target) const;
-  /// The best `Search_options::solutions` in ascending order of energy; `PARTS` finds one, `EXACT` proves its own.
+  /// The best `Search_options::solutions` in ascending order of energy. `PARTS` finds one; `EXACT` proves all.
   std::vector<Correspondence> ranked(const Structural_graph& target) const;
-  /// The same.
+  /// The best solutions for a prepared target.
   std::vector<Correspondence> ranked(const Prepared_shape& target) const;
 
   /// Transfers the labels of the source's parts to the parts of a target. Each gets the label of the source part to
   /// which it corresponds most probably: by roles and geometry if `Search_options::roles` knows the category, otherwise
-  /// by geometry. \param labels by part of the source \param target the shape whose parts get labels
-  /// \throw Invalid_input if there is not a label for every part, or the method is not `Search_method::PARTS`
+  /// by geometry.\n\param labels labels by part of the source \param target the shape whose parts get labels
+  /// \throw Invalid_input if there is not one label for every part, or the method is not `Search_method::PARTS`
   std::vector<Transferred_label> transfer_labels(const std::vector<Part_label>& labels,
                                                  const Prepared_shape& target) const;
 
-  /// The category that the source is taken to be of by the roles of its parts, or `Search_options::category`; empty:
-  /// none, or there are no `Search_options::roles`.
+  /// The category of the source predicted by the roles of its parts, or `Search_options::category`; empty if there is
+  /// none or `Search_options::roles` is null.
   std::string source_category() const;
 
   /// A lower bound of the `distance_energy()` of the correspondence, without a search: the sum of the least values of
-  /// the terms of one and of two groups; for `Search_method::PARTS`, where every part may correspond to every other, of
-  /// one and of two parts. 0 if no bound is known. `unmatched_energy` is that of `distance_energy()`.
+  /// the terms of one and of two groups or, for `Search_method::PARTS`, with all pairs of parts allowed, of one and of
+  /// two parts; 0 if no bound is known. \param unmatched_energy see `distance_energy()`
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
@@ -106,18 +105,17 @@ private:
 /// Finds the part correspondence of two shapes.
 ///
 /// By default, parts are matched by their costs (`Part_cost_weights`), and the result is rated by the deformation
-/// energy of the source under the paper's GeoTopo transform (sections 4 and 5). With `Search_method::BEAM` or `EXACT`,
-/// the correspondence of least deformation energy is searched for: the source is deformed into the target and, by
-/// default, the target into the source; the direction with the lower energy per pair of connected parts is taken, so
-/// that the simpler shape is not preferred for having fewer pairs.
-/// Deterministic; the result does not depend on part order, position, scale or a turn of less than 45° about the up
-/// axis. If `Search_options::progress` ends the search, the result is the best so far, `complete` is false and a
-/// warning says so.
+/// energy of the source under the paper's GeoTopo transform (sections 4 and 5). `Search_method::BEAM` and `EXACT`
+/// search for the correspondence of least deformation energy: the source is deformed into the target and, by default,
+/// the target into the source; the direction with the lower energy per pair of connected parts is taken, so that the
+/// simpler shape is not preferred for having fewer pairs. Deterministic; the result does not depend on part order,
+/// position, scale or a rotation by less than 45° about the up axis. If `Search_options::progress` ends the search, the
+/// best result so far is returned with a warning, and `complete` is false.
 /// \param source,target the structural graphs of the shapes
-/// \param options of the method, the search and the energy
+/// \param options options of the method, the search and the energy
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
-/// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape to
-/// be deformed has more than 150 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
+/// \throw Invalid_input if an option is out of its range, pinned and forbidden pairs contradict each other, or a shape
+/// to be deformed has more than 150 groups of parts with `Search_method::BEAM` or 500 with `EXACT`
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 

@@ -24,21 +24,21 @@ namespace Shape_correspondence {
 struct Part_label
 {
   std::string coarse; ///< the role of the part
-  std::string fine;   ///< empty: none
+  std::string fine;   ///< fine label; empty: none
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// Which parts of two labelled shapes correspond.
+/// The corresponding parts of two labelled shapes.
 struct Ground_truth
 {
-  Part_pairs pairs;        ///< sorted, each once
-  Part_pairs coarse_pairs; ///< the pairs of equal coarse label, sorted, each once; they include `pairs`
+  Part_pairs pairs;        ///< corresponding parts, sorted, each pair once
+  Part_pairs coarse_pairs; ///< parts of equal coarse label, sorted, each pair once; include `pairs`
 };
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
-/// The pairs of parts that correspond according to their labels, given by part. Parts correspond if their coarse labels
-/// are equal. Their fine labels must be equal, too, if every part of both shapes with that coarse label has a fine one,
-/// and at least half of the fine labels of the shape with fewer of them occur in the other. O(n m).
+/// The pairs of parts that correspond according to the labels of all parts. Parts correspond if their coarse labels are
+/// equal. Their fine labels must be equal as well if every part of both shapes with that coarse label has a fine one,
+/// and at least half of the fine labels of the shape with fewer of them occur in the other. O(n m) for n and m parts.
 /// \throw Invalid_input if a coarse label is empty
 Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
 

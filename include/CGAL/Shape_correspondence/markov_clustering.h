@@ -16,7 +16,7 @@
 
 namespace Eigen {
 template <typename Scalar, int Options, typename StorageIndex>
-class SparseMatrix; // <Eigen/SparseCore> takes a second to compile
+class SparseMatrix; // avoids <Eigen/SparseCore>, which takes a second to compile
 }
 
 namespace CGAL {
@@ -26,35 +26,36 @@ namespace Shape_correspondence {
 /// Options of `markov_clustering()`.
 struct Markov_clustering_options
 {
-  double inflation = 2; ///< power of the entries of columns, more than 1; larger values give more and smaller clusters
-  double expansion_limit = 1e-4;   ///< smaller entries of columns (which sum to 1) are dropped
+  /// Exponent for the entries of columns, more than 1; larger values give more and smaller clusters.
+  double inflation = 2;
+  double expansion_limit = 1e-4;   ///< threshold below which entries of columns (which sum to 1) are dropped
   std::size_t column_limit = 1000; ///< largest number of entries of a column; the smallest ones are dropped
-  /// Largest number of entries of all columns, 24 bytes each; shared evenly if it is less than `column_limit` per
-  /// column.
+  /// Largest number of all entries, 24 bytes each; shared evenly if that is less than `column_limit` per column.
   std::size_t entry_limit = 30'000'000;
-  double tolerance = 1e-3;      ///< difference of the largest entry of a column and its sum of squares at convergence
-  int maximum_iterations = 200; ///< maximum of iterations of squaring and inflating
+  /// Largest difference, at convergence, between the largest entry of a column and its sum of squares.
+  double tolerance = 1e-3;
+  int maximum_iterations = 200; ///< limit for the iterations of squaring and inflating
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// What `markov_clustering()` found.
+/// The result of `markov_clustering()`.
 struct Markov_clustering
 {
-  std::vector<std::size_t> labels;    ///< by node, from 0 on, in the order of the clusters' first nodes
+  std::vector<std::size_t> labels;    ///< labels by node, from 0 on, in the order of the clusters' first nodes
   std::size_t number_of_clusters = 0; ///< labels are 0 to `number_of_clusters` - 1
-  int iterations = 0;                 ///< squarings of the matrix
-  bool converged = false;             ///< the tolerance was reached
+  int iterations = 0;                 ///< number of squarings of the matrix
+  bool converged = false;             ///< whether the tolerance was reached
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// Clusters a graph by simulated flow (van Dongen 2000): the column-stochastic matrix of its weights is squared, which
-/// spreads flow, and its entries are raised to a power, which strengthens strong flow, until nothing changes; a node
-/// belongs to the attractors that its flow ends in. A node gets a loop of the weight of its strongest edge, as in van
-/// Dongen's program `mcl`. Deterministic. Time: that of sparse products of columns of at most `column_limit` entries.
-/// Memory: 24 bytes for each of `entry_limit` entries, and as much for some columns before they are pruned: less than
-/// 1 GB by default, whatever the number of nodes.
-/// \param weights symmetric; the diagonal is ignored
-/// \param options of the flow, and limits of memory
+/// spreads flow, and its entries are raised to a power, which strengthens strong flow, until convergence; a node
+/// belongs to the attractors in which its flow ends. Each node gets a loop with the weight of its strongest edge, as in
+/// van Dongen's program `mcl`. Deterministic. Time: that of sparse products of columns of at most `column_limit`
+/// entries. Memory: 24 bytes for each of `entry_limit` entries, and as much for some columns before they are pruned:
+/// less than 1 GB by default, whatever the number of nodes.
+/// \param weights symmetric matrix of the weights; the diagonal is ignored
+/// \param options options of the flow, and limits of memory
 /// \throw Invalid_input if a weight is negative or not finite, or an option is out of its range
 Markov_clustering markov_clustering(const Eigen::SparseMatrix<double, 0, int>& weights,
                                     const Markov_clustering_options& options = {});

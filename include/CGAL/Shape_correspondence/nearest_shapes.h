@@ -28,34 +28,34 @@ namespace Shape_correspondence {
 /// A shape of a set that is near a query.
 struct Near_shape
 {
-  std::size_t shape = 0; ///< its index
+  std::size_t shape = 0; ///< index of the shape
   double distance = 0;   ///< mean of the `distance_energy()` of both directions
   Part_map map;          ///< query to shape
   std::string category;  ///< `Correspondence_finder::source_category()` of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// What `nearest_shapes()` found.
+/// The result of `nearest_shapes()`.
 struct Nearest_shapes
 {
-  std::vector<Near_shape> shapes; ///< the nearest first, by index among equals
-  std::size_t evaluations = 0;    ///< shapes that were matched with the query
+  std::vector<Near_shape> shapes; ///< the nearest first; equally near ones by index
+  std::size_t evaluations = 0;    ///< number of shapes that were matched with the query
   std::string category;           ///< `Correspondence_finder::source_category()` of the query
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The `k` shapes of a set that are nearest to a query. If `Search_options::roles` know the category of the query,
-/// shapes of this category are nearer than those of none that is known, and these nearer than those of another one.
-/// Among them, the distance decides. Not all shapes are matched: distances are bounded from below
+/// The `k` shapes of a set that are nearest to a query. If `Search_options::roles` has the category of the query,
+/// shapes of this category come first, then shapes of no known category, then those of other categories; within each,
+/// the distance decides. Not all shapes are matched: distances are bounded from below
 /// (`Correspondence_finder::lower_bound()`) and computed in the order of these bounds until no bound is less than the
-/// k-th distance. So the result is that of matching all, bitwise identical sequentially and in parallel.
+/// k-th distance. The result is the same as with all shapes matched, bitwise identical sequentially and in parallel.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`
 /// \param query the structural graph of the query
 /// \param number_of_shapes number of shapes in the set
-/// \param graph returns the graph of a shape by its index; called once for each shape, and once more for those that are
-/// matched; by several threads at a time with `CGAL::Parallel_tag`. \pre the graphs are valid
+/// \param graph returns the graph of a shape by its index; called once for each shape, and again for those that are
+/// matched; from several threads at a time with `CGAL::Parallel_tag`. \pre the graphs are valid
 /// \param k number of shapes to find
-/// \param options of the matches and the distance
+/// \param options options of the matches and the distance
 /// \throw Invalid_input if an option is out of its range
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_of_shapes,
@@ -63,7 +63,7 @@ Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_
                               const Energy_matrix_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The same for shapes in memory.
+/// The `k` nearest of shapes in memory.
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Nearest_shapes nearest_shapes(const Structural_graph& query, const std::vector<Structural_graph>& shapes, std::size_t k,
                               const Energy_matrix_options& options = {})

@@ -17,9 +17,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Structural graphs as in the paper: parts are abstracted by mean curvature flow (section 3, "Abstraction"), and two
-/// parts touch at a closest pair of points. `find_correspondence()` with `paper_options()` then matches as in the
-/// paper.
+/// Options for structural graphs as in the paper: parts are abstracted by mean curvature flow (section 3,
+/// "Abstraction"), and contacts are closest pairs of points. Use `paper_options()` to match these graphs.
 inline Structure_options paper_structure_options()
 {
   Structure_options options;

@@ -21,8 +21,8 @@
 namespace CGAL {
 namespace Shape_correspondence {
 
-/// CGAL named parameters of this package, an alternative to the option structures; each sets one of their fields, and
-/// all other fields keep their defaults. Chain them: `parameters::beam_width(40).expansions(8)`.
+/// CGAL named parameters of this package, an alternative to the option structures. Each sets one field; all others keep
+/// their defaults. They can be chained: `parameters::beam_width(40).expansions(8)`.
 namespace parameters {
 
 /// \cond SKIP_IN_MANUAL
@@ -79,10 +79,10 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return {value};                                                                                                    \
   }
 CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(CGAL_SHAPE_CORRESPONDENCE_START)
-CGAL_SHAPE_CORRESPONDENCE_START(part_names, , ) // of Segmented_shape::from_segmentation()
+CGAL_SHAPE_CORRESPONDENCE_START(part_names, , ) // for Segmented_shape::from_segmentation()
 #undef CGAL_SHAPE_CORRESPONDENCE_START
 
-/// The option structure (`Search_options` or `Structure_options`) that a parameter pack describes.
+/// The option structure (`Search_options` or `Structure_options`) described by a parameter pack.
 template <typename Options, typename NamedParameters>
 Options options_from(const NamedParameters& np)
 {
@@ -107,13 +107,12 @@ Options options_from(const NamedParameters& np)
 } // namespace parameters
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Builds the structural graph of a segmented shape; named parameters take the place of `Structure_options`.
+/// Builds the structural graph of a segmented shape; named parameters replace `Structure_options`.
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is bitwise identical
 /// \param shape the shape
-/// \param np named parameters, each of which sets a field, where its meaning, unit and default are
+/// \param np named parameters, each of which sets a field, where its meaning, unit and default are documented
 ///
-/// | parameter | field |
-/// |---|---|
+/// | parameter | field | |---|---|
 /// | `time_limit`, `progress` | of this name in `Abstraction_options` |
 /// | `detect_symmetry` | `Symmetry_options::enabled` |
 /// | `contact_tolerance` | `Contact_options::tolerance` |
@@ -127,12 +126,11 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 }
 
 /// \ingroup PkgShapeCorrespondenceFunctions
-/// Finds the part correspondence of two shapes; named parameters take the place of `Search_options`.
+/// Finds the part correspondence of two shapes; named parameters replace `Search_options`.
 /// \param source,target the structural graphs of the shapes
-/// \param np named parameters, each of which sets a field, where its meaning, unit and default are
+/// \param np named parameters, each of which sets a field, where its meaning, unit and default are documented
 ///
-/// | parameter | field |
-/// |---|---|
+/// | parameter | field | |---|---|
 /// | `search_method` | `Search_options::method` |
 /// | `min_confidence`, `maximum_parts`, `alignments`, `front_is_sure`, `solutions` | of this name in `Search_options` |
 /// | `beam_width`, `expansions` | of this name in `Beam_options` |

@@ -23,27 +23,27 @@ namespace Shape_correspondence {
 /// Options of `segment_mesh()`.
 struct Segmentation_options
 {
-  std::size_t patches = 256; ///< patches of the surface that segments are made of, at least 1
-  double probability = 0.5;  ///< neighbours that are one part with this probability become one, in (0, 1)
-  double least_area = 0.01;  ///< smaller segments join a neighbour; a fraction of the area of their component
+  std::size_t patches = 256; ///< number of surface patches that segments are composed of, at least 1
+  double probability = 0.5;  ///< probability, in (0, 1), of belonging to one part from which on neighbours are merged
+  double least_area = 0.01;  ///< area below which a segment joins a neighbour, over the area of its component
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// What `segment_mesh()` makes.
+/// The result of `segment_mesh()`.
 struct Mesh_segmentation
 {
   Segmented_shape shape;             ///< the parts
   std::size_t pieces_left_out = 0;   ///< number of components and segments without area, which cannot be parts
-  std::size_t pieces_kept_whole = 0; ///< number of closed components without an inside, one part each
+  std::size_t pieces_kept_whole = 0; ///< number of closed components without an interior, one part each
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// Divides a mesh into parts: its connected components, each closed one divided further where it is concave or where
-/// its thickness changes. The surface is cut into patches, which are merged, the likeliest first: neighbours are of one
-/// part if most of their points see each other through the inside (Asafi, Goren and Cohen-Or 2013), if their common
-/// border is not concave, and if they are equally thick; how likely was fitted to labelled shapes. Pieces without area
-/// are left out, and counted. Part names are `segment_0`, `segment_1`, … `up` is the upright direction of the result.
-/// O(n log n) in the number of triangles, and O(patches² log n).
+/// Divides a mesh into parts: its connected components, each closed one divided further where it is concave or its
+/// thickness changes. The surface is cut into patches, which are merged in the order of the probability that neighbours
+/// belong to one part. It is high if most of their points see each other through the interior (Asafi, Goren and
+/// Cohen-Or 2013), if their common border is not concave, and if they are equally thick, and was fitted to labelled
+/// shapes. Pieces without area are left out and counted. Part names are `segment_0`, `segment_1`, … `up` is the upright
+/// direction of the result. O(n log n) in the number of triangles, and O(patches² log n).
 /// \throw Invalid_input if a coordinate or an index of the mesh is invalid, or an option is out of its range
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point(0, 1, 0));

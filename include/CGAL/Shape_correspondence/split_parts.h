@@ -23,60 +23,61 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// How parts are made of the objects of a model.
+/// Ways to make parts of the objects of a model.
 enum class Part_splitting {
-  AUTO,       ///< every object is a part, but objects of unrelated loose pieces are split
+  AUTO,       ///< every object is a part, but objects with unrelated loose pieces are split
   FILE,       ///< every object is a part
   COMPONENTS, ///< every loose piece is a part
   SEGMENTS    ///< every loose piece is a part; closed ones are divided by `segment_mesh()`
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
-/// Options of `split_parts()`. Lengths are fractions of the size of the model, which is about its diameter.
+/// Options of `split_parts()`. Lengths are relative to the size of the model, which is about its diameter.
 struct Part_splitting_options
 {
   Part_splitting mode = Part_splitting::AUTO; ///< how parts are made
-  double layer_distance = 0.015;              ///< a piece lies on another one if all of its points are nearer than this
-  double small_size = 0.04;                   ///< smaller pieces join a piece in contact
-  double touching_distance = 0.005;           ///< largest gap of pieces in contact
-  std::size_t most_parts = 100;      ///< largest number of parts of an object; it stays as it is rather than have more
+  double layer_distance = 0.015;     ///< largest distance of all points of a piece from another piece that it lies on
+  double small_size = 0.04;          ///< size below which pieces join a piece in contact
+  double touching_distance = 0.005;  ///< largest gap of pieces in contact
+  std::size_t most_parts = 100;      ///< largest number of parts of an object; an object with more stays whole
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
-  /// By object and triangle, a number for the material; patches of one material may have a seam. Empty: it is one.
+  /// Index of the material by object and triangle; patches of one material may have a seam. Empty: a single material.
   std::vector<std::vector<int>> materials;
-  bool divide_by_materials = true; ///< whether loose pieces also end where the material changes
+  bool divide_by_materials = true; ///< whether loose pieces also end at changes of the material
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// The part index of a piece that is in no part.
+/// The part index of a piece that belongs to no part.
 constexpr std::size_t no_part = std::size_t(-1);
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// A loose piece of an object: triangles that are connected through vertices, or a segment of them.
+/// A loose piece of an object: triangles connected through vertices, or a segment of them.
 struct Model_piece
 {
   std::string name;       ///< name of its object, with `#1`, `#2`, … if the object has several pieces
   std::size_t object = 0; ///< index of the object
-  std::size_t part = 0;   ///< index of the part that it belongs to; `no_part` if it is left out
-  bool closed = false;    ///< whether two triangles meet at every edge
-  double size = 0;        ///< as a fraction of the size of the model
-  std::string reason;     ///< why it is in a part with others; empty for the largest of its part
+  std::size_t part = 0;   ///< index of its part; `no_part` if it is left out
+  bool closed = false;    ///< whether every edge has two triangles
+  double size = 0;        ///< size over that of the model
+  std::string reason;     ///< why it is in a part with other pieces; empty for the largest piece of a part
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// What `split_parts()` makes.
+/// The result of `split_parts()`.
 struct Part_split
 {
   Segmented_shape shape;                         ///< the parts
   std::vector<Model_piece> pieces;               ///< sorted by object, then by their first triangles
-  std::vector<std::string> decisions;            ///< for every object: what became of it, and why
+  std::vector<std::string> decisions;            ///< for every object: the result, and its reason
   bool by_segments = false;                      ///< whether pieces are segments
-  bool is_found = false;                         ///< whether parts were found by what labelled parts look like
-  std::vector<std::string> patched_objects = {}; ///< objects of which pieces are patches between creases
-  bool by_materials = false;                     ///< whether pieces also end where the material changes
-  std::size_t pieces_left_out = 0;               ///< pieces without area
-  std::size_t pieces_kept_whole = 0;             ///< closed pieces without segments, since they have no inside
+  bool is_found = false;                         ///< whether parts were found by their similarity to labelled parts
+  std::vector<std::string> patched_objects = {}; ///< objects whose pieces are patches between creases
+  bool by_materials = false;                     ///< whether pieces also end at changes of the material
+  std::size_t pieces_left_out = 0;               ///< number of pieces without area
+  /// Number of closed pieces that were not divided into segments, since they have no interior.
+  std::size_t pieces_kept_whole = 0;
 
-  /// Whether the parts are others than the objects.
+  /// Whether the parts differ from the objects.
   bool changes_objects() const;
   /// Whether the pieces of an object are in several parts.
   bool is_split(std::size_t object) const;
@@ -88,36 +89,35 @@ struct Part_split
 /// - an object stays whole if it is one piece, if the hull of its largest piece contains all others (a spoked wheel, a
 ///   cushion with its piping) and is smaller than .5 of the model, or if it is smaller than .3 of the model and its
 ///   pieces touch, unless it is the only object;
-/// - of other objects every piece is a part, but a piece joins the one that it lies on (a lining, a screw, the other
-///   shell of a panel), a small one the one that it touches, and pieces that touch and are deep in each other's hulls
-///   stay together; so do patches of one material if the border of one, as wide as the patch, runs along that of the
-///   other (the front and the sides of a cushion);
-/// - a piece smaller than .01 also joins a piece of another object that it touches, and an open one smaller than .3 one
-///   that it lies on (a decal);
+/// - in other objects every piece is a part, except that a piece joins the one on which it lies (a lining, a screw, the
+///   other shell of a panel), a small piece joins one that it touches, and pieces that touch and are deep in each
+///   other's hulls stay together, as do patches of one material if the border of one, as wide as the patch, runs along
+///   that of the other (the front and the sides of a cushion);
+/// - a piece smaller than .01 also joins a piece of another object that it touches, and an open one smaller than .3
+///   joins one on which it lies (a decal);
 /// - three or more copies of a piece are all treated like the majority of them;
 /// - an object that has more than 1000 pieces stays as it is, and so does one of several objects if it would become
 ///   over `most_parts` parts;
-/// - a model that would be one part becomes its pieces, and one that is one piece its segments, if they are at most 30.
+/// - a model that would be one part is split into its pieces, and one that is one piece into its segments, if there are
+///   at most 30.
 ///
 /// The result does not depend on position, size, rotation (except for rounding) and order. Parts have the name of their
-/// object, with `#2`, `#3`, … for those after the first. An object that is not split keeps its mesh as it is. Loose
-/// pieces without area are left out, and counted. O(n log n) in the number of triangles, and quadratic in the number of
-/// pieces of an object.
+/// object, with `#2`, `#3`, … after the first. An object that is not split keeps its mesh. Loose pieces without area
+/// are left out and counted. O(n log n) in the number of triangles, and quadratic in the number of pieces of an object.
 /// \param objects the model, whose parts are the objects
-/// \param options the mode, and what it depends on
-/// \throw Invalid_input if the model has no part, or materials are not those of its triangles
+/// \param options the mode and its options
+/// \throw Invalid_input if the model has no part, or materials do not fit its triangles
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// The same with given parts.
+/// Splits a model into given parts.
 /// \param objects the model
 /// \param part_of_piece the name of the part for the name of every piece; an empty name leaves the piece out
 /// \param by_segments whether pieces are those of `Part_splitting::SEGMENTS`
-/// \param segmentation how segments are made
+/// \param segmentation options for segments
 /// \param materials as in `Part_splitting_options`
-/// \param patched_objects the same of `Part_split`
-/// \throw Invalid_input if a piece is missing, a name is not that of a piece, or materials are not those of the
-/// triangles
+/// \param patched_objects see `Part_split`
+/// \throw Invalid_input if a piece is missing, a name is not that of a piece, or materials do not fit the triangles
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,
                        bool by_segments = false, const Segmentation_options& segmentation = {},
                        const std::vector<std::vector<int>>& materials = {},

@@ -19,10 +19,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The shape of a set that has the least sum of distances to the others (paper, section 6.1): its representative.
-/// Of equal sums the first shape is taken. O(n²).
-/// \param distances symmetric, as `symmetric_distances()` makes them
-/// \pre there is a shape
+/// The representative of a set: the index of the shape with the least sum of distances to the others (paper, section
+/// 6.1), the first one in case of a tie. O(n²) for n shapes.
+/// \param distances symmetric matrix, see `symmetric_distances()`
+/// \pre there is at least one shape
 std::size_t topological_medoid(const Eigen::Ref<const Eigen::MatrixXd>& distances);
 
 } // namespace Shape_correspondence

@@ -20,17 +20,17 @@ namespace Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceRoles
 /// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same model, byte for
-/// byte, on any number of threads. Pairs of parts are weighed as usual for so many labelled shapes of a category.
+/// byte, on any number of threads. Weights of pairs of parts are defaults by the number of a category's shapes.
 /// \param shapes the labelled shapes
 /// \param options the options
 /// \throw Invalid_input if a shape has no category, a part no role, or a number is out of its range
 Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Role_training_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceRoles
-/// Learns roles from labelled shapes in addition to those that a model was learned from, such as a few shapes of your
-/// own. A category that the model has is learned anew from the old and the new shapes together, whose labels must have
-/// the same meaning; other categories are added. The forests get as many trees as those of the model.
-/// \throw Invalid_input as `train_role_model()`
+/// Learns roles from labelled shapes in addition to those of a model, such as a few shapes of your own. A category of
+/// the model is learned again from the old and the new shapes together, whose labels must have the same meaning; new
+/// categories are added. The new forests have as many trees as those of the model.
+/// \throw Invalid_input see `train_role_model()`
 Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
                              const Role_training_options& options = {});
 

@@ -29,60 +29,59 @@ namespace Shape_correspondence {
 struct Transfer_options
 {
   int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
-  int margin = 4;  ///< pixels by which the colours of a chart are continued past its border, at least 1, at most 64
+  int margin = 4;  ///< pixels by which the colours of a chart are extended past its border, at least 1, at most 64
   int samples = 2; ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
-  bool new_coordinates = false; ///< lay out texture coordinates anew, also where those of the target can be used
-  Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of parts without looks
+  bool new_coordinates = false; ///< whether to compute new texture coordinates even if those of the target are usable
+  Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of parts without appearance
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// Where the looks (materials, textures and colours) of a target part come from.
+/// The origin of the appearance (materials, textures and colours) of a target part.
 enum class Looks_origin {
-  SOURCE,    ///< the part of the source that it corresponds to, one of several
-  NEIGHBOUR, ///< as those of a part that it touches: it has no counterpart
-  TARGET,    ///< the target: it has no counterpart, and another material than what it touches
-  NEUTRAL    ///< unknown: the part is grey
+  SOURCE,    ///< a corresponding part of the source
+  NEIGHBOUR, ///< a neighbouring part of the target, since it has no counterpart
+  TARGET,    ///< the target itself: it has no counterpart, and another material than its neighbours
+  NEUTRAL    ///< none: the part is grey
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// What was transferred to a target part.
+/// The result of a transfer for a target part.
 struct Transferred_part
 {
-  Looks_origin origin = Looks_origin::NEUTRAL; ///< where its looks are from
-  /// The source parts that it is mapped to; of `transfer_appearance()`, the one whose looks it has is the first.
+  Looks_origin origin = Looks_origin::NEUTRAL; ///< origin of its appearance
+  /// The source parts to which it is mapped; after `transfer_appearance()`, the first one is the origin.
   std::vector<std::size_t> sources;
-  std::size_t neighbour = 0; ///< of `Looks_origin::NEIGHBOUR`: the target part that it touches
-  std::vector<int> labels;   ///< by triangle, of `transfer_labels()`; -1: none
+  std::size_t neighbour = 0; ///< for `Looks_origin::NEIGHBOUR`: index of the neighbour in the target
+  std::vector<int> labels;   ///< label of each triangle, set by `transfer_labels()`; -1: none
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
 /// The result of `transfer_appearance()` and `transfer_labels()`.
 struct Transferred_appearance
 {
-  Shape_appearance appearance;         ///< of the target: one material with one texture, which is decoded only
-  std::vector<Transferred_part> parts; ///< by target part
+  Shape_appearance appearance; ///< appearance of the target: one material with one texture, which is only decoded
+  std::vector<Transferred_part> parts; ///< indexed by target part
   bool has_given_coordinates = false;  ///< whether the texture coordinates are those of the target
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
 /// Transfers colours and textures from the source to the target along a correspondence: they are baked, pixel by pixel,
-/// into one texture of the target. A point of the target gets the colour of the point of the source that it is mapped
-/// to, as in `Surface_map`. A part that corresponds to several has the looks of the one of largest area, or of the
-/// highest of those of at least .8 of this area, so that it is not in bands. A part without counterpart has the looks
-/// of the largest part that it touches of those that have a material of its own in the target; of all that it touches,
-/// if the target has no looks for it. What it touches may have its looks in this way, too. If there is no such part, it
-/// keeps its own looks, or is grey.
+/// into one texture of the target. A point of the target gets the colour of the point of the source to which it is
+/// mapped, as in `Surface_map`. A part that corresponds to several gets the appearance of the one of largest area, or
+/// of the highest one with at least .8 of this area, so that it does not show bands. A part without counterpart gets
+/// the appearance of its largest neighbour among those that share a material with it in the target, or among all
+/// neighbours if the target has no appearance for it; this is repeated, so that an appearance may spread over several
+/// parts. If there is no such neighbour, the part keeps its own appearance, or is grey.
 ///
 /// The texture has the texture coordinates of the target if all of its parts have them, within [0, 1], and no two
-/// triangles overlap. Otherwise they are laid out anew: a part is cut into charts of triangles of similar orientation,
+/// triangles overlap. Otherwise new ones are computed: a part is cut into charts of triangles of similar orientation,
 /// which are projected in parallel and packed at one scale. O(p log n) for p pixels and n triangles.
 /// \param source,target the structural graphs
 /// \param source_shape,target_shape the models that the graphs were built from
-/// \param source_appearance,target_appearance the looks of the models, textures decoded
-/// \param correspondence of the graphs
-/// \param options the texture
-/// \throw Invalid_input if a model does not have the parts of its graph, the source has no looks, or an option is out
-/// of its range
+/// \param source_appearance,target_appearance appearance of the models, with decoded textures
+/// \param correspondence correspondence of the graphs
+/// \param options options of the texture
+/// \throw Invalid_input if a model lacks parts of its graph, the source has no appearance, or an option is out of range
 Transferred_appearance transfer_appearance(const Structural_graph& source, const Segmented_shape& source_shape,
                                            const Shape_appearance& source_appearance, const Structural_graph& target,
                                            const Segmented_shape& target_shape,
@@ -90,19 +89,18 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
                                            const Correspondence& correspondence, const Transfer_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// The same for labels of the source's parts, each of which has a colour. A part that corresponds to several is divided
-/// among them; one without counterpart has no label, and keeps its own looks, or is grey. The label of a triangle is
-/// that of most of its points, smoothed in three rounds to the label of most of its neighbours in the part, so that
-/// borders of labels are smooth.
+/// Transfers labels of the source's parts, each with a colour. A part that corresponds to several is divided among
+/// them; one without counterpart has no label, and keeps its own appearance, or is grey. The label of a triangle is the
+/// most frequent one of its points, smoothed in three rounds to the most frequent one of its neighbours in the part, so
+/// that borders of labels are smooth.
 /// \param source,target the structural graphs
 /// \param source_shape,target_shape the models that the graphs were built from
-/// \param labels by source part
-/// \param colours linear, by label
-/// \param target_appearance the looks of the target, textures decoded
-/// \param correspondence of the graphs
-/// \param options the texture
-/// \throw Invalid_input if a model does not have the parts of its graph, a label has no colour, or an option is out of
-/// its range
+/// \param labels labels, by source part
+/// \param colours linear colours, by label
+/// \param target_appearance appearance of the target, with decoded textures
+/// \param correspondence correspondence of the graphs
+/// \param options options of the texture
+/// \throw Invalid_input if a model lacks parts of its graph, a label has no colour, or an option is out of range
 Transferred_appearance transfer_labels(const Structural_graph& source, const Segmented_shape& source_shape,
                                        const std::vector<int>& labels, const std::vector<Eigen::Vector3d>& colours,
                                        const Structural_graph& target, const Segmented_shape& target_shape,

@@ -9,8 +9,8 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The shapes of a collection, the medoid and the spanning tree, as `write_collection_json()` writes them: what grows
-/// no faster than the number of shapes.
+/// The shapes of a collection, the medoid and the spanning tree in the format of `write_collection_json()`: the part of
+/// the document that is linear in the number of shapes.
 Json collection_outline_json(const Collection& collection);
 
 } // namespace CGAL::Shape_correspondence::IO

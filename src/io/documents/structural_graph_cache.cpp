@@ -17,11 +17,9 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// Raise it with every change that makes another graph of the same shape and options. Before 14, steps of the flow
-/// were not CGAL's.
+/// To be increased with every change that alters the graph of a shape for the same options.
 constexpr int algorithms_version = 14;
 
-/// Appends the bytes of a number, a text or a matrix.
 template <typename Value>
 void append(const Value& value, std::string& bytes)
 {
@@ -42,7 +40,7 @@ void append_all(std::string& bytes, const Values&... values)
   (append(values, bytes), ...);
 }
 
-/// The same with every compiler for the abstractors of the package.
+/// Does not depend on the compiler for the abstractors of the package.
 std::string name_of_abstractor(const Abstraction_options& options)
 {
   const auto& abstractor = options.abstractor;
@@ -57,7 +55,7 @@ void append_options(const Abstraction_options& options, std::string& bytes)
   append_all(bytes, name_of_abstractor(options), options.kind, options.part_kinds.size());
   for (const auto& [part, kind] : options.part_kinds)
     append_all(bytes, part, kind);
-  // Graphs that depend on the time limit are not kept
+  // The time limit is not included, since graphs that depend on it are not kept
   append_all(bytes, options.edge_length, options.triangles, options.stop_volume, options.maximum_iterations,
              options.curve_points, options.sheet_points);
 }

@@ -11,20 +11,18 @@
 
 #include <algorithm>
 
-// tinygltf would give the same document, but it lets wrong types pass as missing values, cuts large numbers, and takes
-// images from outside of their buffers.
+// Instead of tinygltf, which reads wrong types as missing values, truncates large numbers, and overruns image buffers.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr std::uint64_t most_numbers =
-    200'000'000;                              // of ten million triangles: three corners each, and what they are of
-constexpr std::size_t most_zeros = 1'000'000; // elements of an accessor that the file says nothing of
+constexpr std::uint64_t most_numbers = 200'000'000; // enough for ten million triangles
+constexpr std::size_t most_zeros = 1'000'000;       // elements of an accessor without data
 constexpr const char* version_1 = "glTF 1.0";
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr const char* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 
-/// None if it has a character of another kind, or ends early.
+/// The decoded bytes; none if a character is invalid or the text is truncated.
 std::optional<std::string> from_base64(std::string_view text)
 {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -33,7 +31,7 @@ std::optional<std::string> from_base64(std::string_view text)
   std::string result;
   result.reserve(text.size() / 4 * 3 + 3);
   std::uint32_t bits = 0;
-  int number = 0; // of bits that are left
+  int number = 0; // number of remaining bits
   for (char c : text) {
     const std::size_t digit = digits.find(c);
     if (digit == std::string_view::npos) return std::nullopt;
@@ -46,7 +44,7 @@ std::optional<std::string> from_base64(std::string_view text)
   return result;
 }
 
-/// Whether the extension is known here, and nothing need be said of it.
+/// Whether the extension is supported.
 bool is_known(const std::string& extension)
 {
   const auto names = {
@@ -55,7 +53,7 @@ bool is_known(const std::string& extension)
   return std::find(names.begin(), names.end(), extension) != names.end();
 }
 
-/// Whether shapes are read right by those who do not know the extension.
+/// Whether the extension affects the appearance only, so that shapes are read correctly without it.
 bool is_of_looks(const std::string& extension)
 {
   const auto words = {"_materials_", "_texture_",  "_lights_",  "KHR_technique", "_environment",
@@ -68,9 +66,9 @@ bool is_of_looks(const std::string& extension)
 
 struct Gltf_document::Component
 {
-  int code; ///< in the document
+  int code; ///< code in the document
   std::size_t size;
-  double largest; ///< which stands for 1 where numbers are normalised
+  double largest; ///< value that stands for 1 in normalized numbers
   double (*read)(const char*);
 };
 
@@ -84,7 +82,7 @@ Gltf_document::Gltf_document(std::string_view text, const std::string& file, con
                         " MB; save it as GLB, whose numbers are no text");
   root_ = parse_json(text_, file_);
   const Json_field number = (*root_)["asset"]["version"];
-  const std::string version = number.is_text() ? number.text() : "1.0"; // of old files, a number
+  const std::string version = number.is_text() ? number.text() : "1.0"; // a number in old files
   if (begins_with(version, "1.")) throw Needs_import{version_1};
   if (!begins_with(version, "2."))
     throw Invalid_input(file_ + ": it is glTF of version " + cited(version) + "; save it as glTF 2.0");
@@ -134,7 +132,7 @@ std::vector<std::string> Gltf_document::warnings_of_looks() const
 {
   std::vector<std::string> result;
   for (const std::string& name : required_)
-    if (!is_known(name) && name.find("_texture_") == std::string::npos) // textures are warned of one by one
+    if (!is_known(name) && name.find("_texture_") == std::string::npos) // unsupported textures have their own warnings
       result.push_back("What the extension " + cited(name) + " of glTF describes was left out.");
   return result;
 }
@@ -197,7 +195,7 @@ std::optional<std::string> Gltf_document::data_of_uri(std::string_view uri)
   const std::size_t begin = uri.find(mark);
   std::optional<std::string> data;
   if (begin != std::string_view::npos) data = from_base64(uri.substr(begin + mark.size()));
-  return data ? data : std::string(); // damaged ones have no bytes
+  return data ? data : std::string(); // damaged data are empty
 }
 
 std::string Gltf_document::load(const Json_field& buffer)
@@ -250,7 +248,7 @@ std::string Gltf_document::decompressed(const Json_field& view, const Json_field
   const auto text_at = [&](const char* key) { return extension.has(key) ? extension[key].text() : ""; };
   const Meshopt_view packed{bytes_in(extension), number_at(extension, "count", 0),
                             number_at(extension, "byteStride", 0), text_at("mode"), text_at("filter")};
-  constexpr std::size_t largest_stride = 256; // bytes, by the extension
+  constexpr std::size_t largest_stride = 256; // limit of the extension, in bytes
   if (packed.stride == 0 || packed.stride > largest_stride) extension.fail("has a byteStride that is not in 1 to 256");
   count(extension, packed.count * (packed.stride / sizeof(float) + 1));
   std::string result = codecs_->meshopt(packed);
@@ -364,7 +362,7 @@ const Draco_mesh* Gltf_document::draco_mesh(const Json_field& primitive)
   if (!primitive.has("extensions") || !primitive["extensions"].has(draco_extension)) return nullptr;
   const Json_field attributes = primitive["attributes"];
   if (!attributes.has("POSITION") || element("accessors", attributes["POSITION"]).has("bufferView"))
-    return nullptr; // the mesh is there without compression, too
+    return nullptr; // the mesh also exists uncompressed
   check_codec(&Gltf_codecs::draco, draco_extension, "Draco");
   const Json_field reference = primitive["extensions"][draco_extension]["bufferView"];
   const std::size_t view = index("bufferViews", reference);

@@ -21,7 +21,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// Whether it is a point, of coordinates that are not too large.
+/// Whether a value is a point with coordinates of at most `largest_coordinate`.
 bool is_point(const nlohmann::json& value)
 {
   return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& coordinate) {
@@ -29,7 +29,7 @@ bool is_point(const nlohmann::json& value)
          });
 }
 
-/// Bytes of memory that the values of a document take, with what lists that grow leave behind.
+/// Upper estimate of the memory, in bytes, for the values of a document, including reallocated lists.
 std::uint64_t memory_of_values(std::string_view text)
 {
   constexpr std::uint64_t of_value = 40, of_list = 64, of_object = 96, of_quote = 32;
@@ -39,8 +39,8 @@ std::uint64_t memory_of_values(std::string_view text)
   return result;
 }
 
-/// Throws `std::bad_alloc` if there is not the memory for the values of a document. The parser cannot: it needs memory
-/// to take down again what it has built.
+/// Throws `std::bad_alloc` if there is no memory for the values of a document. The parser would crash instead, since it
+/// needs memory to destroy a partial document.
 void check_memory(std::string_view text, const std::string& file)
 {
   const std::uint64_t bytes = memory_of_values(text);
@@ -185,7 +185,7 @@ Points Json_field::points() const
     const nlohmann::json& value = (*value_)[i];
     result.col(Eigen::Index(i)) = is_point(value)
                                       ? Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>())
-                                      : element(i).point(); // which needs a text that says where it is
+                                      : element(i).point(); // which needs a text with its place
   }
   return result;
 }
@@ -205,7 +205,7 @@ Json_field parse_json(std::string_view text, const std::string& file)
     return {std::make_shared<const nlohmann::json>(nlohmann::json::parse(text.begin(), text.end())),
             std::make_shared<const std::string>(file), ""};
   } catch (const nlohmann::json::exception& error) {
-    std::string what = error.what(); // after the name of the exception, in brackets
+    std::string what = error.what(); // the text after the exception's name in brackets
     boost::algorithm::replace_all(what, "; ", ", ");
     refuse(file + ": it is not a JSON document (" + what.substr(what.find("] ") + 2) + ")", remedy::correct_text);
   }

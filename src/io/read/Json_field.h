@@ -18,20 +18,20 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A value in a JSON document that knows where it is, so that every complaint names the file and the place.
+/// A value in a JSON document with its place, so that every error names the file and the place.
 class Json_field
 {
 public:
-  /// Throws `Invalid_input`: file, place, `what`.
+  /// Throws `Invalid_input` with file, place and `what`.
   [[noreturn]] void fail(const std::string& what) const;
 
   bool has(const std::string& key) const;
-  /// Whether it is an object that has this text at this key.
+  /// Whether the field is an object with this text at this key.
   bool has(const std::string& key, const std::string& text) const;
-  Json_field operator[](const std::string& key) const; ///< fails where the key is missing
+  Json_field operator[](const std::string& key) const; ///< fails if the key is missing
 
-  std::size_t size() const;                 ///< of an array
-  std::vector<Json_field> elements() const; ///< of an array
+  std::size_t size() const;                 ///< fails if this is no array
+  std::vector<Json_field> elements() const; ///< fails if this is no array
   std::vector<Json_field> elements(std::size_t size, const char* meaning) const;
 
   double number() const; ///< fails beyond `largest_number`
@@ -41,18 +41,18 @@ public:
   bool is_null() const;
   bool is_text() const;
   std::string text() const;
-  std::vector<std::string> texts() const;                  ///< of an array
-  std::map<std::string, std::string> texts_by_key() const; ///< of an object
+  std::vector<std::string> texts() const;                  ///< fails if this is no array
+  std::map<std::string, std::string> texts_by_key() const; ///< fails if this is no object
   Point point() const;                                     ///< fails beyond `largest_coordinate`
   Point unit_vector() const;
-  Points points() const; ///< of an array
+  Points points() const; ///< fails if this is no array
   Points points(std::size_t size, const char* meaning) const;
 
 private:
   friend Json_field parse_json(std::string_view text, const std::string& file);
 
-  using Value = std::shared_ptr<const nlohmann::json>; ///< keeps the whole document
-  using File = std::shared_ptr<const std::string>;     ///< its name; there may be millions of fields
+  using Value = std::shared_ptr<const nlohmann::json>; ///< shares ownership of the document
+  using File = std::shared_ptr<const std::string>; ///< name of the file, shared since there may be millions of fields
 
   Json_field(Value value, File file, std::string place)
       : value_(std::move(value)), file_(std::move(file)), place_(std::move(place))
@@ -70,13 +70,13 @@ private:
   std::string place_;
 };
 
-/// The JSON document that a text is. \throw Invalid_input if it is none, or too deep; names `file`
+/// Parses a JSON document. \throw Invalid_input if it is invalid or nested too deeply; names `file`
 Json_field parse_json(std::string_view text, const std::string& file);
 
-/// The JSON document in a stream. \throw Invalid_input if it is none, or too long or deep; names `file`
+/// Reads a JSON document. \throw Invalid_input if it is invalid, too long or nested too deeply; names `file`
 Json_field read_json(std::istream& in, const std::string& file);
 
-/// The JSON document in a file. \throw Invalid_input if it cannot be read or is none
+/// Reads a JSON document from a file. \throw Invalid_input if the file cannot be read or is invalid
 Json_field read_json_file(const std::string& path);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -28,7 +28,7 @@ void skip_past(std::string_view end, std::string_view& text)
   text.remove_prefix(at == std::string_view::npos ? text.size() : at + end.size());
 }
 
-/// Skips a tag that opens an element, whose attributes are quoted. \return whether it closes it, too
+/// Skips an opening tag, whose attributes are quoted. \return whether it is an empty element
 bool skip_tag(std::string_view& text)
 {
   char quote = 0;

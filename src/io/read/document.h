@@ -10,11 +10,10 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// All of a stream. \throw Invalid_input if that is more than `largest_document`; names `file`
+/// The entire content of a stream. \throw Invalid_input if it is larger than `largest_document`; names `file`
 std::string read_document(std::istream& in, const std::string& file);
 
-/// Throws `Invalid_input` if values of a document are nested deeper than `deepest_document`, which parsers and what
-/// they return need stack for.
+/// Throws `Invalid_input` for nesting beyond `deepest_document`: parsers and their results' destructors recurse.
 void check_json_depth(std::string_view text, const std::string& file);
 void check_xml_depth(std::string_view text, const std::string& file);
 

@@ -22,7 +22,7 @@ struct Line
   std::string_view text;
 };
 
-/// Reads a list of labels; complaints name it, the line, and what to write.
+/// Reads a list of labels; errors name the list, the line, and what to write.
 class Label_list
 {
 public:
@@ -66,7 +66,7 @@ private:
     throw Invalid_input(name_ + ", line " + std::to_string(line.number) + ": " + what + "; " + wanted());
   }
 
-  /// Where a label may be missing.
+  /// A hint at a line without a label.
   std::string blank_line() const
   {
     for (std::size_t i = 1; i < lines_.size(); ++i)
@@ -75,7 +75,7 @@ private:
     return "";
   }
 
-  /// What `parts` writes at the end: the model, and the names of numbers.
+  /// Reads the comments that `parts` writes at the end: the name of the model, and names of numbers.
   void read_comment(std::string_view comment)
   {
     const std::string_view keyword = next_word(comment);
@@ -143,8 +143,8 @@ private:
   const std::string& name_;
   std::size_t faces_;
   std::vector<Line> lines_;
-  std::map<std::string, std::string> names_; ///< of parts, by number
-  std::map<std::string, int> known_;         ///< index of a name
+  std::map<std::string, std::string> names_; ///< names of parts, by number
+  std::map<std::string, int> known_;         ///< index of a name in `Face_labels::names`
   Face_labels labels_;
 };
 
@@ -169,7 +169,7 @@ void divide_by_labels(const Face_labels& labels, Model_content& content)
   if (number < 2 || number > internal::most_parts) return;
   std::vector<Model_part> parts(labels.names.size());
   for (const Model_part& part : content.parts) {
-    std::map<int, std::vector<std::size_t>> triangles; // by label
+    std::map<int, std::vector<std::size_t>> triangles; // indexed by label
     for (std::size_t t = 0; t < part.faces.size(); ++t)
       triangles[labels.of_faces[part.faces[t]]].push_back(t);
     for (const auto& [label, list] : triangles) {

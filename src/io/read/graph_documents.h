@@ -15,10 +15,10 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The frame of a shape of which nothing but the abstractions is known.
+/// The frame of a shape for which only the abstractions are known.
 inline Shape_frame frame_of_abstractions(const std::vector<Part_abstraction>& parts, const Point& up)
 {
-  constexpr int samples_along = 6; // of a curve; of a sheet along each side
+  constexpr int samples_along = 6; // samples of a curve, or along each side of a sheet
   Points all(3, 0);
   for (const Part_abstraction& part : parts) {
     const Points samples = sample(part, samples_along);
@@ -28,7 +28,7 @@ inline Shape_frame frame_of_abstractions(const std::vector<Part_abstraction>& pa
   return compute_shape_frame(all, up);
 }
 
-/// Contacts of the same two parts as one, which has the places of all.
+/// Merges contacts of the same two parts into one with the places of all.
 inline std::vector<Contact> merged_contacts(std::vector<Contact> contacts)
 {
   std::vector<Contact> result;

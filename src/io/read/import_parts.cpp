@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::seconds longest_import(120);
 
-/// How the program ended, if not well.
+/// A description of how the program failed.
 std::string ending(const Program_run& run)
 {
   if (run.took_too_long) return "takes more than 120 seconds to read";

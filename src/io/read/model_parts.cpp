@@ -48,7 +48,7 @@ std::optional<Point> up_in_mark(std::string_view comment)
   Point up;
   for (double& coordinate : up)
     if (!parse(next_word(comment), coordinate)) return std::nullopt;
-  if (!(std::abs(up.norm() - 1) < 1e-6)) return std::nullopt; // nor is NaN
+  if (!(std::abs(up.norm() - 1) < 1e-6)) return std::nullopt; // NaN fails as well
   return up;
 }
 
@@ -58,7 +58,7 @@ Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept
   const Eigen::Map<const Points> points(coordinates, 3, Eigen::Index(corners.size()));
   const std::vector<int> first = internal::first_in_place(points);
   std::vector<int> vertex(corners.size(), -1);
-  std::vector<int> used; // corner that stands for each vertex
+  std::vector<int> used; // representative corner of each vertex
   std::vector<int> triangles;
   for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
     const Eigen::Vector3i c(first[t], first[t + 1], first[t + 2]);

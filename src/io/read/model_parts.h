@@ -16,83 +16,81 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; ///< bytes of a file
+constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; ///< size of a file, in bytes
 
-/// A part as the readers of the formats deliver it: a name and the corners of its triangles, three after three.
+/// A part as delivered by the readers of the formats: a name and the corners of its triangles, three for each.
 struct Model_part
 {
   std::string name;
   std::vector<Point> corners;
-  Part_appearance appearance = {}; ///< of the triangles, as it is in the file; materials are those of the model
-  /// By triangle, the number of its face in the file; empty where faces have no numbers. Those that are left out count.
+  /// Appearance of the triangles as in the file; materials are indices into those of the model.
+  Part_appearance appearance = {};
+  /// For each triangle, the index of its face in the file, counting dropped faces; empty if faces have no indices.
   std::vector<std::size_t> faces = {};
 };
 
 /// Labels of the faces of a model.
 struct Face_labels
 {
-  std::vector<int> of_faces; ///< index of its name for each face
+  std::vector<int> of_faces; ///< for each face, the index of its label in `names`
   std::vector<std::string> names = {};
-  std::string model = {}; ///< the name of the file that they were written for; empty: not known
+  std::string model = {}; ///< name of the file whose faces are labelled; empty: unknown
 };
 
-/// What comments say in files that the program writes: that the objects of the file are the parts, whose names have
-/// %XX for special characters, and which direction is up.
+/// The comment in files written by the program, which says that the objects of the file are the parts, with %XX for
+/// special characters in names, and which direction is up.
 std::string mark_of_parts(const Point& up);
 
-/// The upright direction in such a comment; none if it is another one.
+/// The upright direction in such a comment; none for other comments.
 std::optional<Point> up_in_mark(std::string_view comment);
 
-/// What a model file holds.
 struct Model_content
 {
   std::vector<Model_part> parts;
-  std::size_t faces_left_out = 0;  ///< those of fewer than three corners
-  std::size_t number_of_faces = 0; ///< that `Model_part::faces` number
+  std::size_t faces_left_out = 0;  ///< number of faces with fewer than three corners
+  std::size_t number_of_faces = 0; ///< number of faces that `Model_part::faces` refers to
   std::vector<Surface_material> materials = {};
-  std::vector<Texture> textures = {};          ///< those without bytes are files of that name
-  bool are_labelled = false;                   ///< the parts are labels of faces, or marked as parts
-  std::vector<std::string> without_faces = {}; ///< the names of objects that were left out
-  std::vector<std::string> warnings = {};      ///< on what was left out or replaced
-  bool materials_are_names = false;            ///< they are defined in libraries
-  std::vector<std::string> libraries = {};     ///< files of materials
+  std::vector<Texture> textures = {};          ///< textures without bytes are files of that name
+  bool are_labelled = false;                   ///< whether the parts are labels of faces, or marked as parts
+  std::vector<std::string> without_faces = {}; ///< names of objects that were left out
+  std::vector<std::string> warnings = {};      ///< about what was left out or replaced
+  bool materials_are_names = false;            ///< whether materials are defined in libraries
+  std::vector<std::string> libraries = {};     ///< files that define materials
   std::vector<std::string> warnings_of_looks = {};
-  Point up = Point::Zero(); ///< as the file says; zero: it does not
+  Point up = Point::Zero(); ///< as given by the file; zero: not given
 };
 
-/// The readers of the formats. They throw `Invalid_input`, and name the file. Names may be empty, equal, and of any
-/// bytes.
-/// \param text all of the file \param file its name, for messages
+/// Readers of the formats. They throw `Invalid_input` that names the file. Names may be empty, equal, and of any bytes.
+/// \param text content of the file \param file name of the file, for messages
 Model_content read_obj_parts(std::string_view text, const std::string& file);
 Model_content read_off_part(std::string_view text, const std::string& file);
 Model_content read_ply_part(std::string_view text, const std::string& file);
 Model_content read_stl_parts(std::string_view text, const std::string& file);
 
-/// The same for glTF and GLB; the document may name files with its buffers. Nodes are parts.
+/// Reads glTF and GLB, including files with buffers named by the document. Nodes become parts.
 Model_content read_gltf_parts(std::string_view text, const std::string& file, const Reading_options& options = {});
 
-/// The same for a robot as URDF describes it, with all joints at 0; its links are parts. \param folder of
-/// all meshes; empty: that of the file \param read reads a mesh file
+/// Reads a robot described in URDF with all joints at 0; links become parts. \param folder folder of all meshes; empty:
+/// that of the file \param read reads a mesh file
 using Mesh_reader = std::function<Model_content(const std::string& path)>;
 Model_content read_urdf_parts(const std::string& text, const std::string& file, const std::string& folder,
                               const Reading_options& options, const Mesh_reader& read);
 
-/// The same for the formats that assimp knows, by a program of its own: a file that breaks it is an error.
+/// Reads the formats that assimp knows in a separate program, so that a file which crashes assimp is an error.
 Model_content import_parts(const std::string& file, const Reading_options& options);
 
-/// The labels in a list for the faces of a model, in their order: a line with a whole number for each face, or with a
-/// name for each; or lines with a name, each with lines of the numbers of its faces after it, from 1 on. Blank lines
-/// and comments, which begin with #, are none; `# part NUMBER NAME` names a number. \param name of the list, for
-/// messages
+/// Reads a list of labels for the faces of a model, in their order: one line for each face with an integer, or with a
+/// name; or for each label a line with its name, followed by lines with the numbers of its faces, from 1 on. Blank
+/// lines and comments, which start with #, are skipped; `# part NUMBER NAME` gives a number a name.
+/// \param name name of the list, for messages
 /// \throw Invalid_input
 Face_labels read_face_labels(std::string_view text, const std::string& name, std::size_t number_of_faces);
 
-/// Makes parts of a model anew, one for each label of its faces; if it is one label only, or they are more than parts
-/// can be, the parts stay.
+/// Divides a model into one part for each label of its faces, unless there is only one, or more than parts are allowed.
 void divide_by_labels(const Face_labels& labels, Model_content& content);
 
-/// Triangles of a model beyond one a byte of its files, as strips have at most. Nodes that use the same mesh take
-/// hardly any bytes, but their triangles take memory and time as all others.
+/// Limit for triangles beyond one for each byte of the files, the maximum for strips. Nodes that use the same mesh take
+/// few bytes, but their triangles take as much memory and time as others.
 constexpr std::uint64_t most_repeated_triangles = 1'000'000;
 
 inline bool are_repeated_too_often(std::uint64_t triangles, std::uint64_t bytes)
@@ -104,48 +102,46 @@ constexpr const char* repeated_too_often =
     "its nodes use the same meshes again and again, which makes more than a million triangles beyond what is in the "
     "file; simplify these meshes, or leave out some of the nodes";
 
-/// The bytes of a file that a model names, or why there are none, as the end of a sentence.
+/// The bytes of a file named by a model, or the reason why there are none, as the end of a sentence.
 struct Named_file
 {
   std::string bytes, fault;
 };
 
-/// Reads the files that a model names: from its folder or, where they are not there by the path that it gives, beside
-/// it.
+/// Reads files named by a model: from the given path within its folder, or else next to the model.
 struct Named_files
 {
   const std::string& model;
   const Reading_options& options;
-  std::uintmax_t largest; ///< bytes of a file
-  std::uintmax_t& rest;   ///< bytes of files that may be read for the model; what is read is taken off
+  std::uintmax_t largest; ///< size of a file, in bytes
+  std::uintmax_t& rest;   ///< total size of files that may still be read for the model, in bytes
 
   Named_file read(const std::string& given) const;
 };
 
-/// Whether there is a reader for files of a name like this, by its extension.
+/// Whether there is a reader for files with this extension.
 bool is_model_file(const std::string& path);
 
-/// The triangles of a polygon, concave ones included, as the numbers of its corners, three a triangle; none if it has
-/// fewer than 3 corners.
+/// Triangulates a polygon, convex or not. \return corner indices, three for each triangle; empty for under 3 corners
 std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon);
 
-/// The indexed mesh of triangles given by their corners: corners at the same place become one vertex, vertices are
-/// numbered as they first appear, triangles with two corners at the same place are left out.
-/// \param kept where not null, gets the numbers of the triangles that are left
+/// The indexed mesh of triangles given by their corners: corners at the same position become one vertex, vertices are
+/// numbered in the order of appearance, and triangles with two corners at the same position are dropped.
+/// \param kept receives the indices of the remaining triangles; may be null
 /// \pre all coordinates are finite
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept = nullptr);
 
-/// Some parts of a shape as one mesh, with its appearance. \param appearance may lack parts
+/// Joins some parts of a shape to one mesh, with its appearance. \param appearance parts may be missing
 std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,
                                                    const std::vector<std::size_t>& parts);
 
-/// The appearance of some triangles of a part.
+/// The appearance of a subset of the triangles of a part.
 Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
 
-/// Moves the materials and textures of a file to the end of those of others, and renumbers those of its parts.
+/// Appends the materials and textures of one file to those of others, and renumbers those of its parts.
 void append_looks(Model_content& from, Model_content& to);
 
-/// Appends the appearance of more triangles; attributes that only one side has are filled with defaults.
+/// Appends the appearance of further triangles; attributes present on only one side are filled with defaults.
 void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -14,14 +14,14 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-// What the program shape_correspondence_import writes: the mark of its version, a character that says what follows, and
-// the content of a model, or a complaint. Both ends are of one machine and one build.
+// The output of the program shape_correspondence_import: a mark of its version, a character for the kind of what
+// follows, and the content of a model or an error message. Both ends run on the same machine and are of the same build.
 
 constexpr std::string_view import_mark = "shape_correspondence import 4\n";
 constexpr char has_content = 'c', has_complaint = 'e';
-constexpr int out_of_memory_status = 3; ///< of the program, which then writes nothing
+constexpr int out_of_memory_status = 3; ///< exit status of the program, which then writes nothing
 
-/// Sends the members of a content through a `Content_writer` or a `Content_reader`.
+/// Passes the members of a content to a `Content_writer` or a `Content_reader`.
 template <typename Stream, typename Content>
 void exchange(Stream& stream, Content& content)
 {
@@ -75,13 +75,13 @@ public:
   std::string text;
 };
 
-/// Throws `Invalid_input` where the text is not that of a content.
+/// Throws `Invalid_input` if the text is not a valid content.
 class Content_reader
 {
 public:
   explicit Content_reader(std::string_view text) : rest_(text) {}
 
-  /// \param of_element the fewest bytes that an element takes
+  /// \param of_element least number of bytes for an element
   template <typename List>
   void size(List& list, std::size_t of_element)
   {
@@ -93,7 +93,7 @@ public:
   void bytes(void* place, std::size_t size)
   {
     if (size > rest_.size()) fail();
-    if (size > 0) std::memcpy(place, rest_.data(), size); // an empty vector may have no place
+    if (size > 0) std::memcpy(place, rest_.data(), size); // an empty vector may have no address
     rest_.remove_prefix(size);
   }
 

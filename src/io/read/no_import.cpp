@@ -5,7 +5,7 @@
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
-// For browsers and Windows, in place of import_parts.cpp
+// Replaces import_parts.cpp in browsers and on Windows
 
 namespace CGAL::Shape_correspondence::IO {
 

@@ -55,7 +55,7 @@ private:
 
   const std::string& hierarchy_;
   fs::path folder_;
-  std::set<std::string> taken_; ///< names of files
+  std::set<std::string> taken_;
   std::vector<Part_files> parts_;
 };
 

@@ -9,7 +9,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// Whether a name is one that programs give to all that has none: a number, or such a word with or without a number.
+/// Whether a name is a default for unnamed objects: a number, or one of these words with or without a number.
 bool only_counts(const std::string& name)
 {
   std::string word;
@@ -29,12 +29,13 @@ bool only_counts(const std::string& name)
 void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<int>& node_of_part,
                         const std::vector<std::string>& meshes, std::vector<Model_part>& parts)
 {
-  std::vector<std::size_t> parts_in(tree.size()); // a node or those below it
+  std::vector<std::size_t> parts_in(tree.size()); // number of parts in the subtree of a node
   for (int node : node_of_part)
     ++parts_in[std::size_t(node)];
   for (std::size_t i = tree.size(); i-- > 0;)
     if (tree[i].parent >= 0) parts_in[std::size_t(tree[i].parent)] += parts_in[i];
-  std::vector<int> telling(tree.size()); // the node itself or the nearest one above whose name does not only count
+  // The nearest node, from the node itself upwards, with a name that is no default
+  std::vector<int> telling(tree.size());
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const int parent = tree[i].parent;
     telling[i] = !only_counts(tree[i].name) ? int(i) : parent < 0 ? -1 : telling[std::size_t(parent)];

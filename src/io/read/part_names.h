@@ -7,17 +7,16 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A node of the tree that a model file has.
 struct Tree_node
 {
   int parent; ///< -1: none
   std::string name;
 };
 
-/// Names parts of which the own name only counts, as `Object_4` does, after the nearest node above that says more, or
-/// else after their mesh. Such a node is none of those that have all parts in them.
-/// \param tree the nodes, each after its parent \param node_of_part the own node of each part
-/// \param meshes the names of their meshes
+/// Names parts with default names, such as `Object_4`, after the nearest ancestor node with a better name that does not
+/// contain all parts, or else after their mesh.
+/// \param tree the nodes, each after its parent \param node_of_part the node of each part
+/// \param meshes names of the parts' meshes
 void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<int>& node_of_part,
                         const std::vector<std::string>& meshes, std::vector<Model_part>& parts);
 

@@ -20,7 +20,7 @@ namespace {
 
 using Transform = Eigen::Affine3d;
 
-/// What the indices of a primitive make.
+/// Kinds of primitives, by glTF's codes.
 enum Mode { POINTS, LINES, LOOP, LINE_STRIP, TRIANGLES, STRIP, FAN };
 
 Eigen::Affine2d place_of_texture(const Json_field& transform)
@@ -56,7 +56,7 @@ Transform transform_of(const Json_field& node)
   return result;
 }
 
-/// The corners of the triangles of a strip or fan, or of triangles one by one, as numbers of its indices.
+/// The corners of the triangles of a list, strip or fan, as positions in the primitive's indices.
 std::vector<std::size_t> corners_of(std::size_t mode, std::size_t indices)
 {
   std::vector<std::size_t> result;
@@ -68,7 +68,7 @@ std::vector<std::size_t> corners_of(std::size_t mode, std::size_t indices)
   return result;
 }
 
-/// The points or lines of a mesh that has no triangles.
+/// The number of points or lines in a primitive without triangles.
 std::size_t points_or_lines(std::size_t mode, std::size_t indices)
 {
   return mode == LINES ? indices / 2 : mode == LINE_STRIP ? std::max<std::size_t>(indices, 1) - 1 : indices;
@@ -95,7 +95,7 @@ public:
   }
 
 private:
-  /// Where a texture is on a surface: which of the sets of coordinates it takes, and how it moves them.
+  /// The placement of a texture: its set of texture coordinates, and their transform.
   struct Place
   {
     std::size_t set = 0;
@@ -107,7 +107,7 @@ private:
     places_.emplace_back();
     Surface_material material;
     if (of_file.has("name")) material.name = of_file["name"].text();
-    const char* const glossiness = "KHR_materials_pbrSpecularGlossiness"; // of older exporters
+    const char* const glossiness = "KHR_materials_pbrSpecularGlossiness"; // used by older exporters
     if (of_file.has("pbrMetallicRoughness"))
       read_colour(of_file["pbrMetallicRoughness"], "baseColor", material);
     else if (of_file.has("extensions") && of_file["extensions"].has(glossiness))
@@ -134,7 +134,7 @@ private:
     place.transform = place_of_texture(transform);
   }
 
-  /// The image of a texture, or else that of an extension, in a format that other readers may know.
+  /// The image of a texture, or its alternative from an extension, which may have a format only other readers know.
   std::optional<std::size_t> image_of(const Json_field& texture)
   {
     std::optional<std::size_t> image = document_.index_at(texture, "source", "images");
@@ -145,7 +145,7 @@ private:
     return image;
   }
 
-  /// \return -1 if it has no image
+  /// \return -1 if there is no image
   int texture(const Json_field& of_file)
   {
     const std::optional<std::size_t> image = image_of(of_file);
@@ -188,7 +188,7 @@ private:
     return result;
   }
 
-  /// The nodes of the scene, or those in no other one where there is no scene.
+  /// The nodes of the scene; without a scene, the nodes without a parent.
   std::vector<std::size_t> roots()
   {
     const std::vector<Json_field>& scenes = document_.list("scenes");
@@ -216,7 +216,7 @@ private:
     return result;
   }
 
-  /// Each, then those in it, in their order; without recursion, since a tree may be deep.
+  /// Visits the nodes depth-first, without recursion, since a tree may be deep.
   void visit_nodes()
   {
     const std::vector<Json_field>& nodes = document_.list("nodes");
@@ -224,7 +224,7 @@ private:
     struct Open_node
     {
       std::size_t index;
-      int parent; // in the tree
+      int parent; // index in `tree_`
       Transform of_parent;
     };
     std::vector<Open_node> open;
@@ -250,12 +250,12 @@ private:
         }
       add(children(node, "children"), number, to_world);
     }
-    if (!document_.list("scenes").empty()) return; // nodes may be in no scene
+    if (!document_.list("scenes").empty()) return; // nodes need not belong to a scene
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (!added[i]) nodes[i].fail("is in itself, or in one that is");
   }
 
-  /// Where a node has its mesh: once, unless an extension says otherwise.
+  /// The transforms of a node's mesh: one, unless an extension gives several instances.
   std::vector<Transform> instances_of(const Json_field& node)
   {
     const char* const extension = "EXT_mesh_gpu_instancing";
@@ -302,7 +302,8 @@ private:
 
   void add_primitive(const Json_field& primitive, const Transform& to_world, Model_part& part)
   {
-    constexpr std::uint64_t numbers_of_primitive = 100, numbers_of_corner = 3; // a primitive takes time as 100 numbers
+    // A primitive takes as much time as 100 numbers
+    constexpr std::uint64_t numbers_of_primitive = 100, numbers_of_corner = 3;
     document_.count(primitive, numbers_of_primitive);
     const std::optional<Eigen::MatrixXd> positions = document_.attribute(primitive, "POSITION", {"VEC3"});
     if (!positions) return;
@@ -337,7 +338,7 @@ private:
     }
     result.reserve(std::size_t(indices->size()));
     for (double index : *indices) {
-      if (!(index >= 0 && index < double(points)) || index != std::floor(index)) // nor is NaN
+      if (!(index >= 0 && index < double(points)) || index != std::floor(index)) // NaN fails as well
         primitive["indices"].fail("of part '" + part + "' has a vertex that is not one of the " +
                                   std::to_string(points));
       result.push_back(std::size_t(index));
@@ -368,13 +369,13 @@ private:
 
   Gltf_document& document_;
   Model_content content_;
-  std::vector<Place> places_;   ///< by material
+  std::vector<Place> places_;   ///< indexed by material
   std::vector<Tree_node> tree_; ///< each node after its parent
   std::vector<int> node_of_part_;
-  bool is_written_ = false;         ///< by this program
-  std::size_t parts_written_ = 0;   ///< those whose nodes say that they are parts
-  std::vector<std::string> meshes_; ///< the names of those of the parts
-  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image
+  bool is_written_ = false;         ///< whether the file was written by this program
+  std::size_t parts_written_ = 0;   ///< number of nodes marked as parts
+  std::vector<std::string> meshes_; ///< names of the parts' meshes
+  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image and wrap modes
 };
 
 } // namespace

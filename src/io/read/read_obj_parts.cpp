@@ -19,23 +19,23 @@
 #include <set>
 #include <unordered_map>
 
-// An own reader for Wavefront OBJ: assimp keeps coordinates as float, so a shape far from the origin would lose digits,
-// and CGAL's reader drops the names of objects and groups.
+// This reader is used since assimp stores coordinates as float, which loses digits for shapes far from the origin, and
+// CGAL's reader drops the names of objects and groups.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Share of the surface. Of 20 files of one object and several materials whose parts are known, all are better divided
-// by materials above it, and none below; the pieces have at most .70 or at least .93.
+// Largest share of the surface in one piece. In 20 files of one object with several materials and known parts, dividing
+// by material was better above this share, and worse below; their shares were at most .70 or at least .93.
 constexpr double mostly_one_piece = 0.8;
 
-/// A face as it is written.
+/// A face as in the file.
 struct Obj_polygon
 {
   std::vector<std::size_t> vertices;
-  std::vector<int> coordinates; ///< of the corners, -1: none; empty: none of any
-  int material = -1;            ///< by number of its name
-  std::size_t number = 0;       ///< among the faces of the file
+  std::vector<int> coordinates; ///< texture coordinates of the corners, -1: none; empty if there are none at all
+  int material = -1;            ///< index of the material's name
+  std::size_t number = 0;       ///< index among the faces of the file
 };
 
 /// A part under construction: an `o` statement, or a `g` statement inside one.
@@ -46,7 +46,7 @@ struct Section
   std::vector<Obj_polygon> polygons;
 };
 
-// Of vertices; a channel beyond it says that white is 255, not 1.
+// Channel of a vertex colour above which white must be 255 rather than 1.
 constexpr double brightest = 1.5;
 
 constexpr std::string_view painted_vertices = "#MRGB ";
@@ -66,8 +66,8 @@ public:
   }
 
 private:
-  /// A line without its comment and, if it has numbers, those that it is continued on by a backslash at its end. Names
-  /// end in a backslash, too.
+  /// The next line without its comment, joined with continuation lines (after a backslash) if these continue a list of
+  /// numbers; a name may end in a backslash as well.
   std::string_view next_statement()
   {
     std::string_view line = lines_.next();
@@ -82,7 +82,7 @@ private:
     return joined_.append(line, 0, line.find_last_not_of('\\') + 1);
   }
 
-  /// Whether the line ends in a backslash and the next one begins with a number.
+  /// Whether the line ends in a backslash and the next one starts with a number.
   bool is_continued(std::string_view line) const
   {
     if (line.empty() || line.back() != '\\') return false;
@@ -116,7 +116,7 @@ private:
       libraries_.emplace_back(trimmed(statement));
   }
 
-  /// Its coordinates, then none, a weight, a colour, or a colour and its opacity.
+  /// Coordinates, optionally followed by a weight, a colour, or a colour and its opacity.
   void read_vertex(std::string_view statement)
   {
     points_.push_back(lines_.vertex(statement));
@@ -130,7 +130,7 @@ private:
     if (colour.maxCoeff() > brightest) white_ = 255;
   }
 
-  /// ZBrush has the colours of vertices, in their order, in comments: for each the digits of a mask, red, green, blue.
+  /// ZBrush writes the colours of vertices in comments: mask, red, green and blue in hexadecimal for each vertex.
   void read_painted_vertices(std::string_view digits)
   {
     constexpr std::size_t digits_of_vertex = 8;
@@ -148,7 +148,7 @@ private:
     if (std::size_t(material_) == materials_.size()) materials_.push_back(name);
   }
 
-  /// An unreadable number counts as 0, so that damaged looks do not keep a model from being read.
+  /// An unreadable number counts as 0, so that a damaged appearance does not prevent reading the model.
   void read_texture_coordinates(std::string_view statement)
   {
     Eigen::Vector2f at(0, 0);
@@ -180,8 +180,7 @@ private:
     sections_.back().polygons.push_back(std::move(polygon));
   }
 
-  /// The place of an element by its number in a file, which counts back from the last one if it is negative; none if
-  /// there is no such element.
+  /// The index of an element by its number in a file, negative if counted from the last one; none if it does not exist.
   static std::optional<std::size_t> place_of(long long number, std::size_t elements)
   {
     const auto count = static_cast<long long>(elements);
@@ -189,7 +188,7 @@ private:
     return std::size_t(number > 0 ? number - 1 : count + number);
   }
 
-  /// \param rest of a corner, from the first slash on
+  /// \param rest part of a corner from the first slash on
   int coordinate_index(std::string_view rest) const
   {
     long long number = 0;
@@ -214,7 +213,7 @@ private:
     return name.empty() ? "" : " (part " + cited(name) + ")";
   }
 
-  /// Whether the loose pieces of an object cannot be its parts: one is most of its surface, or they are too many.
+  /// Whether the loose pieces of an object cannot be its parts: one has most of the surface, or there are too many.
   bool needs_materials(const Section& section) const
   {
     const Part_mesh mesh = weld(part_of(section, "").corners);
@@ -227,7 +226,7 @@ private:
     return pieces.size() > internal::most_parts || largest > mostly_one_piece * all;
   }
 
-  /// Linear; white where the vertex has none.
+  /// Colour in linear light; white for vertices without a colour.
   Eigen::Vector3f colour_of(std::size_t vertex) const
   {
     const std::vector<Eigen::Vector3d>& colours = painted_.empty() ? colours_ : painted_;
@@ -260,8 +259,8 @@ private:
     return result;
   }
 
-  /// The sets of sections that are one part, united where they share vertices: with `by_object` those of an object,
-  /// else those of a group in it.
+  /// Sets of sections that form one part, united if they share vertices: sections of an object if `by_object`, else
+  /// sections of a group in an object.
   internal::Disjoint_sets sections_with_shared_vertices(bool by_object) const
   {
     internal::Disjoint_sets sets(sections_.size());
@@ -271,7 +270,7 @@ private:
       if (!polygons.empty()) by_name[{object, by_object && !object.empty() ? "" : group}].push_back(i);
     }
     for (const auto& [name, sections] : by_name) {
-      std::unordered_map<std::size_t, std::size_t> first; // by vertex, the first section
+      std::unordered_map<std::size_t, std::size_t> first; // the first section with each vertex
       if (sections.size() > 1)
         for (std::size_t i : sections)
           for (const Obj_polygon& polygon : sections_[i].polygons)
@@ -281,7 +280,7 @@ private:
     return sets;
   }
 
-  /// Leaves them out. Groups may be empty: programs write `g` before vertices, too.
+  /// Drops sections without faces, and lists objects without faces. Programs write `g` before vertices as well.
   void note_objects_without_faces()
   {
     std::set<std::string> have_faces;
@@ -293,16 +292,16 @@ private:
     sections_.erase(std::remove_if(sections_.begin(), sections_.end(), is_empty), sections_.end());
   }
 
-  /// Joins groups that are no parts: one that is named again and goes on with its own vertices, and those of an object
-  /// that share vertices, which name faces of a surface - unless the file would then be one part.
+  /// Joins groups that are not parts: a repeated group with shared vertices, and groups of an object that share
+  /// vertices, which are regions of a surface - unless this would leave a single part.
   void join_groups()
   {
     note_objects_without_faces();
-    if (up_) return; // the objects are parts
+    if (up_) return; // a file written by this program: the objects are the parts
     internal::Disjoint_sets sets = sections_with_shared_vertices(true);
     if (sets.number_of_sets() == 1) sets = sections_with_shared_vertices(false);
     std::vector<Section> joined;
-    std::map<std::size_t, std::size_t> place; // by set
+    std::map<std::size_t, std::size_t> place; // index in `joined`, by set
     for (std::size_t i = 0; i < sections_.size(); ++i) {
       Section& section = sections_[i];
       if (const auto [known, is_new] = place.emplace(sets[i], joined.size()); is_new) {
@@ -316,7 +315,7 @@ private:
     sections_ = std::move(joined);
   }
 
-  /// In a file of one object materials stand for objects where its pieces do not.
+  /// Divides a file of one object by materials if its loose pieces cannot be the parts.
   void divide_by_materials()
   {
     if (sections_.size() != 1 || up_) return;
@@ -332,11 +331,11 @@ private:
     if (divided.size() > 1 && needs_materials(whole)) sections_ = std::move(divided);
   }
 
-  /// The names that groups of several objects have.
+  /// The names shared by groups of several objects.
   std::set<std::string> shared_groups() const
   {
     std::set<std::string> result;
-    std::map<std::string, std::string> objects; // by group, the first one
+    std::map<std::string, std::string> objects; // the first object with each group
     for (const Section& section : sections_)
       if (objects.emplace(section.group, section.object).first->second != section.object) result.insert(section.group);
     return result;
@@ -345,7 +344,7 @@ private:
   Model_content content() const
   {
     const std::set<std::string> shared = shared_groups();
-    // A group's own name, preceded by its object's where groups of several objects share it
+    // The group's name, preceded by the object's if groups of several objects share it
     const auto part_name = [&](const Section& section) {
       if (section.group.empty()) return section.object;
       return shared.count(section.group) > 0 && !section.object.empty() ? section.object + "/" + section.group
@@ -370,20 +369,20 @@ private:
   }
 
   Model_lines lines_;
-  std::string joined_; ///< a statement of several lines
+  std::string joined_; ///< a statement that spans several lines
   const std::string& file_;
   std::size_t faces_left_out_ = 0, number_of_faces_ = 0;
   std::vector<Point> points_;
-  std::vector<Eigen::Vector3d> colours_; ///< of vertices as far as any has one, negative: none
-  std::vector<Eigen::Vector3d> painted_; ///< of vertices, as ZBrush has them
-  double white_ = 1;                     ///< a full channel of `colours_`
+  std::vector<Eigen::Vector3d> colours_; ///< colours of vertices, up to the last one with a colour; negative: none
+  std::vector<Eigen::Vector3d> painted_; ///< colours of vertices, from ZBrush's comments
+  double white_ = 1;                     ///< value of a full channel in `colours_`
   std::vector<Section> sections_;
   std::vector<Eigen::Vector2f> coordinates_;
   std::vector<std::string> materials_, libraries_; ///< names
   std::map<std::string, int> material_numbers_;
-  int material_ = -1;                      ///< of the faces that come next
-  std::vector<std::string> without_faces_; ///< names of objects
-  std::optional<Point> up_;                ///< of a file that this program wrote
+  int material_ = -1; ///< material of the following faces
+  std::vector<std::string> without_faces_;
+  std::optional<Point> up_; ///< given in files that this program wrote
 };
 
 } // namespace

@@ -15,44 +15,42 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The beginning of the warning that a list of labels beside a model cannot be used.
+/// Start of the warning that a list of labels beside a model cannot be used.
 constexpr const char* labels_left_out = "The labels of faces beside the model were left out: ";
 
-/// The objects of a model, as its files have them.
 struct Model_objects
 {
   Segmented_shape shape;
-  /// By object and triangle, the number of the material, as in `Part_splitting_options`; empty if no object has
-  /// several, and for a folder.
+  /// Index of the material by object and triangle (`Part_splitting_options`); empty if no object has several.
   std::vector<std::vector<int>> materials;
-  std::vector<std::string> warnings; ///< of the reader
-  bool says_up = false;              ///< whether the files say which axis is up, which the shape then has
-  bool are_labelled = false;         ///< they are labels of faces
-  /// By object and triangle, the number of its face in the file, and how many there are; empty for a folder.
+  std::vector<std::string> warnings; ///< warnings of the reader
+  bool says_up = false;              ///< whether the files give the upright axis, which is then that of the shape
+  bool are_labelled = false;         ///< whether the objects are labels of faces
+  /// For each object and triangle, the index of its face in the file, and the number of faces; empty for a folder.
   std::vector<std::vector<std::size_t>> faces = {};
   std::size_t number_of_faces = 0;
-  Shape_appearance appearance = {}; ///< from the model's own file, or completed from the files that it names
+  Shape_appearance appearance = {}; ///< from the model's own file, completed from the files that it names
 };
 
-/// Completes materials and textures from the files that a model file names, and checks them.
+/// Completes and checks materials and textures, using the files that a model file names.
 using Complete_looks =
     std::function<void(const std::string& file, Model_content& content, std::vector<std::string>& warnings)>;
 
-/// The robot (URDF) that a folder is of: the one such file in it, or in its folder `urdf` or `robots`.
+/// The robot description (URDF) in a folder: the only such file in it, or in its sub-folder `urdf` or `robots`.
 std::optional<std::string> robot_in(const std::string& folder);
 
-/// The same as `read_segmented_shape()`, with materials. \param complete may be empty
+/// Reads a model like `read_segmented_shape()`, with its materials. \param complete may be empty
 Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options = {},
                            const Complete_looks& complete = {});
 
-/// A digest of all that `read_objects()` reads of a folder of part meshes: the names and the bytes of its files, and
-/// the name of the shape. None if it is no such folder, or has files that name other files.
+/// A digest of everything that `read_objects()` reads from a folder of part meshes: the names and contents of its
+/// files, and the name of the shape. None if it is not such a folder, or has files that name other files.
 /// \throw Invalid_input if a file cannot be read
 std::optional<std::string> digest_of_folder(const std::string& path);
 
-/// The same as `split_parts()`, but in mode `AUTO` pieces end where the material changes only if with this the parts
-/// are nearer to labelled parts of a category.
-/// \param roles null: they never do
+/// Splits objects like `split_parts()`, but in mode `AUTO` pieces end at changes of the material only if that brings
+/// the parts nearer to labelled parts of a category.
+/// \param roles null: pieces never end at changes of the material
 Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_splitting_options& options,
                                 const Role_model* roles);
 

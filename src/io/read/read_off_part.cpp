@@ -9,18 +9,18 @@
 
 #include <cstdint>
 
-// An own reader for OFF: CGAL's trusts the counts in the file.
+// This reader is used since CGAL's trusts the counts in the file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// A channel of a colour beyond it says that white is 255, not 1.
+// Channel of a colour above which white must be 255 rather than 1.
 constexpr double brightest_channel = 1.5;
 
-/// A colour as it is written; white if there is none.
+/// A colour as in the file; white if there is none.
 struct Off_colour
 {
-  enum Scale { UNIT, OF_FILE }; ///< white is 1, or what it is for the whole file
+  enum Scale { UNIT, OF_FILE }; ///< whether white is 1, or a value determined for the whole file
 
   Eigen::Vector3d channels = Eigen::Vector3d::Ones();
   Scale scale = UNIT;
@@ -40,7 +40,7 @@ public:
       fail("is not three-dimensional", remedy::save_as_other_format);
     const auto vertices = number_in_any_line<std::size_t>(), faces = number_in_any_line<std::size_t>();
     skip_number_of_edges();
-    constexpr std::size_t least_vertex = 6, least_face = 2; // bytes of a line
+    constexpr std::size_t least_vertex = 6, least_face = 2; // least number of bytes of a line
     if (vertices > lines_.rest().size() / least_vertex || faces > lines_.rest().size() / least_face)
       fail("says that it has " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
                " faces, which is more than the file holds: it is cut off or damaged",
@@ -64,7 +64,7 @@ private:
     lines_.fail("it cannot be read as an OFF model: it " + what, remedy);
   }
 
-  /// The next line that is more than blanks and a comment.
+  /// The next line with more than blanks and a comment.
   std::string_view next_line_of_words()
   {
     while (!lines_.rest().empty()) {
@@ -75,7 +75,7 @@ private:
     fail("ends before all of its vertices and faces are there: the file is cut off", remedy::save_again);
   }
 
-  /// The keyword says what follows the coordinates; the numbers may follow it without a blank, or it may be missing.
+  /// Reads the keyword, which tells what follows the coordinates. It may be missing, or directly followed by numbers.
   void read_keyword()
   {
     std::string_view rest = line_;
@@ -92,20 +92,20 @@ private:
     const std::size_t colour = letters.find_first_of("Cc"), normal = letters.find_first_of("Nn");
     vertices_have_colours_ = colour != std::string_view::npos;
     normals_come_first_ = !has_dimension_ && normal != std::string_view::npos &&
-                          (normal > colour || !vertices_have_colours_); // MeshLab has NC, and colours first
+                          (normal > colour || !vertices_have_colours_); // MeshLab writes NC, with colours first
   }
 
-  /// It is missing, or on a line of its own, where the other numbers are.
+  /// Skips the number of edges, which may be missing or on a line of its own.
   void skip_number_of_edges()
   {
     const bool is_there = !next_word(line_).empty();
     if (has_weights_ && !trimmed(line_).empty())
-      fail("is not three-dimensional", remedy::save_as_other_format); // cells are counted, too
+      fail("is not three-dimensional", remedy::save_as_other_format); // the header also has a number of cells
     std::string_view rest = lines_.rest();
     if (std::size_t edges = 0; !is_there && parse(trimmed(next_line(rest)), edges)) next_line_of_words();
   }
 
-  /// The colour at the beginning of the rest of a line.
+  /// The colour at the start of the rest of a line.
   Off_colour colour(std::string_view line)
   {
     Off_colour result;
@@ -128,7 +128,7 @@ private:
     return linear_colour(colour.channels / white).cast<float>();
   }
 
-  /// Whether the rest of a line is three or four whole numbers up to 255, which are a colour that no keyword announces.
+  /// Whether the rest of a line is three or four integers up to 255: a colour that the keyword does not announce.
   static bool is_colour(std::string_view line)
   {
     int numbers = 0;
@@ -198,9 +198,9 @@ private:
   Model_lines lines_;
   const std::string& file_;
   std::vector<Point> points_, polygon_;
-  std::string_view line_;                                ///< what is not read of a line of the header
-  std::vector<Off_colour> colours_, colours_of_corners_; ///< of vertices, and of the corners of triangles
-  double white_ = 1;                                     ///< a full channel of `Off_colour::OF_FILE`
+  std::string_view line_;                                ///< unread part of a line of the header
+  std::vector<Off_colour> colours_, colours_of_corners_; ///< colours of vertices, and of corners of triangles
+  double white_ = 1;                                     ///< value of a full channel for `OF_FILE`
   bool has_weights_ = false, has_dimension_ = false, normals_come_first_ = false;
   bool vertices_have_colours_ = false, has_colours_ = false;
 };

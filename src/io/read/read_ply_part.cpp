@@ -17,19 +17,19 @@
 #include <map>
 #include <optional>
 
-// An own reader for PLY, of all its encodings and number types: CGAL's and assimp's trust the counts in the file.
+// This reader supports all encodings and number types; CGAL's and assimp's trust the counts in the file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-/// A type of numbers by its two names.
+/// A type of numbers with its two names.
 struct Ply_type
 {
   const char *name, *other_name;
   std::size_t size;
   double (*in_little_endian)(const char*);
   double (*in_big_endian)(const char*);
-  double white; ///< a full channel of a colour
+  double white; ///< value of a full channel of a colour
 };
 
 template <typename Number>
@@ -48,15 +48,14 @@ struct Ply_property
 {
   std::string name;
   const Ply_type* type = nullptr;
-  const Ply_type* count_type = nullptr; ///< of a list
-  int use = -1;                         ///< as `use_of()` says
+  const Ply_type* count_type = nullptr; ///< type of a list's length; null: no list
+  int use = -1;                         ///< see `use_of()`
 };
 
-// Uses of properties; coordinates come first
+// Uses of properties; 0 to 2 are coordinates
 constexpr int first_channel = 3, first_texture_coordinate = 6, texture_number = 8, part_number = 9;
 
-/// What a property of this name is used for: a coordinate, a channel of a colour, a texture coordinate, the number of a
-/// texture, or -1.
+/// The use of a property of this name: coordinate, channel of a colour, texture coordinate, texture index, or -1.
 int use_of(const std::string& name)
 {
   constexpr const char* uses[][4] = {{"x"},
@@ -74,10 +73,10 @@ int use_of(const std::string& name)
   return -1;
 }
 
-constexpr int most_textures = 1000; // of a file
+constexpr int most_textures = 1000; // limit for a file
 
-/// Properties of faces or vertices that say which part they are of, the finest first: in small letters, and without
-/// underscores and the "scalar" that CloudCompare writes before them.
+/// Names of properties of faces or vertices that tell their parts, the finest first; in lower case, without underscores
+/// and without CloudCompare's prefix "scalar".
 constexpr const char* part_properties[] = {
     "part",         "partid",   "partlabel",  "segment",  "segmentid",  "segments", "segid",   "seg",
     "segmentation", "instance", "instanceid", "objectid", "label",      "labels",   "labelid", "facelabel",
@@ -139,17 +138,17 @@ private:
     refuse(file_ + ": " + what, remedy);
   }
 
-  /// What is used of an element.
+  /// The values of an element that are used.
   struct Values
   {
     Point point = Point::Zero();
-    int coordinates = 0; ///< of the point, that are given
-    int texture = 0;     ///< its number
-    double label = 0;    ///< of the part
+    int coordinates = 0; ///< number of coordinates that are given
+    int texture = 0;     ///< index of the texture
+    double label = 0;    ///< label of the part
     bool has_colours = false, has_coordinates = false, has_texture = false;
     Eigen::Vector3d colour = Eigen::Vector3d::Ones();
     Eigen::Vector2f at = Eigen::Vector2f::Zero(); ///< texture coordinates
-    std::vector<double> corners;                  ///< of a face, texture coordinates
+    std::vector<double> corners;                  ///< texture coordinates of the corners of a face
 
     bool has_looks() const { return has_colours || has_coordinates || has_texture || !corners.empty(); }
 
@@ -195,7 +194,7 @@ private:
       appearance.coordinates.push_back(of_vertex->at);
   }
 
-  /// The number of the texture of a face, which it has itself or its first vertex has; -1: none.
+  /// The index of a face's texture, given for the face or for its first vertex; -1: none.
   int texture_of(std::size_t face) const
   {
     const auto vertex = std::size_t(faces_[face][0]);
@@ -215,11 +214,11 @@ private:
     }
   }
 
-  /// A face has the label of most of its corners, of equally many the lowest.
+  /// Gives every face the most frequent label of its corners, of equally frequent ones the lowest.
   void label_faces_by_vertices()
   {
     for (const std::vector<double>& face : faces_) {
-      std::map<double, int> corners; // by label
+      std::map<double, int> corners; // number of corners, by label
       for (double index : face)
         ++corners[labels_of_vertices_[std::size_t(index)]];
       const auto fewer = [](const auto& one, const auto& other) { return one.second < other.second; };
@@ -227,7 +226,7 @@ private:
     }
   }
 
-  /// The labels of all faces, in the order of their numbers.
+  /// The labels of all faces of the file, in its order.
   Face_labels face_labels() const
   {
     std::map<double, int> known;
@@ -248,7 +247,7 @@ private:
 
   void read_header()
   {
-    // A header of CR alone may be followed by a byte that is LF
+    // In a header with CR line ends, the first byte of binary data may equal LF
     const std::size_t end = text_.find_first_of("\r\n");
     const bool has_cr_alone = end != std::string_view::npos && text_[end] == '\r' && text_.substr(end, 2) != "\r\n";
     if (trimmed(next_line(text_)) != "ply")
@@ -272,7 +271,7 @@ private:
     }
   }
 
-  /// A texture, or what this program writes: the name of a number of a part or label.
+  /// Reads the name of a texture, or comments written by this program: the name for the number of a part or label.
   void read_comment(std::string_view line)
   {
     if (const std::optional<Point> up = up_in_mark(trimmed(line))) {
@@ -286,7 +285,7 @@ private:
     names_.emplace(std::string(keyword) + ' ' + std::string(number), percent_decoded(std::string(trimmed(line))));
   }
 
-  /// Finds the property of faces, or else of vertices, that makes parts, if there is one.
+  /// Finds the property of faces, or else of vertices, that defines parts.
   void choose_part_property()
   {
     for (const char* wanted : {"face", "vertex"})
@@ -341,7 +340,7 @@ private:
     fail("its PLY header has a property of type " + cited(word) + ", which is none");
   }
 
-  /// The fewest bytes that a number and an element take.
+  /// The least number of bytes for a number, and for an element.
   std::size_t least_size(const Ply_type& type) const { return encoding_ == Ply_encoding::ASCII ? 2 : type.size; }
 
   std::size_t least_size(const Ply_element& element) const
@@ -390,7 +389,7 @@ private:
     vertices_.back() = std::move(values);
   }
 
-  /// \return whether it is the corners of a face that is kept
+  /// \return whether the list is the corners of a face that is kept
   bool read_list(const Ply_element& element, const Ply_property& property, Values& values)
   {
     const double count = next(*property.count_type);
@@ -424,10 +423,11 @@ private:
     faces_.push_back(std::move(vertices));
   }
 
-  /// The triangles of strips: every vertex makes one with the two before it, in turn the other way round, up to a -1.
+  /// Adds the triangles of strips, with alternating orientation: each vertex forms one with the two before it; -1 ends
+  /// one.
   void add_strips(const std::vector<double>& vertices)
   {
-    constexpr double unsigned_end = std::numeric_limits<std::uint32_t>::max(); // -1 where numbers have no sign
+    constexpr double unsigned_end = std::numeric_limits<std::uint32_t>::max(); // -1 as an unsigned number
     std::size_t begin = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (vertices[i] == -1 || vertices[i] == unsigned_end)
@@ -468,15 +468,15 @@ private:
   std::vector<Ply_element> elements_;
   std::vector<Point> points_;
   std::vector<std::vector<double>> faces_;
-  std::vector<Values> vertices_, face_looks_; ///< of `points_` and `faces_`, as far as they are known
-  std::vector<std::size_t> numbers_;          ///< of `faces_`, with those that are left out
+  std::vector<Values> vertices_, face_looks_; ///< values for `points_` and `faces_`; may be shorter
+  std::vector<std::size_t> numbers_;          ///< indices in the file of `faces_`
   bool faces_have_coordinates_ = false;
-  std::vector<std::string> textures_;               ///< files
-  std::string part_property_;                       ///< of faces or vertices; empty: there is none
-  bool vertices_are_labelled_ = false;              ///< by this property, not faces
-  std::vector<double> labels_, labels_of_vertices_; ///< of `faces_` and `points_`, by this property
-  bool is_written_ = false;                         ///< by this program
-  std::map<std::string, std::string> names_;        ///< of parts and labels, by keyword and number
+  std::vector<std::string> textures_;               ///< file names
+  std::string part_property_;                       ///< defines parts; empty: there is none
+  bool vertices_are_labelled_ = false;              ///< whether the property belongs to vertices rather than faces
+  std::vector<double> labels_, labels_of_vertices_; ///< values of the property for `faces_` and `points_`
+  bool is_written_ = false;                         ///< whether the file was written by this program
+  std::map<std::string, std::string> names_;        ///< names of parts and labels, by keyword and number
   Model_content result_;
 };
 

@@ -49,7 +49,7 @@ bool is_read_by_assimp(const std::string& extension)
   return std::find(formats.begin(), formats.end(), extension) != formats.end();
 }
 
-/// All of a file. \throw Invalid_input if it is empty, or a device
+/// The content of a file. \throw Invalid_input if it is empty, too large, or a device
 std::string content_of(const std::string& file)
 {
   std::ifstream in = open_input(file);
@@ -65,7 +65,7 @@ std::string content_of(const std::string& file)
   return text;
 }
 
-/// Makes parts of the labels of faces in the list that is given, or lies beside the model.
+/// Divides the model by labels of faces from the given list, or from a list beside the model.
 void label_faces(const std::string& file, const Reading_options& options, Model_content& content)
 {
   if (!options.face_labels.empty()) {
@@ -114,8 +114,8 @@ Model_content read_robot(const std::string& text, const std::string& file, const
   return robot;
 }
 
-/// What a file holds. \param complete for the meshes that a robot names, which have materials of their own; may be
-/// empty \param are_parts whether all that is in the file becomes one part
+/// Reads a file. \param complete for the meshes named by a robot, which have their own materials; may be empty
+/// \param are_parts whether everything in the file becomes one part
 Model_content read_parts(const std::string& file, bool are_parts, const std::string& folder,
                          const Reading_options& options, const Complete_looks& complete,
                          std::vector<std::string>& warnings)
@@ -127,7 +127,7 @@ Model_content read_parts(const std::string& file, bool are_parts, const std::str
                         (extension.empty() ? ", and this one has no extension" : ", not '" + extension + "'") + "; " +
                         remedy::save_as_other_format);
   const std::string text = content_of(file);
-  // A binary STL file may begin with any bytes
+  // The bytes of a binary STL file may look like UTF-16
   if (extension != ".stl" || text.substr(0, 4).find('\0') != std::string::npos) check_is_not_wide(text, file);
   Model_content content = reader               ? reader(text, file)
                           : is_gltf(extension) ? read_gltf_parts(text, file, options)
@@ -141,8 +141,8 @@ Model_content read_parts(const std::string& file, bool are_parts, const std::str
   return content;
 }
 
-/// Gives parts that have none a name, and later ones of a name a number: leg, leg#2.
-/// \param shape the name of the shape, which a part that is all of it gets
+/// Gives nameless parts a name, and appends a number to repeated names: leg, leg#2.
+/// \param shape name of the shape, used for a part that is the entire shape
 void complete_names(const std::string& shape, std::vector<Model_part>& parts)
 {
   std::set<std::string> taken;
@@ -161,11 +161,11 @@ void complete_names(const std::string& shape, std::vector<Model_part>& parts)
   }
 }
 
-/// Adds a part to the objects. \return whether it has a surface; else it is left out
+/// Adds a part to the objects. \return whether it has a surface; otherwise it is left out
 bool add_part(const std::string& file, const Model_part& part, Model_objects& objects)
 {
   for (const Point& corner : part.corners) {
-    if (!(corner.array().abs() <= internal::largest_coordinate).all()) // nor is NaN
+    if (!(corner.array().abs() <= internal::largest_coordinate).all()) // NaN fails as well
       throw Invalid_input(file + ": part '" + part.name +
                           "' has a coordinate that is not a finite number, or beyond 1e15; repair it");
   }
@@ -196,7 +196,7 @@ void warn(std::size_t number, const std::string& of_what, std::vector<std::strin
   if (number > 0) warnings.push_back(of_what + " were left out: " + std::to_string(number) + names + ".");
 }
 
-/// Names in brackets, the first ones.
+/// The first names, in brackets.
 std::string in_brackets(const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 8;
@@ -206,7 +206,7 @@ std::string in_brackets(const std::vector<std::string>& names)
   return result + (names.size() > most ? ", ...)" : names.empty() ? "" : ")");
 }
 
-/// \param is_of_robots whether those that describe robots are meant, or all others
+/// \param is_of_robots whether to return descriptions of robots, or all other models
 std::vector<fs::path> model_files(const fs::path& folder, bool is_of_robots = false)
 {
   std::vector<fs::path> files;
@@ -224,7 +224,6 @@ std::vector<fs::path> model_files(const fs::path& folder, bool is_of_robots = fa
   return files;
 }
 
-/// Objects as one part.
 Model_part joined(const std::string& name, const std::vector<Model_part>& objects)
 {
   Model_part part{name, {}};
@@ -235,7 +234,7 @@ Model_part joined(const std::string& name, const std::vector<Model_part>& object
   return part;
 }
 
-/// Adds what a file holds to what others hold, whose materials and textures come first.
+/// Appends the content of a file to that of others.
 void add_content(Model_content more, Model_content& all)
 {
   append_looks(more, all);
@@ -247,7 +246,7 @@ void add_content(Model_content more, Model_content& all)
   all.are_labelled = more.are_labelled;
 }
 
-/// The name of SHAPE, for SHAPE and SHAPE/parts alike.
+/// The name of the folder SHAPE, for the paths SHAPE and SHAPE/parts.
 std::string folder_name(const fs::path& folder)
 {
   fs::path path = fs::absolute(folder).lexically_normal();
@@ -256,10 +255,9 @@ std::string folder_name(const fs::path& folder)
   return utf8_text(path.filename().string());
 }
 
-/// Where the part meshes of a folder are.
 fs::path folder_of_parts(const fs::path& path) { return fs::is_directory(path / "parts") ? path / "parts" : path; }
 
-/// The parts that a folder names, or a file for each; of a file, it alone.
+/// The parts named by a folder's hierarchy, or one part for each file in it; for a file, the file alone.
 std::vector<Part_files> files_of(const std::string& path)
 {
   if (!fs::is_directory(path)) return {{"", {path}}};
@@ -275,7 +273,7 @@ std::vector<Part_files> files_of(const std::string& path)
   return files;
 }
 
-/// By object and triangle the material's number; empty if no object has several.
+/// For each object and triangle, the index of the material; empty if no object has several.
 std::vector<std::vector<int>> materials_of(const Model_objects& objects)
 {
   std::vector<std::vector<int>> result;
@@ -322,7 +320,7 @@ Model_objects read_objects(const std::string& given, const Point& up, const Read
   const std::string name = is_folder ? folder_name(path) : utf8_text(fs::path(path).stem().string());
   Model_objects result;
   Model_content content;
-  bool agree = true, is_first = true; // on the upright axis
+  bool agree = true, is_first = true; // whether all files have the same upright axis
   for (const Part_files& part : files) {
     const std::size_t first = content.parts.size();
     std::string name_of_part = part.name;
@@ -351,7 +349,7 @@ Model_objects read_objects(const std::string& given, const Point& up, const Read
   std::vector<std::string> left_out = std::move(content.without_faces);
   for (std::size_t i = 0; i < content.parts.size(); ++i) {
     const std::string file = files[is_folder ? i : 0].files[0];
-    const Model_part part = std::move(content.parts[i]); // whose memory is free for the next ones
+    const Model_part part = std::move(content.parts[i]); // moved, to free memory for the next ones
     if (add_part(file, part, result)) continue;
     if (is_folder) throw Invalid_input(file + ": all triangles have zero area; remove the file or give it a surface");
     left_out.push_back(part.name);
@@ -380,7 +378,8 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up, s
 
 std::optional<std::string> digest_of_folder(const std::string& path)
 {
-  if (!fs::is_directory(path) || robot_in(path) || hierarchy_in(path)) return std::nullopt; // these name their meshes
+  // Files of robots and hierarchies name the meshes of their folders
+  if (!fs::is_directory(path) || robot_in(path) || hierarchy_in(path)) return std::nullopt;
   std::string all = digest(folder_name(path));
   for (const fs::path& file : model_files(folder_of_parts(path))) {
     if (!text_reader_of(lower_extension(file.string()))) return std::nullopt; // a glTF file names its buffers

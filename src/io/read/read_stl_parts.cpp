@@ -16,21 +16,21 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Of binary files: a header of 80 bytes, a count, and for each triangle a normal, three corners and two bytes more
+// Binary files have a header of 80 bytes, a count, and for each triangle a normal, three corners and two bytes
 constexpr std::size_t header_size = 84, triangle_size = 50, normal_size = 12;
 
-constexpr int most_lines_before = 100; // a text's first solid
+constexpr int most_lines_before = 100; // before the first solid of a text
 
 std::uint32_t count_in(std::string_view text) { return number_in<std::uint32_t>(text.data() + header_size - 4); }
 
-/// Whether a file, or what is left of it, is a header with a count and as many triangles, of which there are some.
+/// Whether a file, or the rest of it, starts with a header whose count is positive and fits the remaining bytes.
 bool begins_with_binary(std::string_view text)
 {
   return text.size() >= header_size && count_in(text) > 0 &&
          count_in(text) <= (text.size() - header_size) / triangle_size;
 }
 
-/// Headers of binary files may begin with "solid", too; they, or the count after them, have zeros.
+/// Whether a file is text. Binary headers may start with "solid", too, but they, or the count, contain zeros.
 bool is_text(std::string_view text)
 {
   if (text.size() >= header_size && text.size() == header_size + triangle_size * std::size_t(count_in(text)))
@@ -44,7 +44,7 @@ bool is_text(std::string_view text)
   return false;
 }
 
-/// Whether the bytes at a place are a triangle, not any others: its normal is of length 1 or 0.
+/// Whether 50 bytes look like a triangle: the normal has length 1 or 0.
 bool is_triangle(const char* bytes)
 {
   constexpr float tolerance = 0.01f;
@@ -59,7 +59,7 @@ class Stl_reader
 public:
   Stl_reader(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
 
-  /// Files may be several, one after the other.
+  /// Reads a file, which may be a concatenation of several files.
   Model_content read()
   {
     do
@@ -93,7 +93,7 @@ private:
     const std::size_t given = count_in(rest_), room = (rest_.size() - header_size) / triangle_size;
     const bool fills_file = (rest_.size() - header_size) % triangle_size == 0;
     std::size_t count = given;
-    // Of programs that write triangles as they come, and not their number
+    // Programs that stream triangles do not know their number when they write the header
     if (fills_file && (given == 0 || given == std::numeric_limits<std::uint32_t>::max())) count = room;
     if (count > room)
       throw Invalid_input(file_ + ": it cannot be read as an STL model: it says that it has " + std::to_string(count) +
@@ -117,7 +117,7 @@ private:
     rest_.remove_prefix(header_size + count * triangle_size);
   }
 
-  /// The solids up to the end of the text. Every solid is a part.
+  /// Reads the solids up to the end of the text, one part for each.
   void read_text()
   {
     Model_lines lines(rest_, file_);
@@ -130,7 +130,7 @@ private:
           result_.parts.push_back({keyword == "solid" ? std::string(trimmed(line)) : "", {}});
         if (keyword == "solid" || keyword == "endsolid") {
           is_in_solid = keyword == "solid";
-          break; // the rest is a name
+          break; // the rest of the line is a name
         }
         if (keyword == "facet") {
           corners_of_face = 0;
@@ -159,13 +159,13 @@ private:
       next_word(line);
   }
 
-  /// Whether nothing of use is left out with a word; some systems end texts with zeros or a Control-Z.
+  /// Whether a word may be ignored without a warning; some systems end texts with zeros or a Control-Z.
   static bool is_known(const std::string& word)
   {
     return word == "outer" || word == "loop" || word == "endloop" || word[0] == '\0' || word[0] == '\x1A';
   }
 
-  /// Headers are names if each file of several has another one.
+  /// Names binary parts by their headers if there are several parts with distinct headers.
   void name_binary_parts()
   {
     headers_.resize(result_.parts.size());
@@ -184,7 +184,7 @@ private:
 
   std::string_view rest_;
   const std::string& file_;
-  std::vector<std::string> headers_; ///< of binary files, by part
+  std::vector<std::string> headers_;
   std::size_t lines_left_out_ = 0;
   Model_content result_;
 };

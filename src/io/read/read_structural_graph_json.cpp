@@ -21,7 +21,7 @@ namespace {
 
 using Part_indices = std::map<std::string, std::size_t>;
 
-constexpr double same_direction = 1e-6; // of unit vectors that a person may have typed
+constexpr double same_direction = 1e-6; // tolerance for unit vectors, which a person may have typed
 
 void check_extent(const Json_field& field, const Points& points)
 {
@@ -47,7 +47,7 @@ Sheet read_sheet(const Json_field& part)
   if (rows.size() < 2) grid.fail("has fewer than 2 rows");
   const std::size_t cols = rows[0].size();
   if (cols < 2) rows[0].fail("has fewer than 2 points");
-  std::vector<Points> points; // of each row, before room is made for all: a damaged file may promise more than it has
+  std::vector<Points> points; // collects rows first, since a damaged file may promise more points than it has
   points.reserve(rows.size());
   for (const Json_field& row : rows)
     points.push_back(row.points(cols, "as long as the first row"));
@@ -61,7 +61,6 @@ Sheet read_sheet(const Json_field& part)
   return sheet;
 }
 
-/// Reads one of several words.
 template <typename Value>
 Value read_word(const Json_field& field, Words<Value> words)
 {
@@ -84,7 +83,7 @@ void read_flags(const Json_field& field, Abstraction_report& report)
 Abstraction_report::Method read_method(const Json_field& abstraction)
 {
   using Method = Abstraction_report::Method;
-  // Older files name what a curve or sheet was fitted to by a key of its own
+  // Older files give the method of a fitted curve or sheet under another key
   if (abstraction.has("fitted_to"))
     return read_word<Method>(abstraction["fitted_to"],
                              {{"medial_axis", Method::MEDIAL_AXIS}, {"revolution_axis", Method::AXIS}});
@@ -188,7 +187,7 @@ Part_group read_group(const Json_field& field, const std::vector<Part_abstractio
   return group;
 }
 
-/// The groups that the file gives, and a group of its own for every part that it leaves out.
+/// The groups in the file, and a single group for every part that the file leaves out.
 std::vector<Part_group> read_groups(const Json_field& list, const std::vector<Part_abstraction>& parts,
                                     const Part_indices& indices)
 {
@@ -227,7 +226,7 @@ Contact read_contact(const Json_field& field, const std::vector<Part_abstraction
   return contact;
 }
 
-/// Contacts of the same parts are regions of one.
+/// Merges contacts of the same parts, which are regions of one contact.
 std::vector<Contact> read_contacts(const Json_field& list, const std::vector<Part_abstraction>& parts,
                                    const Part_indices& indices)
 {

@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 using Element = boost::property_tree::ptree;
 using Transform = Eigen::Affine3d;
 
-constexpr int round_sides = 32;                                      // of a cylinder or a sphere
-constexpr double angle_of_side = double(2 * EIGEN_PI) / round_sides; // radians
-constexpr double largest_value = 1e9;                                // metres; robots are smaller
+constexpr int round_sides = 32;                                      // number of sides of a cylinder or a sphere
+constexpr double angle_of_side = double(2 * EIGEN_PI) / round_sides; // in radians
+constexpr double largest_value = 1e9;                                // in metres, more than any robot
 
 std::string attribute(const Element& element, const std::string& name)
 {
@@ -43,11 +43,11 @@ const Element* child(const Element& element, const std::string& name)
   return found == element.not_found() ? nullptr : &found->second;
 }
 
-/// Where robots look for a mesh. Its folder is that of the file or, if that is allowed, one above.
+/// Finds meshes of robots. Only the folder of the file is searched or, if allowed, folders above it.
 class Mesh_finder
 {
 public:
-  /// \param all the folder of all meshes; empty: that of the file
+  /// \param all folder of all meshes; empty: that of the file
   Mesh_finder(const std::string& file, const std::string& all, const Reading_options& options)
       : all_(all.empty() ? file : (fs::path(all) / "file").string()),
         folder_(fs::absolute(file).lexically_normal().parent_path()),
@@ -80,7 +80,7 @@ private:
     return fs::is_regular_file(path, error) && (options_.allow_outside_files || is_in_folder_of(all_, path.string()));
   }
 
-  std::string all_; ///< a file in the folder of all meshes
+  std::string all_; ///< a fictitious file in the folder of all meshes
   fs::path folder_;
   const Reading_options& options_;
 };
@@ -104,7 +104,7 @@ std::vector<Point> box(const Point& size)
   return result;
 }
 
-/// The surface that a line turns about the z axis. \param line of points (radius, z), from the lower end to the upper
+/// The surface of revolution of a polyline about the z axis. \param line points (radius, z), from the lower end upwards
 std::vector<Point> turned(const std::vector<Eigen::Vector2d>& line)
 {
   const auto at = [&](std::size_t i, int side) {
@@ -131,7 +131,7 @@ std::vector<Point> sphere(double radius)
   return turned(line);
 }
 
-/// Undoes the turn to y up: meshes of robots are taken by their coordinates, whichever axis their file says is up.
+/// Undoes the turn to y up: URDF uses the coordinates of meshes as they are, whatever upright axis their files give.
 Eigen::Matrix3d turn_back(const std::string& mesh)
 {
   Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
@@ -188,7 +188,7 @@ private:
     throw Invalid_input(file_ + (links_.count(link) > 0 ? ": link " : ": ") + cited(link) + " " + what);
   }
 
-  /// The numbers of an attribute. \param element, the name of which is `kind`
+  /// The numbers in an attribute. \param element an element named `kind`
   template <int size>
   Eigen::Matrix<double, size, 1> numbers(const Element& element, const std::string& kind, const std::string& name,
                                          const std::string& link) const
@@ -201,14 +201,15 @@ private:
     std::string_view rest = text;
     bool are_numbers = true;
     for (double& number : result)
-      are_numbers = are_numbers && parse(next_word(rest), number) && std::abs(number) <= largest_value; // nor is NaN
+      // NaN fails as well
+      are_numbers = are_numbers && parse(next_word(rest), number) && std::abs(number) <= largest_value;
     if (!are_numbers || !trimmed(rest).empty())
       fail_at(link, "has a <" + kind + "> with " + name + "=" + cited(text) + ", which is not " + wanted +
                         " of at most 1e9; correct it or, if this is a xacro file, run the program xacro first");
     return result;
   }
 
-  /// The same, or `otherwise` where the attribute is missing.
+  /// The numbers in an attribute, or `otherwise` if it is missing.
   template <int size>
   Eigen::Matrix<double, size, 1> numbers(const Element& element, const std::string& kind, const std::string& name,
                                          double otherwise, const std::string& link) const
@@ -217,7 +218,7 @@ private:
     return numbers<size>(element, kind, name, link);
   }
 
-  /// The same for lengths, which are over 0.
+  /// The numbers in an attribute, which must be positive.
   template <int size>
   Eigen::Matrix<double, size, 1> lengths(const Element& element, const std::string& kind, const std::string& name,
                                          const std::string& link) const
@@ -256,7 +257,7 @@ private:
       fail_at(link, "is the child of two joints; remove one of them");
   }
 
-  /// Where a link is while all joints are at 0.
+  /// The pose of a link with all joints at 0.
   const Transform& place_of(const std::string& link)
   {
     std::vector<std::string> chain; // links from this one up to the first whose pose is known
@@ -280,8 +281,8 @@ private:
     return places_.at(link);
   }
 
-  /// The number of a material, which may be named only, and is then one of the robot; -1: none.
-  /// \param link that has it; empty: the robot
+  /// Adds a material, or refers to one of the robot by name. \return its index; -1: none
+  /// \param link the link that has it; empty: the robot
   int add_material(const Element& element, const std::string& link)
   {
     const std::string name = attribute(element, "name");
@@ -367,7 +368,7 @@ private:
       add_corners(object.corners, scaled, object.appearance, material, part);
   }
 
-  /// The objects of a file, which many links may use; its materials become those of the model.
+  /// The objects of a file, which several links may use; its materials are added to the model's.
   const std::vector<Model_part>& mesh_of(const std::string& path, const std::string& link)
   {
     if (const auto found = meshes_.find(path); found != meshes_.end()) return found->second;
@@ -395,10 +396,10 @@ private:
   const Mesh_reader& read_;
   Model_content content_;
   std::map<std::string, const Element*> links_;
-  std::map<std::string, Joint> joints_; ///< by their child
+  std::map<std::string, Joint> joints_; ///< indexed by child link
   std::map<std::string, int> materials_;
-  std::map<std::string, std::vector<Model_part>> meshes_; ///< by path
-  std::map<std::string, Transform> places_;               ///< of links
+  std::map<std::string, std::vector<Model_part>> meshes_;
+  std::map<std::string, Transform> places_;
 };
 
 } // namespace

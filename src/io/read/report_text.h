@@ -11,7 +11,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The words of files for some values.
+/// The words that stand for values in files.
 template <typename Value>
 using Words = std::initializer_list<std::pair<const char*, Value>>;
 
@@ -54,7 +54,7 @@ const char* word_of(Value value, Words<Value> words)
 
 inline const char* name_of(Symmetry_type type) { return word_of(type, symmetry_words); }
 
-/// A symmetry and a part's kind in words, for people.
+/// A symmetry or a part's kind in words, for people.
 inline std::string name_of(const Symmetry& symmetry)
 {
   const std::string name = name_of(symmetry.type);

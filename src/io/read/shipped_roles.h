@@ -7,7 +7,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The bytes of data/roles/shapes.roles; CMake makes the source (cmake/embed_file.cmake).
+/// The content of data/roles/shapes.roles; CMake generates the source (cmake/embed_file.cmake).
 extern const unsigned char shipped_roles[];
 extern const std::size_t shipped_roles_size;
 

@@ -15,7 +15,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// Text without the blanks at its ends.
+/// The text without leading and trailing blanks.
 inline std::string_view trimmed(std::string_view text)
 {
   const char* const blanks = " \t\r\n\v\f";
@@ -29,7 +29,7 @@ inline bool begins_with(std::string_view text, std::string_view beginning)
   return text.substr(0, beginning.size()) == beginning;
 }
 
-/// Takes the first word off `text`; empty if there is none.
+/// Removes the first word from `text` and returns it; empty if there is none.
 inline std::string_view next_word(std::string_view& text)
 {
   const char* const blanks = " \t\r\n\v\f";
@@ -39,7 +39,6 @@ inline std::string_view next_word(std::string_view& text)
   return word;
 }
 
-/// The same word in small letters.
 inline std::string lower(std::string_view word)
 {
   std::string result(word);
@@ -48,9 +47,9 @@ inline std::string lower(std::string_view word)
   return result;
 }
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; ///< of UTF-8, which some programs begin files with
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; ///< some programs start UTF-8 files with it
 
-/// Takes the first line off `text`, without its end, which is LF, CR LF or CR, and without a byte order mark.
+/// Removes the first line from `text` and returns it without its end (LF, CR LF or CR) and without a byte order mark.
 inline std::string_view next_line(std::string_view& text)
 {
   const auto is_end = [](char c) { return c == '\n' || c == '\r'; };
@@ -61,7 +60,7 @@ inline std::string_view next_line(std::string_view& text)
   return line;
 }
 
-/// A line without its comment. A # inside a word begins none: names have it.
+/// A line without its comment. A # inside a word starts none, since names contain it.
 inline std::string_view without_comment(std::string_view line)
 {
   std::size_t hash = line.find('#');
@@ -70,7 +69,7 @@ inline std::string_view without_comment(std::string_view line)
   return line.substr(0, hash);
 }
 
-/// Reads a number that makes up the whole word, in any locale.
+/// Reads a number that must be the entire word, in any locale.
 template <typename Number>
 bool parse(std::string_view word, Number& number)
 {
@@ -79,7 +78,7 @@ bool parse(std::string_view word, Number& number)
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// A word of a file as messages quote it; a long one is cut, and a message would end at a character 0.
+/// A word of a file, quoted for messages: truncated if it is long, and at a zero byte, which would end the message.
 inline std::string cited(std::string_view word, std::size_t longest = 40)
 {
   std::string begin(word.substr(0, longest));
@@ -87,14 +86,14 @@ inline std::string cited(std::string_view word, std::size_t longest = 40)
   return "'" + begin + (word.size() > longest ? "...'" : "'");
 }
 
-/// The same for a name of a file.
+/// The name of a file, quoted for messages.
 inline std::string cited_file(std::string_view name)
 {
   constexpr std::size_t longest_path = 255;
   return name.empty() ? "without a name" : cited(name, longest_path);
 }
 
-/// The lines of a model file that is text; complaints name the file and the line.
+/// The lines of a text file with a model; errors name the file and the line.
 class Model_lines
 {
 public:
@@ -113,7 +112,7 @@ public:
     refuse(file_ + ", line " + std::to_string(number_) + ": " + what, remedy);
   }
 
-  /// The vertex that the words of a line are.
+  /// The coordinates in the words of a line.
   Point vertex(std::string_view words) const
   {
     Point result;

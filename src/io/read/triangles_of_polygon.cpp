@@ -18,10 +18,10 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Corners that bend back by less than this, over the polygon's area, count as straight.
+// Twice the area of a corner's triangle, over the polygon's area, below which the corner counts as straight.
 constexpr double straight = 1e-12;
 
-// Corners of a polygon up to which ears are cut off, in time cubic in them at worst.
+// Number of corners up to which ears are clipped, which takes cubic time in the worst case.
 constexpr std::size_t most_corners = 1000;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -32,7 +32,7 @@ using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
                                                CGAL::No_constraint_intersection_tag>;
 
-/// Marks whether faces are inside of the polygon: every side that is crossed on the way from outside changes that.
+/// Marks faces inside of the polygon: crossing a side toggles between inside and outside.
 void mark_inside(Triangulation& triangulation)
 {
   std::vector<Triangulation::Face_handle> faces{triangulation.infinite_face()};
@@ -46,7 +46,7 @@ void mark_inside(Triangulation& triangulation)
     }
 }
 
-/// The triangles of a polygon in the plane across `normal`, O(n log n) for n corners; none if it touches itself there.
+/// Triangulates a polygon projected along `normal`, O(n log n) for n corners; none if the projection touches itself.
 /// CGAL throws if it crosses itself.
 std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal)
 {
@@ -94,7 +94,7 @@ bool is_convex(const std::vector<Point>& polygon, const Point& normal, double to
   return true;
 }
 
-/// Whether corner i of `rest` can be cut off: it bends outwards and no other corner lies in its triangle.
+/// Whether corner i of `rest` can be clipped: it is convex, and no other corner lies in its triangle.
 bool is_ear(const std::vector<Point>& polygon, const std::vector<std::size_t>& rest, std::size_t i, const Point& normal)
 {
   const std::size_t n = rest.size();
@@ -115,8 +115,8 @@ void add_fan(const std::vector<std::size_t>& polygon, std::vector<std::size_t>& 
     triangles.insert(triangles.end(), {polygon[0], polygon[i], polygon[i + 1]});
 }
 
-/// Adds the triangles of the corners from `first` to `last` of a convex polygon by halving, so that no corner is in
-/// many of them as the first one of a fan is.
+/// Triangulates the corners from `first` to `last` of a convex polygon by bisection, so that no corner is in many
+/// triangles, as the first one of a fan is.
 void add_halves(std::size_t first, std::size_t last, std::vector<std::size_t>& triangles)
 {
   if (last - first < 2) return;
@@ -140,14 +140,15 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
     if (!is_fan)
       result = internal::library_call(
           "polygon", [&] { return triangles_in_plane(polygon, normal); }, none);
-    if (result.empty()) add_halves(0, polygon.size() - 1, result); // also of one that crosses itself: any triangles do
+    // Self-intersecting polygons get an arbitrary triangulation
+    if (result.empty()) add_halves(0, polygon.size() - 1, result);
     return result;
   }
   while (!is_fan && rest.size() > 3) {
     std::size_t ear = 0;
     while (ear < rest.size() && !is_ear(polygon, rest, ear, normal))
       ++ear;
-    if (ear == rest.size()) break; // a polygon that crosses itself: any triangles do
+    if (ear == rest.size()) break; // a self-intersecting polygon: an arbitrary triangulation suffices
     const std::size_t n = rest.size();
     result.insert(result.end(), {rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
     rest.erase(rest.begin() + std::ptrdiff_t(ear));

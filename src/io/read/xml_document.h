@@ -15,7 +15,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The XML document that a text is. \throw Invalid_input if it is none, or too deep; names `file`
+/// Parses an XML document. \throw Invalid_input if it is invalid or nested too deeply; names `file`
 inline boost::property_tree::ptree parse_xml(const std::string& text, const std::string& file)
 {
   check_xml_depth(text, file);

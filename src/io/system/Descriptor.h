@@ -7,7 +7,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The descriptor of a file, closed at the end of its scope.
+/// An open file descriptor, closed at the end of its scope.
 class Descriptor
 {
 public:

@@ -37,7 +37,7 @@ bool is_device(const fs::path& file)
 
 std::string parent_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path().string() : "."; }
 
-/// Another name beside `place` each time; what killed processes left may have it.
+/// A new name next to `place` in each call; it may exist, left by a killed process.
 std::string temporary_name(const fs::path& place)
 {
   static std::atomic<unsigned> count{0};
@@ -49,7 +49,7 @@ void fail_if(const std::error_code& error, const std::string& path)
   if (error) fail(path, error.message());
 }
 
-/// What has a temporary name now. Never destroyed, since a signal may come at the end of the program.
+/// The existing temporary files and folders. Never destroyed, since a signal may arrive while the program ends.
 struct Temporaries
 {
   std::mutex mutex;
@@ -62,11 +62,11 @@ Temporaries& temporaries()
   return *all;
 }
 
-/// What is made under a temporary name, for `path`; removed again unless it is renamed.
+/// A file or folder under a temporary name, to replace `path`; removed unless it is renamed.
 class Temporary
 {
 public:
-  /// \param place that it is beside \param make makes a file or folder; `file_exists`: there is something of its name
+  /// \param place path that it is next to \param make creates a file or folder; `file_exists`: the name is taken
   Temporary(const std::string& path, const fs::path& place, std::error_code (*make)(const fs::path&)) : path_(path)
   {
     std::error_code error;
@@ -122,7 +122,7 @@ std::error_code make_new_folder(const fs::path& folder)
   return error;
 }
 
-/// Without slashes at its end, which would be inside the folder.
+/// The path without trailing slashes, which would lead into the folder.
 fs::path folder_path(const std::string& path)
 {
   const fs::path folder(path);
@@ -164,7 +164,7 @@ void check_writable(const std::string& path)
   const fs::path file = written_file(path);
   check_existing(path, file);
   if (is_device(file)) return;
-  Temporary(path, file, make_new_file); // gone again at once
+  Temporary(path, file, make_new_file); // removed at once
 }
 
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
@@ -197,7 +197,7 @@ void check_new_folder(const std::string& path)
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
-  Temporary(path, folder, make_new_folder); // gone again at once
+  Temporary(path, folder, make_new_folder); // removed at once
 }
 
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write)
@@ -206,7 +206,7 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
   Temporary temporary(path, folder, make_new_folder);
   try {
     write(temporary.name());
-  } catch (const Invalid_input& error) { // of a file in it, by the name that it was going to have
+  } catch (const Invalid_input& error) { // the message names the file by its final name
     throw Invalid_input(boost::replace_all_copy(std::string(error.what()), temporary.name(), folder.string()));
   }
   temporary.rename_to(folder);
@@ -214,8 +214,8 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
 
 void remove_temporaries()
 {
-  temporaries().mutex.lock(); // and never unlocked
-  constexpr int attempts = 2; // other threads may be writing into a folder
+  temporaries().mutex.lock(); // never unlocked
+  constexpr int attempts = 2; // a second attempt, since other threads may be writing into a folder
   std::error_code error;
   for (int i = 0; i < attempts; ++i)
     for (const std::string& name : temporaries().names)

@@ -31,7 +31,7 @@ std::string digest(const std::string& bytes)
 std::string bytes_of_file(const std::string& path)
 {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return ""; // a pipe would wait for a writer
+  if (!std::filesystem::is_regular_file(path, error)) return ""; // opening a pipe would wait for a writer
   std::ifstream in(std::filesystem::path(path), std::ios::binary);
   std::ostringstream bytes;
   bytes << in.rdbuf();

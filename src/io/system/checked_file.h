@@ -11,22 +11,21 @@ namespace CGAL::Shape_correspondence::IO {
 /// A digest (SHA-1) of bytes.
 std::string digest(const std::string& bytes);
 
-/// All bytes of a file; none if it cannot be read, or is a pipe or a device.
+/// The content of a file; empty if it cannot be read, or is a pipe or a device.
 std::string bytes_of_file(const std::string& path);
 
-/// A file that is kept for later: its first line is a title, which says what it is, and a digest of the rest. Many
-/// processes may use one at a time.
+/// A *checked file* starts with a line with a title, for its kind, and a digest. Several processes may use one.
 
-/// Writes such a file, all of it or nothing. \throw Invalid_input if that fails
+/// Writes a checked file atomically. \throw Invalid_input on failure
 void write_checked_file(const std::string& path, const std::string& title, const std::string& content);
 
-/// The same for an entry of a cache or store, see `write_entry()`.
+/// Writes a checked file as an entry of a cache or store, see `write_entry()`.
 void write_checked_entry(const std::string& path, const std::string& title, const std::string& content);
 
-/// The content of such a file, given all of its text; none if it is damaged or has another title.
+/// The content of a checked file, given its entire text; none if it is damaged or has another title.
 std::optional<std::string> checked_content(const std::string& file, const std::string& title);
 
-/// The content of such a file; none if there is no such file, or it is damaged or has another title.
+/// The content of a checked file; none if it does not exist, is damaged or has another title.
 std::optional<std::string> read_checked_file(const std::string& path, const std::string& title);
 
 } // namespace CGAL::Shape_correspondence::IO

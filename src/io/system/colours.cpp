@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-// Colours are spread in Oklab (B. Ottosson, 2020), a space in which distances are differences that people see, also for
-// people who do not see red or green (G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, 2009).
+// Colours are spread in Oklab (B. Ottosson, 2020), a perceptually uniform space, also as seen with red-green colour
+// blindness (G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, 2009).
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -38,7 +38,7 @@ Oklab oklab_of(const Colour& rgb)
   return to_lab * Eigen::Vector3d((to_lms * rgb).array().max(0).pow(1. / 3));
 }
 
-/// A colour in Oklab: by normal sight, and by sight without red or green cones.
+/// A colour in Oklab: by normal vision, and by vision without red or green cones.
 struct Seen_colour
 {
   explicit Seen_colour(const Oklab& lab) : by_all(lab)
@@ -56,7 +56,7 @@ struct Seen_colour
 
 double difference(const Seen_colour& a, const Seen_colour& b)
 {
-  constexpr double share_of_some = 1.5; // differences that they see are smaller ones
+  constexpr double share_of_some = 1.5; // factor for the smaller differences seen with colour blindness
   double result = (a.by_all - b.by_all).norm();
   for (std::size_t k = 0; k < 2; ++k)
     result = std::min(result, share_of_some * (a.by_some[k] - b.by_some[k]).norm());
@@ -65,7 +65,7 @@ double difference(const Seen_colour& a, const Seen_colour& b)
 
 bool is_displayable(const Colour& colour) { return colour.minCoeff() >= 0 && colour.maxCoeff() <= 1; }
 
-/// Colours of some lightnesses and saturations around the circle of hues, a blue first.
+/// Colours of several lightnesses and saturations around the circle of hues, starting with blue.
 std::vector<Seen_colour> candidates()
 {
   const double first_hue = 4.4, two_pi = 6.283185307179586;
@@ -88,7 +88,7 @@ std::vector<Seen_colour> candidates()
 std::vector<Colour> distinct_colours(std::size_t n)
 {
   static const std::vector<Seen_colour> all = candidates();
-  std::vector<double> distance(all.size(), 1e9); // of each candidate to the colours taken, greys among them
+  std::vector<double> distance(all.size(), 1e9); // distance of each candidate from the colours taken and from grey
   for (std::size_t i = 0; i < all.size(); ++i)
     distance[i] = all[i].by_all.tail<2>().norm() + 0.05;
   std::vector<Colour> colours;

@@ -11,18 +11,16 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// Linear red, green, blue in [0, 1], as glTF wants them.
+/// Linear red, green and blue in [0, 1], as in glTF.
 using Colour = Eigen::Vector3d;
 
-/// `n` colours as different as possible, the first ones most, also for people who do not see red or green; none of them
-/// grey.
+/// `n` colours as different as possible, the first ones most, also with red-green colour blindness; none is grey.
 std::vector<Colour> distinct_colours(std::size_t n);
 
-/// Linear light of a colour as screens and files have it (sRGB), cut to [0, 1], and back.
+/// The conversion of an sRGB colour to linear light, clamped to [0, 1], and its inverse.
 inline Colour linear_colour(const Colour& srgb) { return srgb.unaryExpr(&internal::linear_of_srgb); }
 inline Colour srgb_colour(const Colour& linear) { return linear.unaryExpr(&internal::srgb_of_linear); }
 
-/// The colour of what corresponds to nothing.
 inline Colour grey() { return Colour(0.45, 0.45, 0.45); }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 void check_exists(const std::string& path)
 {
-  std::error_code error; // is none where nothing has the name
+  std::error_code error; // no error if nothing has the name
   if (fs::exists(path, error)) return;
   if (error) refuse(path + ": it cannot be used (" + error.message() + ")", remedy::check_permissions);
   refuse(path + ": there is no such file or folder", remedy::check_name);
@@ -28,7 +28,7 @@ std::ifstream open_input(const std::string& path)
   check_exists(path);
   std::error_code error;
   if (fs::is_directory(path, error)) throw Invalid_input(path + ": it is a folder; name a file in it");
-  if (fs::is_fifo(path, error)) // opening it waits until somebody writes to it
+  if (fs::is_fifo(path, error)) // opening a pipe waits for a writer
     throw Invalid_input(path + ": it is a pipe; copy what it has into a file");
   std::ifstream in(fs::path(path), std::ios::binary);
   if (!in) throw Invalid_input(path + ": it cannot be opened for reading; check its permissions");
@@ -55,7 +55,7 @@ void check_is_not_wide(std::string_view text, const std::string& file)
 std::vector<std::string> files_under(const std::string& folder)
 {
   std::vector<std::string> result;
-  // By calls of itself: the recursive iterator does not say which folder it cannot read
+  // Explicit recursion, since the recursive iterator does not tell which folder it cannot read
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (is_hidden(entry.path())) continue;
     if (entry.is_directory() && !entry.is_symlink()) {

@@ -9,21 +9,21 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A number in a file, from its bytes.
+/// Decodes a number from the bytes of a file.
 template <typename Number, boost::endian::order Order = boost::endian::order::little>
 Number number_in(const char* bytes)
 {
   return boost::endian::endian_load<Number, sizeof(Number), Order>(reinterpret_cast<const unsigned char*>(bytes));
 }
 
-/// The same as a double, whatever its type.
+/// Decodes a number of any type and converts it to double.
 template <typename Number, boost::endian::order Order = boost::endian::order::little>
 double real_in(const char* bytes)
 {
   return double(number_in<Number, Order>(bytes));
 }
 
-/// Appends the bytes of a number, the low ones first.
+/// Appends the bytes of a number, the lowest first.
 template <typename Number>
 void append_little_endian(std::string& bytes, Number number)
 {

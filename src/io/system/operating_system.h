@@ -14,31 +14,31 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-// What is asked of the operating system beyond the standard library; posix.cpp and windows.cpp do it. Paths are UTF-8.
+// Functions of the operating system beyond the standard library, in posix.cpp and windows.cpp. Paths are UTF-8.
 
-/// Prepares the streams, signals and memory of a program. \return the arguments of `main()` in UTF-8, without the name
+/// Sets up streams, signals and memory. \return the arguments of `main()` in UTF-8, without the program's name
 std::vector<std::string> start_program(int argc, char* argv[]);
 
-/// The file of this program; empty if it is not known.
+/// The file of this program; empty if unknown.
 std::filesystem::path program_file();
 
-/// Whether standard error is a terminal that erases lines when asked to.
+/// Whether standard error is a terminal that can erase lines.
 bool errors_are_on_terminal();
 
-/// The most memory that the process has used.
+/// Peak memory of the process.
 double peak_megabytes();
 
 std::int64_t process_number();
 
-/// Whether two paths name one file, as far as their letters say: on Windows, large ones are as good as small ones.
+/// Whether two names are the same file by their letters: on Windows, case is ignored.
 bool are_same_name(const std::filesystem::path& a, const std::filesystem::path& b);
-/// Makes an empty file. \return `file_exists` if there is anything of its name
+/// Creates an empty file. \return `file_exists` if the name is taken
 std::error_code make_new_file(const std::filesystem::path& file);
-/// Why a file cannot be written, if so.
+/// The reason why a file cannot be written, if any.
 std::error_code write_access(const std::filesystem::path& file);
-/// Brings a file or folder to the disk.
+/// Flushes a file or folder to the disk.
 std::error_code synchronize(const std::filesystem::path& path);
-/// Renames a file, or a folder, which takes the place of a file or of an empty folder.
+/// Renames a file, replacing an existing one, or a folder, replacing an empty one.
 std::error_code replace(const std::filesystem::path& old_path, const std::filesystem::path& new_path);
 
 } // namespace CGAL::Shape_correspondence::IO

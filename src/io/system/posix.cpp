@@ -26,16 +26,15 @@ namespace fs = std::filesystem;
 std::error_code error_of(int number) { return {number, std::generic_category()}; }
 std::error_code last_error_if(bool failed) { return failed ? error_of(errno) : std::error_code(); }
 
-/// Opens the standard streams that are closed, such that their use fails; else the next files would be opened in
-/// their place, and what is printed would get into them.
+/// Opens closed standard streams, such that their use fails, or the next opened files would receive what is printed.
 void reserve_standard_streams()
 {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// Ends the program at the signals that ask for it only after its temporary files are gone. A thread waits for them,
-/// since a handler may not remove folders; all others, which are started later, leave them to it.
+/// On signals that end the program, removes its temporary files first. A thread waits for the signals, since a handler
+/// may not remove folders; all other threads, started later, leave them to it.
 void remove_temporaries_at_signals()
 {
 #ifndef __EMSCRIPTEN__
@@ -59,15 +58,14 @@ void remove_temporaries_at_signals()
 #endif
 }
 
-/// Lets the allocator keep what is freed, in place of giving it back to the system and asking for it again, which takes
-/// 3 to 10 % of the time of a `graph`.
+/// Lets the allocator keep freed memory: requesting it again takes 3 to 10 % of the time of a `graph`.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
-  // Bytes
+  // In bytes
   constexpr int most_kept = 1 << 26;
-  constexpr int largest_kept_block = 1 << 22; // greater ones are given back when they are freed
-  constexpr int heap_growth = 1 << 22;        // at a time
+  constexpr int largest_kept_block = 1 << 22; // larger blocks are returned when freed
+  constexpr int heap_growth = 1 << 22;        // bytes for each request
   mallopt(M_TRIM_THRESHOLD, most_kept);
   mallopt(M_MMAP_THRESHOLD, largest_kept_block);
   mallopt(M_TOP_PAD, heap_growth);
@@ -78,7 +76,7 @@ void keep_freed_memory()
 
 std::vector<std::string> start_program(int argc, char* argv[])
 {
-  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow any more is an error of writing
+  std::signal(SIGXFSZ, SIG_IGN); // exceeding the limit of file size becomes an error of writing
   reserve_standard_streams();
   keep_freed_memory();
   remove_temporaries_at_signals();

@@ -17,14 +17,14 @@
 #include <mach-o/dyld.h>
 #endif
 
-// What Linux, macOS and other systems do each in a way of its own
+// Differences between Linux, macOS and other systems
 
 namespace CGAL::Shape_correspondence::IO {
 
 #ifdef __APPLE__
 
-constexpr double units_per_megabyte = 1 << 20;             // of ru_maxrss: bytes
-constexpr short spawn_flags = POSIX_SPAWN_CLOEXEC_DEFAULT; // the started program gets no other files
+constexpr double units_per_megabyte = 1 << 20;             // unit of ru_maxrss: byte
+constexpr short spawn_flags = POSIX_SPAWN_CLOEXEC_DEFAULT; // the started program inherits no files
 
 inline char** environment() { return *_NSGetEnviron(); }
 
@@ -36,7 +36,7 @@ inline std::filesystem::path running_file()
   return _NSGetExecutablePath(name, &size) == 0 ? std::filesystem::canonical(name, error) : std::filesystem::path();
 }
 
-/// A pipe whose ends started programs do not get. \return -1 if it is not made
+/// Creates a pipe whose ends started programs do not inherit. \return -1 on failure
 inline int make_pipe(int (&ends)[2])
 {
   if (pipe(ends) != 0) return -1;
@@ -47,7 +47,7 @@ inline int make_pipe(int (&ends)[2])
 
 #else
 
-constexpr double units_per_megabyte = 1 << 10; // of ru_maxrss: kilobytes
+constexpr double units_per_megabyte = 1 << 10; // unit of ru_maxrss: kilobyte
 constexpr short spawn_flags = 0;
 
 inline char** environment() { return environ; }
@@ -58,12 +58,12 @@ inline std::filesystem::path running_file()
   return std::filesystem::read_symlink("/proc/self/exe", error);
 }
 
-/// A pipe whose ends started programs do not get. \return -1 if it is not made
+/// Creates a pipe whose ends started programs do not inherit. \return -1 on failure
 inline int make_pipe(int (&ends)[2]) { return pipe2(ends, O_CLOEXEC); }
 
 #endif
 
-/// Lets a started program get no files but the standard streams, where the system can.
+/// Lets a started program inherit only the standard streams, if the system supports that.
 inline void close_other_files([[maybe_unused]] posix_spawn_file_actions_t& actions)
 {
 #if defined(__GLIBC__) && defined(__GLIBC_PREREQ)

@@ -23,7 +23,7 @@ using Utf8 = boost::locale::utf::utf_traits<char>;
 
 constexpr std::uint32_t no_character = boost::locale::utf::illegal;
 
-/// The character of UTF-8 that begins at `text[at]`, and its bytes; `no_character` if none does.
+/// The UTF-8 character that starts at `text[at]`, with its bytes; `no_character` if there is none.
 struct Utf8_character
 {
   std::uint32_t code;
@@ -50,7 +50,7 @@ bool is_utf8(const std::string& text)
 
 bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Marks that turn the direction of writing, and ends of lines and paragraphs.
+/// Whether a character changes the direction of writing, or ends a line or paragraph.
 bool is_layout(std::uint32_t code)
 {
   return (code >= 0x200E && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
@@ -79,7 +79,7 @@ bool is_percent_code(const std::string& text, std::size_t at)
   return text[at] == '%' && is_digit(at + 1) && is_digit(at + 2);
 }
 
-/// What stands for each character of a text in UTF-8. \param replaced gives it by the code, the place and the bytes
+/// A UTF-8 text with every character replaced. \param replaced gives the replacement by code, position and bytes
 template <typename Function>
 std::string replace_characters(const std::string& text, const Function& replaced)
 {
@@ -92,7 +92,7 @@ std::string replace_characters(const std::string& text, const Function& replaced
   return result;
 }
 
-/// Replaces the characters that a format cannot hold. \param text in UTF-8 \param is_special of a code and its place
+/// Encodes characters that a format cannot represent. \param text in UTF-8 \param is_special by code and position
 std::string with_percent_codes(const std::string& text,
                                const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
 {
@@ -101,7 +101,8 @@ std::string with_percent_codes(const std::string& text,
   });
 }
 
-/// A text as one line, whose outer blanks readers would drop. \param is_special further characters to be replaced
+/// A text as one line. Outer blanks are encoded, since readers drop them. \param is_special further characters to
+/// encode
 std::string one_line(const std::string& text, const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
 {
   return with_percent_codes(text, [&](std::uint32_t code, std::size_t at) {
@@ -138,7 +139,7 @@ std::string quote_ply(const std::string& name)
 
 std::string file_name(const std::string& name)
 {
-  constexpr std::size_t longest = 200; // bytes; with a number and an ending, at most 255
+  constexpr std::size_t longest = 200; // in bytes; with a number and an extension, at most 255
   const std::set<std::string> reserved{"con", "prn", "aux", "nul"};
   std::string result =
       replace_characters(utf8_text(name), [](std::uint32_t code, std::size_t at, const std::string& bytes) {
@@ -147,7 +148,7 @@ std::string file_name(const std::string& name)
       });
   if (result.size() > longest) {
     std::size_t end = longest;
-    while ((static_cast<unsigned char>(result[end]) & 0xC0) == 0x80) // in a character
+    while ((static_cast<unsigned char>(result[end]) & 0xC0) == 0x80) // within a character
       --end;
     result.resize(end);
   }

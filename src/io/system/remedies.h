@@ -10,8 +10,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// What to do about kinds of faults. Every message about a file says what is wrong, and then one of these, after a
-/// semicolon; a message that has a remedy of its own keeps it.
+/// Remedies for kinds of faults. Every message about a file gives the error and, after a semicolon, a remedy.
 namespace remedy {
 
 constexpr const char* correct_text = "correct that place, or save the file again";
@@ -26,12 +25,12 @@ constexpr const char* write_elsewhere = "choose another place for the output";
 
 } // namespace remedy
 
-/// Whether a message has a semicolon that is in no quotes: it says what to do.
+/// Whether a message has a remedy: a semicolon outside of quotes.
 inline bool has_remedy(const std::string& message)
 {
   bool is_quoted = false;
   for (std::size_t i = 0; i + 1 < message.size(); ++i) {
-    if (message[i] == '\'') // a quotation mark; an apostrophe stands between letters
+    if (message[i] == '\'') // a quotation mark; an apostrophe is between letters
       is_quoted = is_quoted ? std::isalnum(static_cast<unsigned char>(message[i + 1])) != 0
                             : i > 0 && !std::isalnum(static_cast<unsigned char>(message[i - 1]));
     if (!is_quoted && message[i] == ';' && message[i + 1] == ' ') return true;
@@ -39,7 +38,7 @@ inline bool has_remedy(const std::string& message)
   return false;
 }
 
-/// A message that says what to do.
+/// The message with the remedy, unless it already has one.
 inline std::string with_remedy(const std::string& message, const char* remedy)
 {
   return has_remedy(message) ? message : message + "; " + remedy;

@@ -33,7 +33,7 @@ using Clock = std::chrono::steady_clock;
                       remedy::install_again);
 }
 
-/// `posix_spawn()`, which needs nothing of what other threads may hold, as copying this process would.
+/// Uses `posix_spawn()`, which unlike fork() is safe when other threads hold locks.
 pid_t start(const std::string& program, const std::vector<std::string>& arguments, int output)
 {
   posix_spawn_file_actions_t actions;
@@ -46,7 +46,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  posix_spawnattr_t attributes; // the child gets signals at once; this process blocks them
+  posix_spawnattr_t attributes; // for the child to receive the signals that this process blocks
   posix_spawnattr_init(&attributes);
   sigset_t none;
   sigemptyset(&none);
@@ -60,7 +60,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   return child;
 }
 
-/// Reads until the other end is closed. \return whether it was before `end`
+/// Reads until the other end is closed. \return whether that was before `end`
 bool read_all(int pipe, Clock::time_point end, std::string& bytes)
 {
   std::string buffer(std::size_t(1) << 16, '\0');
@@ -69,14 +69,14 @@ bool read_all(int pipe, Clock::time_point end, std::string& bytes)
     pollfd waited{pipe, POLLIN, 0};
     const int ready = rest > 0 ? poll(&waited, 1, int(rest)) : 0;
     if (ready == 0) return false;
-    if (ready < 0) continue; // a signal
+    if (ready < 0) continue; // interrupted by a signal
     const ssize_t n = ::read(pipe, buffer.data(), buffer.size());
     if (n == 0 || (n < 0 && errno != EINTR)) return true;
     if (n > 0) bytes.append(buffer, 0, std::size_t(n));
   }
 }
 
-/// The file that an address of this process was loaded from.
+/// The file from which an address of this process was loaded.
 fs::path file_of_code(const void* address)
 {
   std::error_code error;
@@ -96,7 +96,7 @@ Program_run run_program(const std::string& program, const std::vector<std::strin
   Program_run result;
   pid_t child = 0;
   {
-    const Descriptor to(ends[1]); // closed at once, so that reading ends with the program
+    const Descriptor to(ends[1]); // closed here, so that reading ends with the program
     child = start(program, arguments, to);
   }
   try {

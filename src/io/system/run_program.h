@@ -12,20 +12,19 @@ namespace CGAL::Shape_correspondence::IO {
 /// How a program ended.
 struct Program_run
 {
-  std::string output;         ///< of its standard output
-  int status = 0;             ///< as `waitpid()` gives it
-  bool took_too_long = false; ///< it has been ended for that
+  std::string output;         ///< standard output of the program
+  int status = 0;             ///< as returned by `waitpid()`
+  bool took_too_long = false; ///< whether it was ended because of the limit
 };
 
-/// Runs a program to its end, with no file open but its standard output; standard error is discarded.
-/// \param limit the time after which it is ended
-/// \throw Invalid_input if it cannot be started; the message says why
+/// Runs a program to its end, with only its standard output open; standard error is discarded.
+/// \param limit time after which it is killed
+/// \throw Invalid_input if it cannot be started; the message gives the reason
 Program_run run_program(const std::string& program, const std::vector<std::string>& arguments,
                         std::chrono::milliseconds limit);
 
-/// A program of the package that is installed for its own use: the file that the environment variable `variable` names;
-/// or else that of this name beside the program or library that this code is part of, in the package's folder of such
-/// programs, or where it was built.
+/// A helper program of the package: the file named by the environment variable `variable`, or else the file of this
+/// name beside the program or library with this code, in the package's folder of helpers, or in the build folder.
 /// \throw Invalid_input if there is none; the message says what to do
 std::string own_program(const std::string& name, const char* variable);
 

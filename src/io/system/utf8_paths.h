@@ -7,9 +7,8 @@
 #include <filesystem>
 
 #ifdef _GLIBCXX_FILESYSTEM_IS_WINDOWS
-// Texts are paths in UTF-8, as they are elsewhere. On Windows libstdc++ makes UTF-8 of paths, but takes texts for those
-// of the C library's code page, which cannot be that of UTF-8. All sources that make paths of texts need this; the
-// precompiled header has it.
+// Makes texts UTF-8 paths, as on other systems. On Windows libstdc++ converts paths to UTF-8, but interprets texts in
+// the code page of the C library, which cannot be UTF-8. All sources that make paths of texts need this.
 template <>
 inline auto std::filesystem::path::_S_convert<char>(const char* begin, const char* end)
 {
@@ -19,7 +18,7 @@ inline auto std::filesystem::path::_S_convert<char>(const char* begin, const cha
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The library of Visual C++ takes texts for paths in the encoding of the C library's locale.
+/// Sets the encoding of the C library's locale, in which Visual C++ interprets paths, to UTF-8.
 inline void set_utf8_paths()
 {
 #ifdef _MSC_VER

@@ -29,7 +29,7 @@ std::error_code last_error_if(BOOL failed)
   return failed ? std::error_code(int(GetLastError()), std::system_category()) : std::error_code();
 }
 
-/// A handle that is closed at the end of its scope.
+/// A handle, closed at the end of its scope.
 class Handle
 {
 public:
@@ -54,7 +54,7 @@ HANDLE open_to_write(const fs::path& file, DWORD creation, DWORD attributes)
                      nullptr);
 }
 
-/// Text to a console is in UTF-8 until the program ends.
+/// Sets the encoding of the console to UTF-8 until the program ends.
 void write_utf8()
 {
   static const UINT before = GetConsoleOutputCP();
@@ -66,11 +66,11 @@ std::string utf8_of(const wchar_t* text)
   const int size = WideCharToMultiByte(CP_UTF8, 0, text, -1, nullptr, 0, nullptr, nullptr);
   std::string result(std::size_t(size), '\0');
   WideCharToMultiByte(CP_UTF8, 0, text, -1, result.data(), size, nullptr, nullptr);
-  result.pop_back(); // the zero
+  result.pop_back(); // removes the terminating zero
   return result;
 }
 
-/// Called when the program is asked to end, as by Ctrl+C; it then ends.
+/// Called when the program is asked to end, for example by Ctrl+C, which then happens.
 BOOL WINAPI remove_temporaries_at_end(DWORD)
 {
   remove_temporaries();
@@ -82,7 +82,7 @@ BOOL WINAPI remove_temporaries_at_end(DWORD)
 std::vector<std::string> start_program(int, char*[])
 {
   for (int stream : {0, 1, 2})
-    _setmode(stream, _O_BINARY); // the same bytes as elsewhere
+    _setmode(stream, _O_BINARY); // no conversion of line ends
   write_utf8();
   set_utf8_paths();
   SetConsoleCtrlHandler(remove_temporaries_at_end, TRUE);
@@ -96,7 +96,7 @@ std::vector<std::string> start_program(int, char*[])
 
 fs::path program_file()
 {
-  std::wstring name(1 << 15, L'\0'); // the longest
+  std::wstring name(1 << 15, L'\0'); // the maximum length of a path
   name.resize(GetModuleFileNameW(nullptr, name.data(), DWORD(name.size())));
   return name;
 }
@@ -145,9 +145,9 @@ std::error_code synchronize(const fs::path& path)
 
 std::error_code replace(const fs::path& old_path, const fs::path& new_path)
 {
-  // A file cannot be replaced while another process, such as a virus scanner, has it open
+  // Number of attempts to replace a file, which fails while another process, such as a virus scanner, has it open
   constexpr int attempts = 50;
-  constexpr DWORD pause = 20; // milliseconds
+  constexpr DWORD pause = 20; // in milliseconds
   std::error_code error;
   if (fs::is_directory(new_path, error)) fs::remove(new_path, error);
   for (int i = 0; i < attempts; ++i) {

@@ -13,11 +13,11 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Numbers of the glTF 2.0 specification
+// Codes of the glTF 2.0 specification
 constexpr int component_uint16 = 5123, component_uint32 = 5125, component_float = 5126;
 constexpr int target_vertices = 34962, target_indices = 34963, no_target = 0;
-constexpr int mode_lines = 1;         // triangles need none
-constexpr int restart_index = 0xFFFF; // no index of 16 bits
+constexpr int mode_lines = 1;         // the default mode is triangles
+constexpr int restart_index = 0xFFFF; // reserved: not a valid 16-bit index
 constexpr std::uint32_t magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
 
 void append_uint32(std::string& bytes, std::size_t value) { append_little_endian(bytes, std::uint32_t(value)); }
@@ -66,7 +66,7 @@ int Glb_file::add_bytes(const std::string& bytes, int target)
   return add("bufferViews", Json::of_text(view.line()));
 }
 
-/// Elements of an attribute, a column each.
+/// Adds the elements of an attribute, one for each column.
 template <typename Scalar>
 int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& elements, int target,
                            bool has_bounds)

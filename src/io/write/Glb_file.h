@@ -15,30 +15,30 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// Triangles, or lines, ready to be drawn.
+/// Triangles, or lines, to be drawn.
 struct Drawn_mesh
 {
   Points points;
-  Points normals = {}; ///< unit vectors, one for each point; or empty: shaded flat
+  Points normals = {}; ///< unit vectors, one for each point; empty: flat shading
   Eigen::Matrix3Xi triangles = {};
-  Eigen::Matrix2Xi lines = {};       ///< drawn where there are no triangles
-  std::string layer = {};            ///< what it shows: viewers may switch layers on and off; empty: no layer
-  int material = 0;                  ///< of the file
-  Eigen::Matrix2Xf coordinates = {}; ///< of a texture, one for each point; or empty
+  Eigen::Matrix2Xi lines = {};       ///< drawn if there are no triangles
+  std::string layer = {};            ///< name of a layer that viewers may switch on and off; empty: none
+  int material = 0;                  ///< index in the file
+  Eigen::Matrix2Xf coordinates = {}; ///< texture coordinates, one for each point; or empty
   Eigen::Matrix3Xf colours = {};     ///< factors of the material's colour, one for each point; or empty
-  std::vector<Points> morphs = {};   ///< differences to the points; as many of all meshes of a node
+  std::vector<Points> morphs = {};   ///< differences to the points; equally many for all meshes of a node
 
   bool empty() const { return triangles.cols() == 0 && lines.cols() == 0; }
 };
 
-/// Nodes that are shown together. Viewers without a choice show the first scene.
+/// Nodes that are shown together. Viewers that do not let users choose show the first scene.
 struct Glb_scene
 {
   std::string name;
   std::vector<int> roots;
 };
 
-/// A binary glTF 2.0 file under construction. Everything is referred to by the index that its `add_` returned.
+/// A binary glTF 2.0 file under construction. Objects are referred to by the index returned when they were added.
 class Glb_file
 {
 public:
@@ -47,25 +47,25 @@ public:
   /// Adds an object to a list of the glTF document, such as "images".
   int add(const char* list, Json object);
 
-  /// Adds bytes to the buffer. \param target what they are for, by glTF's number \return their buffer view
+  /// Adds bytes to the buffer. \param target glTF's code for their use \return their buffer view
   int add_bytes(const std::string& bytes, int target = 0);
 
-  /// \param colour linear red, green, blue in [0, 1] \param alpha below 1: see-through \param texture -1: none
+  /// \param colour linear red, green, blue in [0, 1] \param alpha below 1: transparent \param texture -1: none
   int add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha = 1, int texture = -1);
 
-  /// A node with meshes, of which empty ones are left out.
+  /// Adds a node with meshes; empty ones are left out.
   int add_node(const std::string& name, const std::vector<Drawn_mesh>& meshes);
 
-  /// A node with children, moved along by `translation`.
+  /// Adds a node with children, translated by `translation`.
   int add_node(const std::string& name, const std::vector<int>& children, const Point& translation);
 
-  /// Lets the meshes of a node change shape. \param times in seconds \param weights of each morph (row) at each time
+  /// Animates the morphs of a node's meshes. \param times in seconds \param weights by morph (row) and time (column)
   void animate_morphs(int node, const std::vector<double>& times, const Eigen::MatrixXf& weights);
 
-  /// Lets a node be seen from `begin` to `end` only, in seconds.
+  /// Shows a node only from `begin` to `end`, in seconds.
   void animate_visibility(int node, double begin, double end);
 
-  /// Data for viewers that know this package: an object, of a node or of the animation.
+  /// Sets data for viewers that know this package: an object, for a node or for the animation.
   void set_node_extras(int node, Json extras);
   void set_animation_extras(Json extras);
 

@@ -18,10 +18,10 @@ constexpr double two_pi = 6.283185307179586;
 Point unit(const Point& v)
 {
   const double length = v.norm();
-  return length > 0 ? Point(v / length) : Point::UnitY(); // normals of faces without area
+  return length > 0 ? Point(v / length) : Point::UnitY(); // the normal of a degenerate face is arbitrary
 }
 
-/// Normals of triangles; their lengths are twice the areas.
+/// Normals of triangles, of length twice the area.
 Points face_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   Points normals(3, triangles.cols());
@@ -32,7 +32,7 @@ Points face_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
   return normals;
 }
 
-/// The mean normal of the faces around a vertex that are nearly parallel to one of them.
+/// The mean normal of those faces at a vertex that are nearly parallel to the given one.
 Point smooth_normal(const std::vector<int>& faces, int face, const Points& normals)
 {
   const Point own = unit(normals.col(face));
@@ -43,7 +43,7 @@ Point smooth_normal(const std::vector<int>& faces, int face, const Points& norma
   return unit(sum);
 }
 
-/// Triangles of a grid of vertices; the rows close up if `ring_rows`, the columns if `ring_cols`.
+/// Triangles of a grid of vertices; rows are closed if `ring_rows`, columns if `ring_cols`.
 Eigen::Matrix3Xi grid_triangles(int rows, int cols, bool ring_rows, bool ring_cols)
 {
   const int row_steps = ring_rows ? rows : rows - 1, col_steps = ring_cols ? cols : cols - 1;
@@ -59,7 +59,6 @@ Eigen::Matrix3Xi grid_triangles(int rows, int cols, bool ring_rows, bool ring_co
   return triangles;
 }
 
-/// Points in a row without repetitions.
 Points without_repetitions(const Points& polyline)
 {
   Points result(3, polyline.cols());
@@ -70,7 +69,6 @@ Points without_repetitions(const Points& polyline)
   return result.leftCols(n);
 }
 
-/// A small sphere.
 Drawn_mesh sphere(const Point& centre, double radius)
 {
   const int rows = 7, cols = tube_sides;
@@ -89,7 +87,6 @@ Drawn_mesh sphere(const Point& centre, double radius)
   return mesh;
 }
 
-/// Adds the points, normals and triangles of a mesh.
 void append(const Drawn_mesh& more, Drawn_mesh& all)
 {
   const Eigen::Index points = all.points.cols();
@@ -106,7 +103,7 @@ void append(const Drawn_mesh& more, Drawn_mesh& all)
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   const Points normals = face_normals(points, triangles);
-  std::vector<std::vector<int>> faces(points.cols()), copies(points.cols()); // of each point
+  std::vector<std::vector<int>> faces(points.cols()), copies(points.cols());
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     for (int k = 0; k < 3; ++k)
       faces[triangles(k, t)].push_back(static_cast<int>(t));
@@ -117,7 +114,7 @@ Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
     for (int k = 0; k < 3; ++k) {
       const int v = triangles(k, t);
       const Point normal = smooth_normal(faces[v], static_cast<int>(t), normals);
-      // The same point with nearly the same normal is one vertex
+      // A point with nearly the same normal is one vertex
       const auto copy = std::find_if(copies[v].begin(), copies[v].end(),
                                      [&](int i) { return mesh.normals.col(i).dot(normal) > 1 - 1e-6; });
       mesh.triangles(k, t) = copy == copies[v].end() ? used : *copy;
@@ -146,7 +143,8 @@ Drawn_mesh open_tube(const Points& polyline, bool closed, double radius, int sid
     const int after = closed ? (i + 1) % n : std::min(i + 1, n - 1);
     const Point along = unit(centres.col(after) - centres.col(before));
     const Point projected = across - across.dot(along) * along;
-    across = projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal(); // carried along, so no twist
+    // Carried along the curve to avoid twist
+    across = projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal();
     for (int k = 0; k < sides; ++k) {
       const double angle = two_pi * k / sides;
       const Point normal = std::cos(angle) * across + std::sin(angle) * along.cross(across);
@@ -162,7 +160,7 @@ Drawn_mesh tube(const Points& polyline, bool closed, double radius)
 {
   Drawn_mesh mesh = open_tube(polyline, closed, radius, tube_sides);
   if (closed || mesh.empty()) return mesh;
-  const double round = radius * 1.05; // a little more than the tube, so that the ends look round
+  const double round = radius * 1.05; // slightly more than the tube, so that the ends look round
   append(sphere(polyline.col(0), round), mesh);
   append(sphere(polyline.col(polyline.cols() - 1), round), mesh);
   return mesh;

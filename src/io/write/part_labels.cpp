@@ -11,14 +11,14 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double common_share = .75;      // of the names, for a prefix that says nothing
-constexpr std::size_t longest_number = 6; // digits
+constexpr double common_share = .75;      // share of the names from which on a common prefix is dropped
+constexpr std::size_t longest_number = 6; // in digits
 
 bool is_separator(char c) { return c == '_' || c == '-' || c == '.' || c == ' ' || c == ':'; }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// A name in its pieces; `material` and `number` begin with their separators, or are empty.
+/// A name divided into components; `material` and `number` start with their separators, or are empty.
 struct Divided_name
 {
   std::string object, material, number;
@@ -56,7 +56,7 @@ std::string common_prefix(const std::vector<std::string>& names)
   return result;
 }
 
-/// A label without the prefix, also where it begins the material.
+/// A label without the prefix, which is also removed from the material.
 std::string without_prefix(std::string label, const std::string& prefix)
 {
   for (std::size_t at = 0; !prefix.empty() && (at = label.find(prefix, at)) != std::string::npos;)
@@ -67,7 +67,7 @@ std::string without_prefix(std::string label, const std::string& prefix)
   return label;
 }
 
-/// A label up to its number, and the digits; without a number, no digits.
+/// A label divided into the text before its number and the digits; without a number, no digits.
 std::pair<std::string, std::string> numbered(const std::string& label)
 {
   std::size_t begin = label.size();
@@ -77,7 +77,7 @@ std::pair<std::string, std::string> numbered(const std::string& label)
   return {label.substr(0, begin), label.substr(begin)};
 }
 
-/// Whether the label `next` has the number after that of `label`.
+/// Whether the number of `next` follows that of `label`.
 bool follows(const std::string& next, const std::string& label)
 {
   const auto [stem, digits] = numbered(label);

@@ -8,12 +8,11 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The names of a shape's parts as people read them, all different: without the prefix that most of them have, and
-/// where an exporter wrote OBJECT_OBJECT_MATERIAL, without the second OBJECT, and without the material if the object
-/// has no other one.
+/// The displayed names of parts, all different: without a prefix of most of them and, for an exporter's
+/// OBJECT_OBJECT_MATERIAL, without the second OBJECT and, if an object has only one material, without MATERIAL.
 std::vector<std::string> part_labels(const std::vector<std::string>& names);
 
-/// Labels in a list; of three or more with consecutive numbers the first and the last: "seat, leg_1–4".
+/// A list of labels in which three or more with consecutive numbers are replaced by a range: "seat, leg_1–4".
 std::vector<std::string> with_ranges(const std::vector<std::string>& labels);
 
 } // namespace CGAL::Shape_correspondence::IO

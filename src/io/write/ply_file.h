@@ -12,17 +12,16 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A part in a PLY file.
 struct Ply_part
 {
   std::string name;
   Part_mesh mesh;
   std::vector<std::uint8_t> colours = {}; ///< red, green, blue of each point; all parts have them or none
-  std::vector<int> labels = {};           ///< of each triangle; the same
+  std::vector<int> labels = {};           ///< label of each triangle; all parts have them or none
 };
 
-/// Writes parts as one mesh in binary PLY, with the number of the part, and that of its label, for every face; comments
-/// list the names of parts and labels, and say which direction is up.
+/// Writes parts as one mesh in binary PLY, with the index of the part and that of the label for every face; comments
+/// list the names of parts and labels, and the upright direction.
 void write_ply(std::ostream& out, const Point& up, const std::vector<Ply_part>& parts,
                const std::vector<std::string>& labels = {});
 

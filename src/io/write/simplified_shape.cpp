@@ -15,11 +15,11 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr std::size_t fewest_triangles = 24; // of a part: two boxes
-constexpr double margin = 0.05;              // around the triangles at an edge, over the diagonal of their box
+constexpr std::size_t fewest_triangles = 24; // limit for a part: two boxes
+constexpr double margin = 0.05;              // around the triangles at an edge, over the diagonal of their bounding box
 
-/// The place of Lindstrom and Turk, or the middle of the edge where that is far away, as on thin pieces: the planes
-/// that it is computed from nearly meet in a line.
+/// The placement of Lindstrom and Turk, or the midpoint of the edge where that is far away, as on thin pieces, where
+/// the planes that determine it nearly meet in a line.
 class Near_placement
 {
 public:
@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  /// The box of the triangles at an edge, with a margin.
+  /// The bounding box of the triangles at an edge, with a margin.
   template <class Profile>
   static Eigen::AlignedBox3d box_of(const Profile& profile)
   {
@@ -48,7 +48,7 @@ private:
   Surface_mesh_simplification::LindstromTurk_placement<internal::Halfedge_mesh> anywhere_;
 };
 
-/// When few enough edges are left; CGAL's own has other names in other versions.
+/// Stops when few enough edges are left; the names of CGAL's own predicate differ between versions.
 struct Edge_limit
 {
   template <class Cost, class Profile>
@@ -63,7 +63,7 @@ struct Edge_limit
 Part_mesh collapsed(const Part_mesh& mesh, std::size_t most_triangles)
 {
   internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
-  const std::size_t edges = most_triangles * 3 / 2; // of a closed surface
+  const std::size_t edges = most_triangles * 3 / 2; // exact for a closed surface
   Surface_mesh_simplification::edge_collapse(surface, Edge_limit{edges},
                                              CGAL::parameters::get_placement(Near_placement()));
   surface.collect_garbage();

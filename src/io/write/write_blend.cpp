@@ -33,7 +33,7 @@ const char* obstacle_name(Blend_obstacle obstacle)
 
 Json quality_json(const Blend_quality& quality) { return {{"support", quality.support}, {"apart", quality.apart}}; }
 
-/// The shortest decimals that read back to the same numbers.
+/// Appends the shortest decimals that read as the same numbers.
 template <typename Numbers>
 void append_line(std::string& lines, char keyword, const Numbers& numbers)
 {

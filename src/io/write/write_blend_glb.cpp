@@ -23,7 +23,7 @@ constexpr double hold_seconds = 0.5, motion_seconds = 2;
 
 double seconds_at(double t) { return hold_seconds + t * motion_seconds; }
 
-/// By the colours of corresponding parts.
+/// Paints corresponding parts in the same colour.
 class Match_painter : public Blend_painter
 {
 public:
@@ -69,13 +69,12 @@ Json parts_of(std::size_t source, std::size_t target)
   return {{"parts", parts}};
 }
 
-/// Turns a blend as glTF wants it: y is up.
+/// The rotation of a blend to the axes of glTF, in which y is up.
 Eigen::Matrix3d turn_of(const Shape_blend& blend)
 {
   return internal::least_rotation(blend(0).up(), Point::UnitY()).toRotationMatrix();
 }
 
-/// The shape at an end.
 int add_end(Glb_file& glb, const Shape_blend& blend, std::size_t side, Blend_painter& painter)
 {
   const Segmented_shape shape = blend(double(side));
@@ -91,17 +90,17 @@ int add_end(Glb_file& glb, const Shape_blend& blend, std::size_t side, Blend_pai
   return glb.add_node(shape.name(), nodes, Point::Zero());
 }
 
-/// How far points of an animation may be from the blend's, in diagonals of the shapes' box.
+/// Largest deviation of an animation's points, over the diagonal of the shapes' bounding box.
 constexpr double animation_tolerance = 2e-3;
 
-/// A motion of points as few shapes with weights over time: its principal components.
+/// A motion of points, represented by few morph targets with weights over time: its principal components.
 struct Motion
 {
-  std::vector<Points> targets; ///< differences to the points at the begin
-  Eigen::MatrixXf weights;     ///< of each target (row) at each time (column)
+  std::vector<Points> targets; ///< differences to the first points
+  Eigen::MatrixXf weights;     ///< weight of each target (row) at each time (column)
 };
 
-/// \param points at each time \param distance the most that points may be displaced by leaving out components
+/// \param points at each time \param distance largest displacement caused by dropping components
 Motion principal_motion(const std::vector<const Points*>& points, double distance)
 {
   const auto number = Eigen::Index(points.size()), size = points[0]->size();
@@ -130,7 +129,7 @@ double diagonal(const Segmented_shape& shape)
   return points.cols() == 0 ? 0 : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// Adds a surface while it looks the same. \param points its points \param targets their morph targets
+/// Adds a surface for a time of constant appearance. \param points its points \param targets their morph targets
 int add_surface(Glb_file& glb, const Eigen::Matrix3d& turn, const Blend_surface& surface,
                 std::vector<Blend_painter::Painted_mesh> painted, const Points& points,
                 const std::vector<Points>& targets = {})
@@ -156,7 +155,7 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
   glb.animate_visibility(roots[0], 0, hold_seconds);
   const double distance = animation_tolerance * std::max(diagonal(blend(0)), diagonal(blend(1)));
   const std::vector<Blend_surface> surfaces = blend.surfaces();
-  std::vector<std::vector<Points>> points(static_cast<std::size_t>(frames)); // by frame and surface
+  std::vector<std::vector<Points>> points(static_cast<std::size_t>(frames)); // indexed by frame and surface
   internal::for_each_index<CGAL::Parallel_if_available_tag>(
       points.size(), [&](std::size_t frame) { points[frame] = blend.points(double(frame) / (frames - 1)); });
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -166,7 +165,7 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
     times.push_back(surfaces[s].end);
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
       if (times[i] >= times[i + 1]) continue;
-      // One more before and after the frames in which it is there
+      // Includes one frame before and one after those in which the surface is present
       const int first = int(std::floor(times[i] * (frames - 1))), last = int(std::ceil(times[i + 1] * (frames - 1)));
       std::vector<double> seconds;
       std::vector<const Points*> moving;

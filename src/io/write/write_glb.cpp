@@ -13,8 +13,8 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double gap = 0.25;          // between the shapes, over the wider one's width
-constexpr double tube_radius = 0.009; // over the shape's diagonal
+constexpr double gap = 0.25;          // gap between the shapes, over the greater width
+constexpr double tube_radius = 0.009; // ratio to the shape's diagonal
 constexpr double surface_alpha = 0.25;
 const Eigen::Vector2d middle_parameter(0.5, 0.5);
 
@@ -30,7 +30,7 @@ Drawn_mesh of_material(int material, Drawn_mesh mesh)
   return mesh;
 }
 
-/// At most `most` of the indices 0 to `count` - 1 at even steps, the first and the last among them.
+/// At most `most` of the indices 0 to `count` - 1 at even steps, including the first and the last.
 std::vector<int> evenly(int count, int most)
 {
   const int n = std::min(count, most);
@@ -40,7 +40,7 @@ std::vector<int> evenly(int count, int most)
   return result;
 }
 
-/// Where two shapes go so that they stand side by side.
+/// The translations that put two shapes side by side.
 std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& right)
 {
   const double widths[] = {left.upper().x() - left.lower().x(), right.upper().x() - right.lower().x()};
@@ -48,7 +48,6 @@ std::array<Point, 2> side_by_side(const Drawn_shape& left, const Drawn_shape& ri
   return {Point(-half_gap - left.upper().x(), 0, 0), Point(half_gap - right.lower().x(), 0, 0)};
 }
 
-/// A node for all contacts.
 int add_contacts(Glb_file& glb, const Drawn_shape& shape)
 {
   const int black = glb.add_material("contacts", Colour(0.02, 0.02, 0.02));
@@ -114,7 +113,7 @@ Drawn_mesh Drawn_shape::abstraction(std::size_t part) const
 
 Drawn_mesh Drawn_shape::contacts() const
 {
-  constexpr int steps = 3; // of a line
+  constexpr int steps = 3; // number of points of a line
   const auto n = static_cast<Eigen::Index>(structure_.contacts.size());
   Points ends(3, (steps + 1) * n);
   Drawn_mesh result;

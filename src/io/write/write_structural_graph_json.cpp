@@ -72,7 +72,7 @@ Json part(const Part_abstraction& part)
 
 void set_symmetry(Json& group, const Symmetry& symmetry)
 {
-  // In files, what has no symmetry is "self" without a plane
+  // Files say "self", without a plane, for no symmetry
   group["symmetry"] = name_of(symmetry.type == Symmetry_type::NONE ? Symmetry_type::SELF : symmetry.type);
   switch (symmetry.type) {
   case Symmetry_type::NONE:
@@ -112,7 +112,7 @@ Json parameter(const Part_abstraction& part, const Eigen::Vector2d& parameter)
   return Json::array({parameter.x()});
 }
 
-/// A contact of several regions is written as several, of the same parts.
+/// A contact of several regions is written as several contacts of the same parts.
 void add_contact(Json& list, const Contact& contact, const Shape_structure& shape)
 {
   const Part_abstraction &first = shape.parts[contact.parts[0]], &second = shape.parts[contact.parts[1]];

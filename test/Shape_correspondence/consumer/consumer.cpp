@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Matches two graphs that are written by hand: no files are read.
+// Matches two handwritten graphs, without reading files.
 #include "../hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/find_correspondence.h>

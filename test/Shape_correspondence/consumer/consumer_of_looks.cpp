@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes a model with colours as GLB and reads it back, which the program of the package for other formats does.
+// Writes a model with colours as GLB and reads it back, which uses the package's program for other formats.
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 
 #include <fstream>

@@ -21,12 +21,12 @@
 
 #include <unistd.h>
 
-/// Readers of files that are not models or graphs, by the bytes of the file.
+/// Readers of files other than models and graphs, called with the bytes of the file.
 namespace file_readers {
 
 namespace IO = CGAL::Shape_correspondence::IO;
 
-/// A file of some bytes, until the end of its scope.
+/// A file with given content, removed at the end of its scope.
 class File
 {
 public:
@@ -49,7 +49,7 @@ inline void labels(const std::string& bytes) { IO::read_part_labels(File(bytes).
 
 inline void result(const std::string& bytes) { IO::read_correspondence_json(File(bytes).path()); }
 
-/// Of a shape of two pieces, `seat` and `leg`.
+/// Reads a list of pieces for a shape of two pieces, `seat` and `leg`.
 inline void pieces(const std::string& bytes)
 {
   static const CGAL::Shape_correspondence::Segmented_shape shape = [] {
@@ -65,7 +65,7 @@ inline void pieces(const std::string& bytes)
   IO::split_parts_by_json(shape, File(bytes).path());
 }
 
-/// Without the digest in front, which no damage passes.
+/// Reads role models without their digest, which would detect any damage.
 inline void roles(const std::string& bytes)
 {
   std::istringstream in(bytes);

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A reader of the other files, READER: any bytes are read or refused.
+// Fuzz target for READER, a reader of other files: all inputs are read or refused.
 
 #include "file_readers.h"
 

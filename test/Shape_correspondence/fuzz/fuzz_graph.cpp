@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A reader of structural graphs, READER: any bytes are refused or are a graph that can be written and read again.
+// Fuzz target for READER of structural graphs: inputs are refused, or give a graph that can be written and read.
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -25,6 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   std::stringstream again;
   IO::write_structural_graph_json(again, graph);
-  IO::read_structural_graph_json(again, "again"); // throws if the program refuses what it wrote
+  IO::read_structural_graph_json(again, "again"); // throws if the program refuses its own output
   return 0;
 }

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The library from random structural graphs: the input seeds them and chooses the options. A match is an error that
-// says why, or consists of pairs of parts that there are, and numbers.
+// Fuzz target for matching random structural graphs, which the input seeds, with options from the input. The result is
+// an error with a message, or consists of pairs of existing parts and finite numbers.
 
 #include "random_graph.h"
 
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Correspondence found = find_correspondence(source, target, options);
     for (const Part_correspondence& pair : found.pairs)
       if (pair.source >= structure(source).parts.size() || pair.target >= structure(target).parts.size()) std::abort();
-    std::ostringstream text; // throws where a number is not finite
+    std::ostringstream text; // throws if a number is not finite
     IO::write_correspondence_json(text, found, source, target, "a", "b", {});
   } catch (const Invalid_input&) {
   }

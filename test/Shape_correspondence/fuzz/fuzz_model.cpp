@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A reader of models, READER: any bytes are read or refused; what is read is welded.
+// Fuzz target for READER, a reader of models: all inputs are read or refused; models are welded.
 
 #include "io/read/model_parts.h"
 

@@ -26,7 +26,7 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Largest number of shapes whose energies are written into the JSON of a collection; for more, write a matrix file.
+/// Largest number of shapes for which the JSON of a collection contains the energies; for more, write a matrix file.
 constexpr std::size_t largest_written_matrix = 1000;
 
 /// \ingroup PkgShapeCorrespondenceIO
@@ -36,29 +36,29 @@ struct Collection
   /// A shape of the set.
   struct Shape
   {
-    std::string name;               ///< its name
-    std::string file;               ///< the file or folder that it was read from
+    std::string name;               ///< name of the shape
+    std::string file;               ///< the file or folder from which it was read
     std::vector<std::string> parts; ///< names of its parts
   };
-  /// Two shapes that match better through others.
+  /// Two shapes that match better via other shapes.
   struct Bridge
   {
     std::size_t source;                       ///< index of the source shape
     std::size_t target;                       ///< index of the target shape
-    Transitive_correspondence correspondence; ///< the correspondence by way of other shapes
+    Transitive_correspondence correspondence; ///< the correspondence via other shapes
   };
 
-  std::vector<Shape> shapes; ///< the shapes, in the order of all indices
-  /// The energies of ordered pairs of shapes: a function, as a matrix of them may be larger than memory.
+  std::vector<Shape> shapes; ///< all indices refer to this order
+  /// The energies of ordered pairs of shapes. A function, since a matrix of them might exceed memory.
   std::function<double(std::size_t source, std::size_t target)> energy;
-  std::size_t medoid = 0;                  ///< index of the `topological_medoid()`
-  std::vector<Shape_pair> tree;            ///< a minimum spanning tree by `symmetric_distances()`
-  std::vector<Bridge> bridges;             ///< pairs of shapes for which a chain costs less, the largest gain first
-  std::size_t bridge_count = 0;            ///< number of such pairs, also of those not in `bridges`
-  Co_analysis co_analysis;                 ///< labels of parts
+  std::size_t medoid = 0;       ///< index of the `topological_medoid()`
+  std::vector<Shape_pair> tree; ///< a minimum spanning tree by `symmetric_distances()`
+  std::vector<Bridge> bridges;  ///< pairs of shapes for which a chain of shapes has less energy, the largest gain first
+  std::size_t bridge_count = 0; ///< number of such pairs, including those not in `bridges`
+  Co_analysis co_analysis;      ///< labels of parts
   std::size_t co_analysis_shape_pairs = 0; ///< number of unordered pairs of shapes whose maps were clustered
-  std::vector<Shape_pair_map> matches;     ///< maps of ordered pairs of shapes that are to be written
-  std::vector<std::string> warnings;       ///< what was approximated or ended early, in whole sentences
+  std::vector<Shape_pair_map> matches;     ///< maps of ordered pairs of shapes to be written
+  std::vector<std::string> warnings;       ///< sentences on approximations and early ends
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
@@ -71,9 +71,9 @@ void write_collection_json(std::ostream& out, const Collection& collection);
 struct Nearest_in_collection
 {
   Collection::Shape query;               ///< the query
-  std::vector<Collection::Shape> shapes; ///< all of the collection
-  Nearest_shapes nearest;                ///< what was found, by index into `shapes`
-  std::vector<std::string> warnings;     ///< what was approximated or ended early, in whole sentences
+  std::vector<Collection::Shape> shapes; ///< all shapes of the collection
+  Nearest_shapes nearest;                ///< the result, by index into `shapes`
+  std::vector<std::string> warnings;     ///< sentences on approximations and early ends
 };
 
 /// \ingroup PkgShapeCorrespondenceIO

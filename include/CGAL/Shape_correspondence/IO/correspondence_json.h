@@ -42,8 +42,8 @@ void write_correspondence_json(std::ostream& out, const Correspondence& correspo
                                const std::string& target_file, const Match_seconds& seconds);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The same for ranked correspondences, those of `Correspondence_finder::ranked()`: the first is the result, and where
-/// there are more, `solutions` lists all with their energies and pairs.
+/// Writes ranked correspondences (`Correspondence_finder::ranked()`) in the same format: the first is the result, and
+/// if there are more, `solutions` lists all with their energies and pairs.
 /// \pre `ranked` is not empty
 void write_correspondences_json(std::ostream& out, const std::vector<Correspondence>& ranked,
                                 const Structural_graph& source, const Structural_graph& target,
@@ -56,7 +56,7 @@ struct Named_part_correspondence
 {
   std::string source; ///< the source part
   std::string target; ///< the target part
-  /// Probability that the pair is right; not a number if the method does not compute it.
+  /// Probability that the pair is right; NaN if the method does not compute it.
   double confidence = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -69,25 +69,25 @@ struct Named_correspondence
   std::vector<Named_part_correspondence> pairs;    ///< in the order of the file
   bool complete = false;                           ///< see `Correspondence::complete`
   int target_quarter_turns = 0;                    ///< see `Correspondence::target_quarter_turns`
-  std::string category;                            ///< of both shapes; empty if the method does not use roles
-  std::map<std::string, std::string> source_roles; ///< by name of a part; empty if there is no category
-  std::map<std::string, std::string> target_roles; ///< the same
+  std::string category;                            ///< category of both shapes; empty if the method does not use roles
+  std::map<std::string, std::string> source_roles; ///< by part name; empty if there is no category
+  std::map<std::string, std::string> target_roles; ///< see `source_roles`
 };
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a result in the JSON format `shape_correspondence/match`; of ranked solutions, the first.
-/// \throw Invalid_input if the file cannot be read or is no such result; the message gives the file and what is wrong
+/// \throw Invalid_input if the file cannot be read or is not a result; the message gives the file and the error
 Named_correspondence read_correspondence_json(const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Converts a result that was read: pairs and roles by the indices of parts in the graphs, category, completeness and
-/// turn. Messages name `file`.
+/// Converts a result read from a file to indices of parts in the graphs: pairs, roles, category, completeness and
+/// alignment. Messages name `file`.
 /// \throw Invalid_input if a shape does not have one of the parts
 Correspondence correspondence_of(const Named_correspondence& named, const Structural_graph& source,
                                  const Structural_graph& target, const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Whether a JSON file is a result in that format.
+/// Whether a JSON file is a result in the format `shape_correspondence/match`.
 /// \throw Invalid_input if it is not JSON
 bool is_correspondence_json(const std::string& file);
 

@@ -27,7 +27,7 @@ void write_npy(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matri
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a matrix as CSV (RFC 4180): the first line and the first column are names; numbers have the fewest digits
-/// from which the same double is read.
+/// that read as the same double.
 /// \pre the matrix is square, with one name for each row
 void write_csv(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
                const std::vector<std::string>& names);

@@ -22,20 +22,20 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes which piece of a model is in which part, to be edited by hand; the manual describes the format. Link
+/// Writes the assignment of a model's pieces to parts, to be edited by hand; the manual describes the format. Link
 /// `CGAL::Shape_correspondence_IO`.
 /// \param out the stream
 /// \param split the pieces and parts
 void write_parts_json(std::ostream& out, const Part_split& split);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Makes the parts of a model that such a file defines.
+/// Splits a model into the parts defined by such a file.
 /// \param objects the model
 /// \param path the file
-/// \param materials as in `Part_splitting_options`, for files whose pieces end where the material changes
+/// \param materials as in `Part_splitting_options`, for files whose pieces end at changes of the material
 /// \return the parts
-/// \throw Invalid_input if the file cannot be read, is no such file, or does not list the pieces of the model; the
-/// message names the file
+/// \throw Invalid_input if the file cannot be read, is not of this format, or does not list the pieces of the model;
+/// the message names the file
 Part_split split_parts_by_json(const Segmented_shape& objects, const std::string& path,
                                const std::vector<std::vector<int>>& materials = {});
 

@@ -24,15 +24,15 @@ namespace IO {
 /// A shape with labelled parts.
 struct Labelled_shape
 {
-  std::string file;               ///< its `labels.json`
+  std::string file;               ///< path of its `labels.json`
   std::string name;               ///< name of its folder
   std::string category;           ///< from the file; if not given there, the name of the parent folder
-  std::string source;             ///< where the shape comes from; empty if not given
+  std::string source;             ///< origin of the shape; empty if not given
   std::string license;            ///< licence of the shape; empty if not given
   std::vector<std::string> parts; ///< names, each once
-  std::vector<Part_label> labels; ///< by part
+  std::vector<Part_label> labels; ///< indexed by part
 
-  /// The index of a part by its name; the number of parts if there is none.
+  /// Index of the part of this name; the number of parts if there is none.
   std::size_t index(const std::string& part) const;
 };
 
@@ -40,7 +40,7 @@ struct Labelled_shape
 /// Reads labels: `path` is a `labels.json`, or a folder that contains one, or SHAPE/labels.json, or
 /// CATEGORY/SHAPE/labels.json. A file is an object with `parts`, a list of objects with `name`, `coarse` and,
 /// optionally, `fine`; and, optionally, `category`, `source` and `license`. Shapes are sorted by path.
-/// \throw Invalid_input if there are none, or one cannot be used; the message gives the file and what is wrong
+/// \throw Invalid_input if there are no labels, or a file is unusable; the message gives the file and the error
 std::vector<Labelled_shape> read_part_labels(const std::string& path);
 
 } // namespace IO

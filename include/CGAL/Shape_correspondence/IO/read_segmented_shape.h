@@ -21,16 +21,16 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Which files are read with a model.
+/// Options for reading models.
 struct Reading_options
 {
   /// Files that a model names (buffers, materials, textures, meshes of parts) may be anywhere. By default they must be
-  /// in the model's folder or below it, so that a model from somebody else cannot take anything from elsewhere. They
-  /// are regular files in any case.
+  /// in the model's folder or below it, so that an untrusted model cannot read others. They must always be regular
+  /// files.
   bool allow_outside_files = false;
-  /// A file with a label for each face of an OBJ, OFF, PLY or STL model, whose labels are the parts: a line or a word
-  /// for each, or for each label a line with its name and lines with the numbers of its faces, from 1 on. Empty: the
-  /// list beside the model that is named like it and ends in `.seg`, if there is one.
+  /// A file with a label for each face of an OBJ, OFF, PLY or STL model; the labels become the parts: one line or word
+  /// for each face, or for each label a line with its name, followed by lines with the numbers of its faces, from 1 on.
+  /// Empty: the list next to the model with its name and the extension `.seg`, if there is one.
   std::string face_labels = {};
 };
 
@@ -38,28 +38,27 @@ struct Reading_options
 /// Reads a model file (OBJ, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D; every node that owns triangles
 /// is a part; or URDF, of which every link with visuals is a part) or a folder of part meshes (every model file in it,
 /// or in its sub-folder `parts`, is a part, named after the file; sorted by name). Vertices at the same place are
-/// merged, polygons triangulated; faces of fewer than three corners, and parts of a file that have no area, are left
-/// out.
+/// merged, polygons triangulated; faces of fewer than three corners, and parts of a file without area, are left out.
 ///
-/// In OBJ every `o` or `g` statement with faces is a part, in STL every solid; a group that is named again and uses
-/// vertices of the earlier one goes on with it; groups of an `o` that share vertices are one part, unless the file
-/// would then be one; groups of one name in several objects are named `object/group`; if there is only one object,
-/// mostly one piece, its materials are the parts. Labels of faces are parts where a PLY file has them (face property
-/// `part`, `segment`, `label`, `category_id`, `object_id` or the like) or a list gives them. In folders, hidden files
-/// are no parts. If a name occurs again, it gets a number: `leg`, `leg#2`. Names become UTF-8; those that are not UTF-8
-/// are read as Latin-1. OBJ, OFF, PLY, STL and glTF keep double precision, the other formats are read in single
-/// precision. COLLADA files define the upright axis: they are turned to y up. FBX, 3MF and URDF define it, too: it
-/// becomes that of the shape, unless `up` is another one than y.
+/// In OBJ every `o` or `g` statement with faces is a part, in STL every solid. A repeated OBJ group that uses vertices
+/// of the earlier one continues it; groups of an `o` that share vertices are one part, unless the file would then have
+/// only one part; groups with the same name in several objects are named `object/group`; if there is only one object,
+/// mostly one piece, its materials are the parts. Labels of faces become parts if a PLY file has them (face property
+/// `part`, `segment`, `label`, `category_id`, `object_id` or the like) or a list gives them. Hidden files in folders
+/// are ignored. Repeated names get a number: `leg`, `leg#2`. Names become UTF-8; those that are not UTF-8 are read as
+/// Latin-1. OBJ, OFF, PLY, STL and glTF keep double precision, the other formats are read in single precision. COLLADA
+/// files define the upright axis: they are turned to y up. FBX, 3MF and URDF define it as well: it becomes that of the
+/// shape, unless `up` differs from y.
 ///
-/// Formats other than OBJ, OFF, PLY, STL, URDF and glTF 2.0 without compression are read in a program of its own,
-/// `shape_correspondence_import`, which is installed with the package. If it takes more than 2 GB of memory, 60 seconds
-/// of processor time or 120 seconds, that is an error. A program that is linked with the static library and moved to
-/// another machine says where it is by the environment variable `SHAPE_CORRESPONDENCE_IMPORT`. Link
+/// Formats other than OBJ, OFF, PLY, STL, URDF and glTF 2.0 without compression are read in a separate program,
+/// `shape_correspondence_import`, which is installed with the package. It is limited to 2 GB of memory, 60 seconds of
+/// processor time and 120 seconds; exceeding a limit is an error. If a program linked with the static library is moved
+/// to another machine, the environment variable `SHAPE_CORRESPONDENCE_IMPORT` must give its path. Link
 /// `CGAL::Shape_correspondence_IO`.
 /// \param path the file or folder
 /// \param up the upright direction
-/// \param warnings if not null, sentences on what was left out are appended
-/// \param options which files are read
+/// \param warnings receives sentences on what was left out; may be null
+/// \param options labels of faces, and which files may be read
 /// \throw Invalid_input if the file is missing, empty, of an unknown format, damaged or beyond the limits, if it has no
 /// parts or more than 2000, or a part that `Segmented_shape::add_part()` refuses; the message names the file and the
 /// part

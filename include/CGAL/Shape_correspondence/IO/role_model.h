@@ -26,12 +26,12 @@ namespace IO {
 void write_role_model(const std::string& path, const Role_model& model);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Reads the file `path` that `write_role_model()` has written. \throw Invalid_input if there is no such file, or it is
+/// Reads the file `path` written by `write_role_model()`. \throw Invalid_input if there is no such file, or it is
 /// damaged or of another version; the message names the file
 Role_model read_role_model(const std::string& path);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The role model that comes with the package: of airplanes, beds, cars, chairs, lamps, plants, shelves, sofas, tables
+/// The role model that comes with the package, for airplanes, beds, cars, chairs, lamps, plants, shelves, sofas, tables
 /// and velocipedes, read once. `data/roles/manifest.json` lists the training shapes and its accuracy.
 std::shared_ptr<const Role_model> shipped_role_model();
 

@@ -22,29 +22,29 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Identifies what `build_structural_graph()` makes of a shape: a hash (SHA-1) of all names, coordinates and triangles
-/// (bitwise), of all options that the graph depends on except the time limit, and of the version of the algorithms. Of
-/// the abstractor, only the type is hashed: use a folder for each state of an abstractor that has a state. Linear time.
+/// Identifies the result of `build_structural_graph()` for a shape: a hash (SHA-1) of all names, coordinates and
+/// triangles (bitwise), of all options that the graph depends on except the time limit, and of the version of the
+/// algorithms. Only the type of the abstractor is hashed: use one folder for each state of a stateful one. Linear time.
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// A folder of structural graphs, each under the content hash of what it was built from. Several processes may use one
-/// folder at a time. A file that is damaged, or does not match its name, counts as missing.
+/// A folder of structural graphs, each stored under the content hash of its input. Several processes may use one folder
+/// at a time. A file that is damaged, or does not match its name, counts as missing.
 class Structural_graph_cache
 {
 public:
-  /// Makes the folder if there is none.
+  /// Creates the folder if it does not exist.
   /// \throw Invalid_input if it cannot be used
   explicit Structural_graph_cache(std::string folder);
 
-  /// The graph of this content, bitwise identical except for the hulls and most surface samples of the parts, which are
-  /// not saved (the samples that matching uses are); none if there is none.
+  /// The graph with this content hash; none if it is not stored. Bitwise identical except for the hulls and most
+  /// surface samples of the parts, which are not saved (the samples used by matching are).
   std::optional<Structural_graph> find(const std::string& content) const;
 
-  /// Whether there is a file for this content that is damaged.
+  /// Whether the file for this content hash is damaged.
   bool is_damaged(const std::string& content) const;
 
-  /// Saves a graph under its `content`, and replaces an earlier one. A graph with a part that reached the time limit is
+  /// Saves a graph under its `content`, replacing an earlier one. A graph with a part that reached the time limit is
   /// not saved, since it depends on the speed of the machine.
   /// \throw Invalid_input if the file cannot be written
   void insert(const Structural_graph& graph) const;

@@ -20,12 +20,12 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes the graph for graph tools: a node for every group, with the names of its `parts`, its `symmetry` and its
+/// Writes the graph in GraphML: a node for every group, with the names of its `parts`, its `symmetry` and its
 /// `solidity`; an edge for every two groups in contact, with the number of its `contacts`. Geometry is left out.
 void write_structural_graph_graphml(std::ostream& out, const Structural_graph& graph);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The same for Graphviz, every node labelled with its parts.
+/// Writes the graph in the DOT language of Graphviz, every node labelled with its parts.
 void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph);
 
 } // namespace IO

@@ -21,25 +21,25 @@ namespace Shape_correspondence {
 namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as Wavefront OBJ: one object for each part, with the part's name. Coordinates are read back exactly.
+/// Writes a shape as Wavefront OBJ: one object for each part, with the part's name. Reading gives the same coordinates.
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as binary PLY: one mesh, with the number of the part as the property `part` of every face; comments
-/// list the names of the parts.
+/// Writes a shape as binary PLY: one mesh, with the part index as property `part` of every face; comments list the
+/// names of parts.
 void write_segmented_shape_ply(std::ostream& out, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a blend as binary glTF 2.0 with an animation: the source for half a second; `frames` shapes at equal time
-/// steps, the source and target included, in two seconds, with linear motion in between; the target for half a second.
-/// Parts that correspond have one colour. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
+/// steps, including source and target, in two seconds, interpolated linearly; the target for half a second.
+/// Corresponding parts have the same colour. Needs nlohmann-json: link `CGAL::Shape_correspondence_IO`.
 /// \pre `frames >= 2`
 void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Correspondence& correspondence, int frames);
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a description of a blend in the JSON format `shape_correspondence/blend`, version 1: schedules with their
-/// tasks, and the quality of every frame. `source_file` and `target_file` are the inputs as the user named
-/// them, `output` is the file or folder of the frames, `warnings` are sentences to add.
+/// tasks, and the quality of every frame. `source_file` and `target_file` are the inputs as the user named them,
+/// `output` is the file or folder of the frames, `warnings` are added to the document.
 void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structural_graph& source,
                       const Structural_graph& target, const std::string& source_file, const std::string& target_file,
                       const std::string& output, int frames, const std::vector<std::string>& warnings);

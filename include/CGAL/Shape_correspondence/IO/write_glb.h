@@ -23,17 +23,17 @@ namespace IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a picture of a correspondence as binary glTF 2.0: both shapes in their common frame side by side, source on
-/// the left, corresponding parts in one colour, unmatched parts grey, one node for each part with the part's name.
-/// Further scenes of the file hold the curves and sheets, and the contacts as lines. Shapes that have no meshes (read
-/// from a graph) are drawn by their curves and sheets: `source_shape`, `target_shape` are null. Link
+/// the left, corresponding parts in the same colour, unmatched parts grey, one node for each part with the part's name.
+/// Further scenes show the curves and sheets, and the contacts as lines. Shapes without meshes (`source_shape` or
+/// `target_shape` null, for graphs read from files) are drawn by their curves and sheets. Link
 /// `CGAL::Shape_correspondence_IO`.
 void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                               const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
                               const Segmented_shape* target_shape = nullptr);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a picture of a structural graph: surfaces faint, curves as tubes and sheets as patches, one colour for each
-/// group, and a line for each contact.
+/// Writes a picture of a structural graph: transparent surfaces, curves as tubes and sheets as patches, one colour for
+/// each group, and a line for each contact.
 void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph,
                                 const Segmented_shape* shape = nullptr);
 

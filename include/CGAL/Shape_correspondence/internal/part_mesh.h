@@ -51,7 +51,7 @@ auto vertex_point_map(const Mesh& mesh, const NamedParameters& np)
     return get(CGAL::vertex_point, mesh);
 }
 
-/// The name of the part that a segment becomes: from the named parameter `part_names`, or made from the id.
+/// The name of the part for a segment: from the named parameter `part_names`, or derived from the id.
 template <typename NamedParameters>
 std::string part_name(long long id, const NamedParameters& np)
 {
@@ -66,7 +66,7 @@ std::string part_name(long long id, const NamedParameters& np)
     return "segment_" + std::to_string(id);
 }
 
-/// Points and polygons that are collected one by one; polygons become fans of triangles.
+/// Collects points and polygons, which are triangulated as fans.
 class Part_mesh_data
 {
 public:
