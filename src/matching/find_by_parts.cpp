@@ -34,7 +34,7 @@ std::vector<std::size_t> places_of_parts(const Aligned_shape& from, const Aligne
 // Whether the energy of a matching is computed fast: all counterparts of parts in contact are compared pairwise.
 bool is_rated_fast(const Part_matching& matching, const Aligned_shape& source)
 {
-  constexpr double most_comparisons = 2e7; // of counterparts; they take about a fifth of a second
+  constexpr double most_comparisons = 2e7; // number of pairs of counterparts that takes about a fifth of a second
   std::vector<double> counterparts(source.parts.size(), 0);
   for (const Part_correspondence& pair : matching.pairs)
     ++counterparts[pair.source];
