@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the page of the manual on accuracy from the results of the experiments.
 
-  accuracy_page.py RESULTS.md Accuracy.txt [--check]
+  accuracy_page.py RESULTS.md Accuracy.md [--check]
 
 All numbers are those of RESULTS.md, which results.py writes. With --check, nothing is written, and the status is 1 if the page is not
 what it would write.
@@ -12,10 +12,9 @@ import argparse
 import re
 import sys
 
-PAGE = """/*!
-\\page sc_accuracy Accuracy
+PAGE = """# Accuracy
 
-P, R and F1 are precision, recall and F1 of pairs of parts against human or generated labels (\\ref sc_evaluation): means over the pairs of a category, then
+P, R and F1 are precision, recall and F1 of pairs of parts against human or generated labels ([Evaluation](Evaluation.md)): means over the pairs of a category, then
 over categories. Intervals are 95 % bootstrap intervals over shapes. All experiments are in `benchmark/Shape_correspondence/RESULTS.md`.
 
 Three sets of shapes are used. Only the second one is nearly a blind test of the default method:
@@ -25,13 +24,13 @@ Three sets of shapes are used. Only the second one is nearly a blind test of the
   on them, and they are made of the same components as the generated shapes.
 - *development set*: real shapes of six categories, labelled by hand, which are not part of the package. Constants of all methods were set on it.
 
-\\section sc_ac_methods Methods
+## Methods
 
 Without roles. The methods that are named after authors are reimplementations from their papers; RESULTS.md lists what is simplified. Seconds are for one pair of
 shapes whose graphs are known.
 
 {methods}
-\\section sc_ac_roles Roles
+## Roles
 
 Cross-validated on labelled shapes: the model was trained without the shapes in the column *left out*. *gain* is the difference of F1 with and without roles,
 *sure* the precision of pairs with a confidence of .7 or more, and *share* their share of all pairs.
@@ -45,16 +44,16 @@ shape by `collection --labels-from`:
 Exact search with roles in the energy (`--role-weight`), for pairs of shapes that were left out of the training:
 
 {energy}
-\\section sc_ac_confidence Confidences
+## Confidences
 
 Pairs of parts in five classes of confidence, and the share of them that is right. Without roles.
 
 {confidence}
-\\cgalFigureBegin{{sc_reliability,reliability.svg}}
-Confidence of pairs and share of right pairs, on the generated shapes (`experiments reliability FOLDER`).
-\\cgalFigureEnd
+![Confidence of pairs and share of right pairs, on the generated shapes (experiments reliability FOLDER)](fig/reliability.svg)
 
-\\section sc_ac_segments Segments of meshes in one piece
+*Confidence of pairs and share of right pairs, on the generated shapes (`experiments reliability FOLDER`).*
+
+## Segments of meshes in one piece
 
 Meshes of the Princeton Segmentation Benchmark (Chen, Golovinskiy and Funkhouser 2009) with the labels of Kalogerakis et al. 2010; nothing was fitted to them.
 *Rand error*: share of the pairs of faces that are in one segment by `segment_mesh()`, but not in one connected region of a label, or the reverse. *refused*:
@@ -65,13 +64,13 @@ Do not compare these with published figures. Published Rand errors are against a
 about .10 on average over all 19 categories, and most methods get the number of segments, or are trained on other meshes of the category. Methods for labels
 are trained on 3 to 19 meshes and label every face; here segments are labelled as wholes.
 
-\\section sc_ac_abstraction Abstraction
+## Abstraction
 
 Generated shapes have a known curve or sheet for every part; *right kinds* are the parts for which a curve or a sheet is found as it should be. Deviations are
 fractions of the diagonal of the part; seconds are processor time.
 
 {abstraction}
-\\section sc_ac_raw Unprepared models
+## Unprepared models
 
 Of 820 OBJ files of Debian's `sweethome3d-furniture`, 778 give a graph, and 42 are one piece that thickness does not divide; of 223 AC3D files of
 `flightgear-data-ai` 189 and 34; none crashed (`wild_models.py`). 104 of the former are labelled, too. Their parts as `match` makes them of the raw file have an F1 of .892
@@ -79,7 +78,7 @@ Of 820 OBJ files of Debian's `sweethome3d-furniture`, 778 give a graph, and 42 a
 an F1 of .638, from labelled parts with .689, by roles that were learned without the two shapes. What is lost is lost with parts: cars whose windows join
 the body, a desk whose feet lie on its boards. Without roles, 706 of the 820 are taken to stand along y, as all do; 538 if y has no prior.
 
-\\section sc_ac_worst What fails
+## What fails
 
 The pairs of least F1, of real and of generated shapes alike, are
 
@@ -90,7 +89,7 @@ The pairs of least F1, of real and of generated shapes alike, are
 - parts whose role the other shape lacks: the sides of a chair without legs are matched with legs;
 - wheelchairs against bicycles: the same parts, but hardly one of them in the same place.
 
-\\section sc_ac_tried What was tried
+## What was tried
 
 The constants of `Part_matching_options` were chosen on the development set and the generated shapes. Coordinate descent on all categories but one scores .610 on the
 one left out, where the present values score .619. A constant that is changed by a factor of .7 or 1.4 changes F1 with roles by .01 at most (.02: two parts make a
@@ -104,16 +103,15 @@ ones); features of neighbours; weights fitted for each category; confidences cal
 
 Generated shapes beside the labelled ones in the training of roles raise F1 from .722 to .815 (neither shape seen); they were designed with the labelled ones in view.
 
-\\section sc_ac_search Search
+## Search
 
 Seconds of the beam search of the paper, of exact search, and of the default, for pairs of generated shapes (as Table 1 of the paper), with the numbers of parts
 and symmetry groups of source and target.
 
 {search}
-\\cgalFigureBegin{{sc_figure10,figure10.svg}}
-Mean energy of the beam search relative to the proven minimum, by beam width (`experiments figure10 FOLDER`).
-\\cgalFigureEnd
-*/
+![Mean energy of the beam search relative to the proven minimum, by beam width (experiments figure10 FOLDER)](fig/figure10.svg)
+
+*Mean energy of the beam search relative to the proven minimum, by beam width (`experiments figure10 FOLDER`).*
 """
 SETS = [("generated shapes", "generated"), ("shapes of random styles", "random styles"), ("development set", "development")]
 
@@ -150,7 +148,7 @@ def methods(results):
     text = ""
     if any("\nCommit " not in results.section(section) for section in sections):
         text = ("Here, the paper's method has the default's fit, proximity and direction, with which it scores higher than `--paper` does now "
-                "(\\ref sc_paper).\n\n")
+                "([The Paper and This Package](The_paper.md)).\n\n")
     for section, (title, name) in zip(sections, SETS):
         rows = results.rows(section)
         text += f"{title.capitalize()}:\n\n" + table(
@@ -189,7 +187,7 @@ def abstraction(results):
              "generated shapes")
     rows = results.rows(title)
     is_old = "\nCommit " not in results.section(title)
-    note = "\nThe row of the flow is older than its present thresholds; \\ref sc_paper_3 has newer numbers of right kinds.\n" if is_old else ""
+    note = "\nThe row of the flow is older than its present thresholds; [the page on the paper](The_paper.md#section-3-overview) has newer numbers of right kinds.\n" if is_old else ""
     heads = ["abstraction", "kinds as stated", "curves off by, median", "sheets off by, median", "F1 paper", "F1 default",
              "CPU s / shape"]
     return table(["abstraction", "right kinds", "curves, median", "sheets, median", "F1 of the paper's method", "F1 default",
