@@ -71,14 +71,14 @@ function scene_of(parts) {
   ground.rotation.x = -Math.PI / 2;
   ground.position.y = -0.002;
   ground.receiveShadow = true;
-  const sun = new THREE.DirectionalLight(0xffffff, 1.35);
-  sun.position.set(0.5, 3, 1.1);
+  const sun = new THREE.DirectionalLight(0xffffff, 1.25);
+  sun.position.set(0.9, 2.6, 1.9);
   sun.castShadow = true;
   sun.shadow.mapSize.set(2048, 2048);
   sun.shadow.radius = 6;
   sun.shadow.bias = -0.001;
   Object.assign(sun.shadow.camera, {left: -1.2, right: 1.2, top: 1.4, bottom: -1.2});
-  scene.add(ground, sun, new THREE.HemisphereLight(0xffffff, 0xbbbbbb, 0.8));
+  scene.add(ground, sun, new THREE.HemisphereLight(0xffffff, 0xcccccc, 0.95));
   return scene;
 }
 
@@ -136,7 +136,7 @@ function label(parts, left, wide, column, side) {
   }
 }
 
-const out = [], last = frames.length - 1, margin = 128, wide = (width - 2 * margin) / 3, still = 0.62;
+const out = [], last = frames.length - 1, margin = 140, wide = (width - 2 * margin) / 3, still = 0.62;
 for (let i = 0; i < 2 * last; ++i) {
   const step = i <= last ? i : 2 * last - i, turn = still + 0.16 * Math.sin(Math.PI * i / last);
   draw(scenes[0], margin, wide, still);
