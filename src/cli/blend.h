@@ -58,7 +58,7 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
 /// The size of the frames where none is asked for: `SAME`, with a warning, for shapes that seem to be in other units.
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
 
-/// Tells which parts have no map onto their counterparts, and why.
+/// Tells which parts are exchanged for their counterparts, and why they do not morph.
 void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings);
 
