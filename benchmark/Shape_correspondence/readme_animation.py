@@ -3,20 +3,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the moving picture of README.md: two chairs with the roles of their parts, and the one turning into the other.
 
-  readme_animation.py PROGRAM DATA OUT.webp [--browser chromium] [--three three.min.js]
+  readme_animation.py PROGRAM DATA OUT.webp [--browser chromium]
 
 A browser without a window draws the frames with three.js; this script makes them one animated WebP.
 """
 import argparse
-import base64
 import json
 import os
-import re
 import struct
 import subprocess
 import tempfile
 
-from picture import BROWSER_FLAGS, read_model
+from picture import read_model, rendered
 
 PAIR = "chair_four_legged", "chair_swivel"
 COLOURS = {"back": "#2f91f2", "seat": "#b7cb30", "seat_frame": "#f8a96e", "leg": "#dc5b90"}  # further roles get OTHER
@@ -26,62 +24,9 @@ WIDTH, HEIGHT = 1000, 380
 STILL, MOVING = 1200, 80  # milliseconds of a frame
 QUALITY = 0.8
 
-PAGE = """<!DOCTYPE html><meta charset="utf-8"><body><script src="file://%(three)s"></script><script src="shapes.js"></script><script>
-const [width, height, scale] = [%(width)d, %(height)d, 2];
-const renderer = new THREE.WebGLRenderer({antialias: true});
-renderer.setSize(width * scale, height * scale);
-renderer.shadowMap.enabled = true;
-renderer.shadowMap.type = THREE.PCFSoftShadowMap;
-renderer.outputEncoding = THREE.sRGBEncoding;
-renderer.setClearColor(0xffffff);
+SCRIPT = """
+const scale = 2, renderer = makeRenderer(width * scale, height * scale);
 renderer.setScissorTest(true);
-
-// Normals of corners: means over the triangles at a point that are turned by less than 40 degrees
-function geometry(flat) {
-  const result = new THREE.BufferGeometry(), normals = new Float32Array(flat.length), at = new Map();
-  const facets = [];
-  for (let i = 0; i < flat.length; i += 9) {
-    const [a, b, c] = [0, 3, 6].map(k => new THREE.Vector3(flat[i + k], flat[i + k + 1], flat[i + k + 2]));
-    const n = b.sub(a).cross(c.sub(a));
-    facets.push([n, n.clone().normalize()]);
-    for (const k of [0, 3, 6]) {
-      const key = flat.slice(i + k, i + k + 3).join();
-      at.has(key) ? at.get(key).push(i / 9) : at.set(key, [i / 9]);
-    }
-  }
-  for (let i = 0; i < flat.length; i += 3) {
-    const own = facets[Math.floor(i / 9)][1], sum = new THREE.Vector3();
-    for (const f of at.get(flat.slice(i, i + 3).join())) if (own.dot(facets[f][1]) > 0.766) sum.add(facets[f][0]);
-    sum.normalize().toArray(normals, i);
-  }
-  result.setAttribute('position', new THREE.BufferAttribute(new Float32Array(flat), 3));
-  result.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
-  return result;
-}
-
-function scene_of(parts) {
-  const scene = new THREE.Scene();
-  for (const part of parts) {
-    const colour = new THREE.Color(part.colour).convertSRGBToLinear();
-    const mesh = new THREE.Mesh(geometry(part.triangles), new THREE.MeshStandardMaterial({color: colour, roughness: 0.7, side: THREE.DoubleSide}));
-    mesh.castShadow = mesh.receiveShadow = true;
-    scene.add(mesh);
-  }
-  const ground = new THREE.Mesh(new THREE.PlaneBufferGeometry(9, 9), new THREE.ShadowMaterial({opacity: 0.18}));
-  ground.rotation.x = -Math.PI / 2;
-  ground.position.y = -0.002;
-  ground.receiveShadow = true;
-  const sun = new THREE.DirectionalLight(0xffffff, 1.25);
-  sun.position.set(0.9, 2.6, 1.9);
-  sun.castShadow = true;
-  sun.shadow.mapSize.set(2048, 2048);
-  sun.shadow.radius = 6;
-  sun.shadow.bias = -0.001;
-  Object.assign(sun.shadow.camera, {left: -1.2, right: 1.2, top: 1.4, bottom: -1.2});
-  scene.add(ground, sun, new THREE.HemisphereLight(0xffffff, 0xcccccc, 0.95));
-  return scene;
-}
-
 const camera = new THREE.PerspectiveCamera(24, 1, 0.1, 20);
 function look(wide, turn) {
   camera.aspect = wide / height;
@@ -101,7 +46,7 @@ function draw(scene, left, wide, turn) {
 const canvas = document.createElement('canvas');
 [canvas.width, canvas.height] = [width, height];
 const pen = canvas.getContext('2d', {alpha: false});
-const scenes = frames.map(scene_of);
+const scenes = frames.map(sceneOf);
 
 // A column of names beside a chair, with lines to the parts
 function label(parts, left, wide, column, side) {
@@ -149,10 +94,10 @@ for (let i = 0; i < 2 * last; ++i) {
   look(wide, still);
   label(frames[0], margin, wide, margin - 12, -1);
   label(frames[last], margin + 2 * wide, wide, width - margin + 12, 1);
-  out.push(canvas.toDataURL('image/webp', %(quality)g));
+  out.push(canvas.toDataURL('image/webp', quality));
 }
 document.body.textContent = out.join('\\n');
-</script>"""
+"""
 
 
 def role_colours(blocks):
@@ -209,16 +154,10 @@ def main():
     parser.add_argument("data")
     parser.add_argument("out")
     parser.add_argument("--browser", default="chromium")
-    parser.add_argument("--three", default="/usr/share/javascript/three/three.min.js")
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as work:
-        with open(os.path.join(work, "shapes.js"), "w") as file:
-            file.write("const frames = " + json.dumps(shapes(os.path.abspath(args.program), args.data, work)) + ";")
-        page = os.path.join(work, "page.html")
-        with open(page, "w") as file:
-            file.write(PAGE % {"three": args.three, "width": WIDTH, "height": HEIGHT, "quality": QUALITY})
-        done = subprocess.run([args.browser, *BROWSER_FLAGS, "--dump-dom", "--timeout=600000", "file://" + page], capture_output=True, text=True, check=True)
-    frames = [base64.b64decode(data) for data in re.findall(r"data:image/webp;base64,([\w+/=]+)", done.stdout)]
+        data = {"frames": shapes(os.path.abspath(args.program), args.data, work), "width": WIDTH, "height": HEIGHT, "quality": QUALITY}
+        frames = rendered(SCRIPT, data, args.browser)
     durations = [STILL if i in (0, STEPS) else MOVING for i in range(len(frames))]
     with open(args.out, "wb") as file:
         file.write(animated(frames, durations))
