@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-from picture import GREY, THREE, Picture, colours_of_match, draw_blend, numbered_colour, read_model, screenshot
+from picture import GREY, THREE, Picture, colours_of_match, colours_of_roles, draw_blend, numbered_colour, read_model, screenshot
 
 DEMO = "chair_four_legged", "chair_swivel"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
@@ -79,6 +79,13 @@ def tube(points, radius=0.006):
             low, high = ([[p[k] + sign * side[k] for k in range(3)] for p in (a, b)] for sign in (-1, 1))
             triangles += [[low[0], low[1], high[1]], [high[1], high[0], low[0]]]
     return triangles
+
+
+def colours_by_label(parts):
+    """The colour of a part by its coarse label."""
+    roles = sorted({part["coarse"] for part in parts})
+    colours = dict(zip(roles, colours_of_roles(roles)))
+    return {part["name"]: colours[part["coarse"]] for part in parts}.get
 
 
 class Pictures:
@@ -174,12 +181,11 @@ class Pictures:
 
     def roles(self):
         """Parts in the colours of their roles."""
-        shapes, order = ["chair_slatted", "chair_swivel", "table_trestle", "airplane_propeller"], {}
+        shapes = ["chair_slatted", "chair_swivel", "table_trestle", "airplane_propeller"]
         picture = Picture(len(shapes))
         for column, shape in enumerate(shapes):
             with open(os.path.join(self.data(shape), "labels.json")) as labels:
-                role = {part["name"]: part["coarse"] for part in json.load(labels)["parts"]}
-            picture.draw(read_model(self.data(shape)), lambda name: numbered_colour(order.setdefault(role[name], len(order))), column)
+                picture.draw(read_model(self.data(shape)), colours_by_label(json.load(labels)["parts"]), column)
         picture.write(self.out("roles"), self.args.browser)
 
     def blocks(self):
@@ -239,18 +245,17 @@ class Pictures:
         panels = [("leg", box((x, 0, 0), (x + 0.06, 0.7, 0.8))) for x in (0.1, 1.04)]
         picture = Picture(2)
         for column, parts in enumerate(([top, *legs], [top, *panels])):
-            picture.draw(parts, lambda name: numbered_colour(name == "leg"), column)
+            picture.draw(parts, dict(zip(("top", "leg"), colours_of_roles(["top", "leg"]))).get, column)
         picture.write(self.out("tutorial_pipeline"), self.args.browser)
 
     def tutorial_roles(self):
         """Lamps in the colours of their roles."""
-        folder, order = os.path.join(self.generated("--benchmark"), "lamp"), {}
+        folder = os.path.join(self.generated("--benchmark"), "lamp")
         lamps = sorted(os.listdir(folder))[::3]
         picture = Picture(len(lamps))
         for column, lamp in enumerate(lamps):
             with open(os.path.join(folder, lamp, "labels.json")) as labels:
-                role = {part["name"]: part["coarse"] for part in json.load(labels)["parts"]}
-            picture.draw(read_model(os.path.join(folder, lamp)), lambda name: numbered_colour(order.setdefault(role[name], len(order))), column)
+                picture.draw(read_model(os.path.join(folder, lamp)), colours_by_label(json.load(labels)["parts"]), column)
         picture.write(self.out("tutorial_roles"), self.args.browser)
 
     def tutorial_match(self):
@@ -262,9 +267,8 @@ class Pictures:
     def tutorial_parts(self):
         picture = Picture(2)
         parts = read_model(self.data(DEMO[0]))
-        labels = {p["name"]: p["coarse"] for p in json.load(open(os.path.join(self.data(DEMO[0]), "labels.json")))["parts"]}
-        objects = sorted(set(labels.values()))
-        picture.draw(parts, lambda name: numbered_colour(objects.index(labels[name])), 0)
+        with open(os.path.join(self.data(DEMO[0]), "labels.json")) as labels:
+            picture.draw(parts, colours_by_label(json.load(labels)["parts"]), 0)
         names = [name for name, _ in parts]
         picture.draw(parts, lambda name: numbered_colour(names.index(name)), 1)
         picture.write(self.out("tutorial_parts"), self.args.browser)

@@ -66,6 +66,22 @@ def numbered_colour(number):
     return colorsys.hsv_to_rgb(number * GOLDEN_RATIO % 1, 0.55 + 0.2 * darker, 0.95 - 0.25 * darker)
 
 
+def role_colours():
+    """The colours of roles, as the program has them."""
+    with open(os.path.join(HERE, "..", "..", "src", "io", "system", "colours.cpp")) as file:
+        text = file.read()
+    palette = [tuple(int(word[2 * i:2 * i + 2], 16) / 255 for i in range(3)) for word in re.findall(r"\b0x([0-9a-f]{6})\b", text)]
+    return {role: palette[int(place)] for role, place in re.findall(r'\{"(\w+)", (\d+)\}', text)}
+
+
+def colours_of_roles(roles):
+    """A colour for each: the first of a role has the role's colour."""
+    known, result = role_colours(), []
+    for i, role in enumerate(roles):
+        result.append(known.pop(role, None) or numbered_colour(i))
+    return result
+
+
 def hexadecimal(colour):
     return "#" + "".join(f"{round(255 * min(1, channel)):02x}" for channel in colour)
 
@@ -115,9 +131,11 @@ class Picture:
 
 def colours_of_match(blocks):
     """Colours of source parts and of target parts: one for each block, grey for the others."""
+    colours = colours_of_roles([block.get("role") for block in blocks])
+
     def of_side(side):
         number = {part: i for i, block in enumerate(blocks) for part in block[side]}
-        return lambda name: numbered_colour(number[name]) if name in number else GREY
+        return lambda name: colours[number[name]] if name in number else GREY
     return [of_side("source"), of_side("target")]
 
 

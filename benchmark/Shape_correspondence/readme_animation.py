@@ -14,11 +14,9 @@ import struct
 import subprocess
 import tempfile
 
-from picture import read_model, rendered
+from picture import GREY, colours_of_roles, hexadecimal, read_model, rendered
 
 PAIR = "chair_four_legged", "chair_swivel"
-COLOURS = {"back": "#2f91f2", "seat": "#b7cb30", "seat_frame": "#f8a96e", "leg": "#dc5b90"}  # further roles get OTHER
-OTHER, UNMATCHED = "#734f9a", "#b4b4b8"
 STEPS = 24  # from one chair to the other
 WIDTH, HEIGHT = 1000, 380
 STILL, MOVING = 1200, 80  # milliseconds of a frame
@@ -100,18 +98,18 @@ document.body.textContent = out.join('\\n');
 """
 
 
-def role_colours(blocks):
+def roles_of(blocks):
     """Roles of source parts and of target parts, by name."""
     return [{part: block.get("role", "") for block in blocks for part in block[side]} for side in ("source", "target")]
 
 
-def shape(parts, role_of):
+def shape(parts, role_of, colours):
     result = []
     for name, triangles in parts:
         role = role_of(name)
         flat = [round(x, 4) for triangle in triangles for point in triangle for x in point]
         middle = [(min(flat[i::3]) + max(flat[i::3])) / 2 for i in range(3)]
-        result.append({"role": role, "colour": COLOURS.get(role, OTHER) if role else UNMATCHED, "triangles": flat, "middle": middle})
+        result.append({"role": role, "colour": hexadecimal(colours[role] if role else GREY), "triangles": flat, "middle": middle})
     return result
 
 
@@ -122,12 +120,14 @@ def shapes(program, data, work):
     subprocess.run([program, "match", *models, "--json", match, "--quiet"], check=True)
     subprocess.run([program, "blend", *models, "--match", match, "-o", folder, "--frames", str(STEPS + 1), "--size", "same", "--quiet"], check=True)
     with open(match) as file:
-        of_source, of_target = role_colours(json.load(file)["blocks"])
+        of_source, of_target = roles_of(json.load(file)["blocks"])
 
     def role_of(name):
         a, _, b = name.partition("~")
         return of_source.get(a) or of_target.get(b or a) or ""
-    return [shape(read_model(os.path.join(folder, name)), role_of) for name in sorted(os.listdir(folder))]
+    roles = sorted({*of_source.values(), *of_target.values()})
+    colours = dict(zip(roles, colours_of_roles(roles)))
+    return [shape(read_model(os.path.join(folder, name)), role_of, colours) for name in sorted(os.listdir(folder))]
 
 
 def chunk(kind, data):

@@ -54,8 +54,8 @@ function sceneOf(parts) {
   const sun = new THREE.DirectionalLight(0xffffff, 1.5);
   sun.position.set(0.9, 2.6, 1.9);
   sun.castShadow = true;
-  sun.shadow.mapSize.set(2048, 2048);
-  sun.shadow.radius = 6;
+  sun.shadow.mapSize.set(1024, 1024);
+  sun.shadow.radius = 3;
   sun.shadow.bias = -0.001;
   Object.assign(sun.shadow.camera, {left: -1.2, right: 1.2, top: 1.4, bottom: -1.2});
   scene.add(ground, sun, new THREE.HemisphereLight(0xffffff, 0x999999, 1.1));
