@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws shapes side by side, as WebP files, by three.js in a browser without a window; and takes screenshots of pages."""
 import base64
+import collections
 import colorsys
 import json
 import math
@@ -15,6 +16,7 @@ THREE = "/usr/share/javascript/three/three.min.js"  # of Debian's libjs-three
 WIDTH, HEIGHT = 320, 384  # pixels of a shape
 TURN, TILT = math.radians(32), math.radians(18)  # of the eye
 GREY = 0.72, 0.72, 0.72
+SHADES = 1, 0.8, 1.15, 0.9, 1.07
 COLOURS = ("2f91f2 dc5b90 b7cb30 203aa1 af2e0b 7e0360 b68629 46d6d2 734f9a 7c2621 a879c4 a82964 4cdd8b 1e5dc2 cfaafc 50367f ce7066 "
            "297538 ff9cb4 772548 8b467e f8a96e").split()
 GOLDEN_RATIO = 0.618034  # far hues for subsequent numbers
@@ -75,10 +77,12 @@ def role_colours():
 
 
 def colours_of_roles(roles):
-    """A colour for each: the first of a role has the role's colour."""
-    known, result = role_colours(), []
+    """A colour for each: of a role, the first has the role's colour, further ones have shades of it."""
+    known, count, result = role_colours(), collections.Counter(), []
     for i, role in enumerate(roles):
-        result.append(known.pop(role, None) or numbered_colour(i))
+        shade = SHADES[count[role] % len(SHADES)]
+        count[role] += 1
+        result.append(tuple(shade * channel for channel in known[role]) if role in known else numbered_colour(i))
     return result
 
 
