@@ -30,7 +30,7 @@ def label(page, anchor=""):
 def reference(text, url, page):
     """A link as doxygen's reference; of files that are not in the manual, the text."""
     path, _, anchor = url.partition("#")
-    plain = text.replace("`", "").replace('"', "'").replace("\n", " ")
+    plain = re.sub(r"[`*]", "", text).replace('"', "'").replace("\n", " ")
     if "://" in url:
         return f"[{text}]({url})"
     if path.startswith("../../examples/"):
