@@ -98,7 +98,7 @@ void warn_of_changes(const std::string& path, Read_model& model)
                               : "Objects of loose pieces were split into parts: ";
   const std::string what = number > 0 ? how + listed(names) + more : "Objects joined the parts that they belong to";
   model.warnings.push_back(what + ". --parts file takes the objects as they are; `shape_correspondence parts " + path +
-                           "` shows the reasons.");
+                           "` says why.");
 }
 
 bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_file(path); }
