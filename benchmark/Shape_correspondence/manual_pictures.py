@@ -358,7 +358,7 @@ class Pictures:
         screenshot(self.args.browser, page, self.out("page", ".png"), WIDTH, HEIGHT)
 
 
-NAMES = ["abstraction", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
+NAMES = ["abstraction", "blend", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
          "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure14", "gallery_nearest", "graph", "page"]
 
 
