@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the page of the manual on accuracy from the results of the experiments.
 
-  accuracy_page.py RESULTS.md Accuracy.txt [--check]
+  accuracy_page.py RESULTS.md Accuracy.md [--check]
 
 All numbers are those of RESULTS.md, which results.py writes. With --check, nothing is written, and the status is 1 if the page is not
 what it would write.
@@ -12,108 +12,127 @@ import argparse
 import re
 import sys
 
-PAGE = """/*!
-\\page sc_accuracy Accuracy
+PAGE = """# Accuracy
 
-P, R and F1 are precision, recall and F1 of pairs of parts against human or generated labels (\\ref sc_evaluation): means over the pairs of a category, then
-over categories. Intervals are 95 % bootstrap intervals over shapes. All experiments are in `benchmark/Shape_correspondence/RESULTS.md`.
+How often are the pairs right that the program finds? This page compares them with human or generated labels. P, R and F1 are precision, recall and F1 of pairs of
+parts ([Evaluation](Evaluation.md)). They are means over the pairs of a category, then over categories. Intervals are 95 % bootstrap intervals over shapes. All experiments are in
+`benchmark/Shape_correspondence/RESULTS.md`.
 
-Three sets of shapes are used. Only the second one is nearly a blind test of the default method:
+There are three sets of shapes. Only the second one is nearly a blind test of the default method:
 
 - *generated shapes*: ninety shapes of six categories, `generate_models --benchmark`. Some constants and rules of the default method were chosen on them.
 - *shapes of random styles*: `generate_models --benchmark --random-styles --seed 101`. No constant was chosen on them, but the last removal of rules was checked
   on them, and they are made of the same components as the generated shapes.
 - *development set*: real shapes of six categories, labelled by hand, which are not part of the package. Constants of all methods were set on it.
 
-\\section sc_ac_methods Methods
+## Methods
 
-Without roles. The methods that are named after authors are reimplementations from their papers; RESULTS.md lists what is simplified. Seconds are for one pair of
+In these tables, no method uses roles. The methods that are named after authors are reimplementations from their papers; RESULTS.md lists what is simplified. Seconds are for one pair of
 shapes whose graphs are known.
 
 {methods}
-\\section sc_ac_roles Roles
+## Roles
 
-Cross-validated on labelled shapes: the model was trained without the shapes in the column *left out*. *gain* is the difference of F1 with and without roles,
-*sure* the precision of pairs with a confidence of .7 or more, and *share* their share of all pairs.
+Roles were cross-validated on labelled shapes: the model was trained without the shapes in the column *left out*. *gain* is the difference of F1 with and without roles,
+*sure* is the precision of pairs with a confidence of .7 or more, and *share* is their share of all pairs.
 
 {roles}
-So roles help for categories that they were learned from, but not for others. For those, some labelled shapes can be added (`--examples`; here, with the category
-given): eight raise F1, the gain of five is within the margin of error, and one lowers F1. *labels* is the share of parts that get their right label from another
+So roles help for the categories that they were learned from, but not for others. For other categories, you can add some labelled shapes (`--examples`; here, with the category
+given). Eight raise F1, the gain of five is within the margin of error, and one lowers F1. *labels* is the share of parts that get their right label from another
 shape by `collection --labels-from`:
 
 {few}
-Exact search with roles in the energy (`--role-weight`), for pairs of shapes that were left out of the training:
+Exact search can use roles in the energy (`--role-weight`). These pairs of shapes were left out of the training:
 
 {energy}
-\\section sc_ac_confidence Confidences
+## Confidences
 
-Pairs of parts in five classes of confidence, and the share of them that is right. Without roles.
+A confidence of .7 should mean that 70 % of such pairs are right. The table has pairs of parts in five classes of confidence, without roles, and the share of them that is right.
 
 {confidence}
-\\cgalFigureBegin{{sc_reliability,reliability.svg}}
-Confidence of pairs and share of right pairs, on the generated shapes (`experiments reliability FOLDER`).
-\\cgalFigureEnd
+![Confidence of pairs and share of right pairs, on the generated shapes (experiments reliability FOLDER)](fig/reliability.svg)
 
-\\section sc_ac_segments Segments of meshes in one piece
+*Confidence of pairs and share of right pairs, on the generated shapes (`experiments reliability FOLDER`).*
 
-Meshes of the Princeton Segmentation Benchmark (Chen, Golovinskiy and Funkhouser 2009) with the labels of Kalogerakis et al. 2010; nothing was fitted to them.
-*Rand error*: share of the pairs of faces that are in one segment by `segment_mesh()`, but not in one connected region of a label, or the reverse. *refused*:
-meshes that are not divided. *labels*: share of the area that gets its right label from 1, 3 or 12 labelled examples, if the true segments are given.
+## Segments of meshes in one piece
+
+These meshes are from the Princeton Segmentation Benchmark (Chen, Golovinskiy and Funkhouser 2009), with the labels of Kalogerakis et al. 2010. Nothing was fitted to them.
+*Rand error* is the share of the pairs of faces that are in one segment by `segment_mesh()`, but not in one connected region of a label, or the reverse. *refused* is the number of
+meshes that are not divided. *labels* is the share of the area that gets its right label from 1, 3 or 12 labelled examples, if the true segments are given.
 
 {princeton}
 Do not compare these with published figures. Published Rand errors are against all segmentations that people made of a mesh, which differ among each other by
-about .10 on average over all 19 categories, and most methods get the number of segments, or are trained on other meshes of the category. Methods for labels
-are trained on 3 to 19 meshes and label every face; here segments are labelled as wholes.
+about .10 on average over all 19 categories. Most published methods get the number of segments, or are trained on other meshes of the category. Published methods for labels
+are trained on 3 to 19 meshes and label every face; here, whole segments are labelled.
 
-\\section sc_ac_abstraction Abstraction
+## Abstraction
 
 Generated shapes have a known curve or sheet for every part; *right kinds* are the parts for which a curve or a sheet is found as it should be. Deviations are
 fractions of the diagonal of the part; seconds are processor time.
 
 {abstraction}
-\\section sc_ac_raw Unprepared models
+## Unprepared models
 
-Of 820 OBJ files of Debian's `sweethome3d-furniture`, 778 give a graph, and 42 are one piece that thickness does not divide; of 223 AC3D files of
-`flightgear-data-ai` 189 and 34; none crashed (`wild_models.py`). 104 of the former are labelled, too. Their parts as `match` makes them of the raw file have an F1 of .892
-(a labelled part is found if one part shares .75 of their union; .842 with `--parts components`, .360 with `--parts file`; `benchmark_parts`). From raw files, 336 pairs are matched with
-an F1 of .638, from labelled parts with .689, by roles that were learned without the two shapes. What is lost is lost with parts: cars whose windows join
-the body, a desk whose feet lie on its boards. Without roles, 706 of the 820 are taken to stand along y, as all do; 538 if y has no prior.
+These models were made by others, for other purposes (`wild_models.py`). None crashed the program:
 
-\\section sc_ac_worst What fails
+| files | give a graph | are one piece that thickness does not divide |
+|---|---|---|
+| 820 OBJ files of Debian's `sweethome3d-furniture` | 778 | 42 |
+| 223 AC3D files of `flightgear-data-ai` | 189 | 34 |
+
+*Parts.* 104 of the OBJ files are labelled, too. The parts that `match` makes of the raw files have an F1 of .892, with `--parts components` .842, with `--parts file` .360
+(`benchmark_parts`). A labelled part is found if one part shares .75 of their union.
+
+*Matches.* By roles that were learned without the two shapes, 336 pairs of raw files are matched with an F1 of .638, and their labelled parts with .689. The loss comes from wrong
+parts: the windows of a car join its body, and the feet of a desk lie on its boards.
+
+*Upright axis.* All 820 stand along y. Without roles, 706 are recognised, and 538 if y is not preferred.
+
+## What fails
 
 The pairs of least F1, of real and of generated shapes alike, are
 
 - shapes of a known category that are similar to no labelled one, such as a workbench, a kitchen island or a chest with a mattress: geometry alone decides;
 - shapes without an order from bottom to top: a spotlight on a wall, a row of lamps on a bar, a ceiling lamp against a lamp post;
-- what hangs: it is turned over, which is right for chain and foot, but wrong for what is upright in it;
+- hanging shapes: they are turned over, which is right for chain and foot, but wrong for parts that are upright;
 - sets of parts that are matched as a whole because of a few near pairs: the boards of an island, the aprons of a workbench;
 - parts whose role the other shape lacks: the sides of a chair without legs are matched with legs;
 - wheelchairs against bicycles: the same parts, but hardly one of them in the same place.
 
-\\section sc_ac_tried What was tried
+## What was tried
 
 The constants of `Part_matching_options` were chosen on the development set and the generated shapes. Coordinate descent on all categories but one scores .610 on the
-one left out, where the present values score .619. A constant that is changed by a factor of .7 or 1.4 changes F1 with roles by .01 at most (.02: two parts make a
-row). Without one of the rules, F1 by geometry is lower: .592 in place of .647 without panels and .597 without support on generated shapes, .651 and .675 in place of .693
-on the development set.
+category that was left out, and the present values score .619 there. If a constant is changed by a factor of .7 or 1.4, F1 with roles changes by .01 at most (by .02 if two parts make a
+row). Without the rules for sets of parts, F1 by geometry is lower:
 
-Without gain were, among others: costs made doubly stochastic; boosted trees or logistic regression on features of a pair; parts as unions of parts that cost less together;
-the place in the order of support; the share of a box in a larger one; proportions kept in part in place of unit boxes; the least cost alone to choose an alignment (.61 in place of
-.68, so an alignment other than the given one must be better by 5 %). With roles: a wider limit of the distance from labelled parts (better for known categories, worse for unknown
-ones); features of neighbours; weights fitted for each category; confidences calibrated by category; exemplars in place of trees.
+| shapes | all rules | without panels | without support |
+|---|---|---|---|
+| generated | .647 | .592 | .597 |
+| development set | .693 | .651 | .675 |
 
-Generated shapes beside the labelled ones in the training of roles raise F1 from .722 to .815 (neither shape seen); they were designed with the labelled ones in view.
+These changes, among others, did not raise F1:
 
-\\section sc_ac_search Search
+- costs made doubly stochastic;
+- boosted trees or logistic regression on features of a pair;
+- parts as unions of parts that cost less together;
+- the place in the order of support; the share of a box in a larger one;
+- proportions kept in part in place of unit boxes;
+- the least cost alone to choose an alignment (.61 in place of .68). Therefore an alignment other than the given one must be better by 5 %;
+- with roles: a wider limit of the distance from labelled parts (better for known categories, worse for unknown ones); features of neighbours; weights fitted for each category; confidences
+  calibrated by category; exemplars in place of trees.
 
-Seconds of the beam search of the paper, of exact search, and of the default, for pairs of generated shapes (as Table 1 of the paper), with the numbers of parts
-and symmetry groups of source and target.
+If the training of roles has generated shapes in addition to the labelled ones, F1 rises from .722 to .815 (neither shape seen). The generated shapes were designed with the labelled ones
+in view.
+
+## Search
+
+The table has seconds of the beam search of the paper, of exact search, and of the default, for pairs of generated shapes, as Table 1 of the paper. The numbers of parts
+and symmetry groups are those of source and target.
 
 {search}
-\\cgalFigureBegin{{sc_figure10,figure10.svg}}
-Mean energy of the beam search relative to the proven minimum, by beam width (`experiments figure10 FOLDER`).
-\\cgalFigureEnd
-*/
+![Mean energy of the beam search relative to the proven minimum, by beam width (experiments figure10 FOLDER)](fig/figure10.svg)
+
+*Mean energy of the beam search relative to the proven minimum, by beam width (`experiments figure10 FOLDER`).*
 """
 SETS = [("generated shapes", "generated"), ("shapes of random styles", "random styles"), ("development set", "development")]
 
@@ -150,7 +169,7 @@ def methods(results):
     text = ""
     if any("\nCommit " not in results.section(section) for section in sections):
         text = ("Here, the paper's method has the default's fit, proximity and direction, with which it scores higher than `--paper` does now "
-                "(\\ref sc_paper).\n\n")
+                "([The Paper and This Package](The_paper.md)).\n\n")
     for section, (title, name) in zip(sections, SETS):
         rows = results.rows(section)
         text += f"{title.capitalize()}:\n\n" + table(
@@ -189,7 +208,7 @@ def abstraction(results):
              "generated shapes")
     rows = results.rows(title)
     is_old = "\nCommit " not in results.section(title)
-    note = "\nThe row of the flow is older than its present thresholds; \\ref sc_paper_3 has newer numbers of right kinds.\n" if is_old else ""
+    note = "\nThe row of the flow is older than its present thresholds; [the page on the paper](The_paper.md#section-3-overview) has newer numbers of right kinds.\n" if is_old else ""
     heads = ["abstraction", "kinds as stated", "curves off by, median", "sheets off by, median", "F1 paper", "F1 default",
              "CPU s / shape"]
     return table(["abstraction", "right kinds", "curves, median", "sheets, median", "F1 of the paper's method", "F1 default",

@@ -5,18 +5,20 @@
 
   manual_pictures.py PROGRAM GENERATOR DATA OUT [--browser chromium] [--only NAME,NAME]
 
-GENERATOR is generate_models. Makes OUT/NAME.png or .svg: the picture of README.md, the figures of the manual, the shapes of the tutorials, and the gallery. `graph` and
-`page` are screenshots of pages; they are made only with --browser.
+GENERATOR is generate_models. Makes OUT/NAME.webp, .svg or .png: the figures of the manual, the shapes of the tutorials, and the gallery. Shapes are drawn by three.js in Chromium; `graph` and
+`page` are screenshots of pages. readme_animation.py makes the picture of README.md, python/blender/test_addon.py that of the add-on.
 """
 import argparse
 import json
 import math
 import os
+import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 
-from picture import GREY, Picture, colours_of_match, connected_blocks, draw_blend, numbered_colour, read_model, screenshot
+from picture import GREY, THREE, Picture, colours_of_match, colours_of_roles, draw_blend, numbered_colour, read_model, screenshot
 
 DEMO = "chair_four_legged", "chair_swivel"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
@@ -24,7 +26,8 @@ CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel",
 GALLERY = [("velocipede", "city", "adult_tricycle"), ("airplane", "biplane", "biplane_twin"), ("chair", "office_slats", "windsor_arms"),
            ("lamp", "desk_clamp", "desk_three_rods"), ("table", "leaves_up", "writing"), ("bed", "cot_bars", "slats"),
            ("boat", "dinghy", "yawl"), ("cart", "handcart", "wagon")]
-WIDTH, HEIGHT = 1000, 520  # of a screenshot
+SKIPPED = 77
+WIDTH, HEIGHT = 1000, 520  # of a screenshot, which has twice as many pixels
 
 
 def line(a, b, colour, width):
@@ -78,6 +81,13 @@ def tube(points, radius=0.006):
     return triangles
 
 
+def colours_by_label(parts):
+    """The colour of a part by its coarse label."""
+    roles = sorted({part["coarse"] for part in parts})
+    colours = dict(zip(roles, colours_of_roles(roles)))
+    return {part["name"]: colours[part["coarse"]] for part in parts}.get
+
+
 class Pictures:
     def __init__(self, args, scratch):
         self.args, self.scratch = args, scratch
@@ -89,8 +99,8 @@ class Pictures:
     def data(self, name):
         return os.path.join(self.args.data, name)
 
-    def out(self, name):
-        return os.path.join(self.args.out, name + ".png")
+    def out(self, name, ending=".webp"):
+        return os.path.join(self.args.out, name + ending)
 
     def generated(self, *options):
         folder = os.path.join(self.scratch, "generated" + "".join(options))
@@ -108,20 +118,6 @@ class Pictures:
         colours = colours_of_match(self.result("match", source, target, *options)["blocks"])
         for side, model in enumerate((source, target)):
             picture.draw(read_model(model), colours[side], column + side, row)
-
-    def match(self):
-        picture = Picture(2)
-        self.draw_pair(picture, *map(self.data, DEMO))
-        picture.write(self.out("match"))
-
-    def readme(self):
-        """Two pairs of chairs, and the blend of the first one in the same colours."""
-        source, target = map(self.data, DEMO)
-        picture = Picture(5, 2)
-        self.draw_pair(picture, source, target)
-        self.draw_pair(picture, self.data("chair_slatted"), self.data("chair_spindle"), column=3)
-        self.draw_blend(picture, source, target, 5, row=1)
-        picture.write(self.out("readme"))
 
     def draw_blend(self, picture, source, target, frames, row=0):
         """A blend from left to right, in the colours of the match."""
@@ -149,7 +145,7 @@ class Pictures:
         picture.draw(read_model(shape), lambda name: numbered_colour(names.index(name)), 0)
         picture.draw(drawn, lambda name: numbered_colour(names.index(name)), 1)
         picture.draw(drawn, lambda name: numbered_colour(group[name]), 2)
-        picture.write(self.out("abstraction"))
+        picture.write(self.out("abstraction"), self.args.browser)
 
     def energy(self):
         """Rods of one contact, as they are, turned, and longer: a schematic picture."""
@@ -185,13 +181,12 @@ class Pictures:
 
     def roles(self):
         """Parts in the colours of their roles."""
-        shapes, order = ["chair_slatted", "chair_swivel", "table_trestle", "airplane_propeller"], {}
+        shapes = ["chair_slatted", "chair_swivel", "table_trestle", "airplane_propeller"]
         picture = Picture(len(shapes))
         for column, shape in enumerate(shapes):
             with open(os.path.join(self.data(shape), "labels.json")) as labels:
-                role = {part["name"]: part["coarse"] for part in json.load(labels)["parts"]}
-            picture.draw(read_model(self.data(shape)), lambda name: numbered_colour(order.setdefault(role[name], len(order))), column)
-        picture.write(self.out("roles"))
+                picture.draw(read_model(self.data(shape)), colours_by_label(json.load(labels)["parts"]), column)
+        picture.write(self.out("roles"), self.args.browser)
 
     def blocks(self):
         """The parts of two chairs, one colour for each, and the blocks of their match."""
@@ -202,13 +197,13 @@ class Pictures:
             names = [name for name, _ in parts]
             picture.draw(parts, lambda name: numbered_colour(names.index(name)), column)
         self.draw_pair(picture, *pair, column=2)
-        picture.write(self.out("blocks"))
+        picture.write(self.out("blocks"), self.args.browser)
 
     def split(self):
         """Splits, step by step: a solid back becomes slats."""
         picture = Picture(6)
         self.draw_blend(picture, self.data("chair_four_legged"), self.data("chair_slatted"), 6)
-        picture.write(self.out("split"))
+        picture.write(self.out("split"), self.args.browser)
 
     def map(self):
         """Stripes on the parts of a chair, and what the map between the surfaces makes of them."""
@@ -241,7 +236,7 @@ class Pictures:
         picture = Picture(2)
         picture.draw([(colours[band], triangles) for (_, band), triangles in pieces.items()], tuple, 0)
         picture.draw(read_coloured_ply(painted), tuple, 1)
-        picture.write(self.out("map"))
+        picture.write(self.out("map"), self.args.browser)
 
     def tutorial_pipeline(self):
         """The two tables of the example, in the colours of their labels."""
@@ -250,35 +245,33 @@ class Pictures:
         panels = [("leg", box((x, 0, 0), (x + 0.06, 0.7, 0.8))) for x in (0.1, 1.04)]
         picture = Picture(2)
         for column, parts in enumerate(([top, *legs], [top, *panels])):
-            picture.draw(parts, lambda name: numbered_colour(name == "leg"), column)
-        picture.write(self.out("tutorial_pipeline"))
+            picture.draw(parts, dict(zip(("top", "leg"), colours_of_roles(["top", "leg"]))).get, column)
+        picture.write(self.out("tutorial_pipeline"), self.args.browser)
 
     def tutorial_roles(self):
         """Lamps in the colours of their roles."""
-        folder, order = os.path.join(self.generated("--benchmark"), "lamp"), {}
+        folder = os.path.join(self.generated("--benchmark"), "lamp")
         lamps = sorted(os.listdir(folder))[::3]
         picture = Picture(len(lamps))
         for column, lamp in enumerate(lamps):
             with open(os.path.join(folder, lamp, "labels.json")) as labels:
-                role = {part["name"]: part["coarse"] for part in json.load(labels)["parts"]}
-            picture.draw(read_model(os.path.join(folder, lamp)), lambda name: numbered_colour(order.setdefault(role[name], len(order))), column)
-        picture.write(self.out("tutorial_roles"))
+                picture.draw(read_model(os.path.join(folder, lamp)), colours_by_label(json.load(labels)["parts"]), column)
+        picture.write(self.out("tutorial_roles"), self.args.browser)
 
     def tutorial_match(self):
         picture = Picture(4)
         self.draw_pair(picture, *map(self.data, DEMO))
         self.draw_pair(picture, self.data("chair_slatted"), self.data("chair_spindle"), column=2)
-        picture.write(self.out("tutorial_match"))
+        picture.write(self.out("tutorial_match"), self.args.browser)
 
     def tutorial_parts(self):
         picture = Picture(2)
         parts = read_model(self.data(DEMO[0]))
-        labels = {p["name"]: p["coarse"] for p in json.load(open(os.path.join(self.data(DEMO[0]), "labels.json")))["parts"]}
-        objects = sorted(set(labels.values()))
-        picture.draw(parts, lambda name: numbered_colour(objects.index(labels[name])), 0)
+        with open(os.path.join(self.data(DEMO[0]), "labels.json")) as labels:
+            picture.draw(parts, colours_by_label(json.load(labels)["parts"]), 0)
         names = [name for name, _ in parts]
         picture.draw(parts, lambda name: numbered_colour(names.index(name)), 1)
-        picture.write(self.out("tutorial_parts"))
+        picture.write(self.out("tutorial_parts"), self.args.browser)
 
     def collection(self):
         return self.result("collection", *map(self.data, CHAIRS))
@@ -289,7 +282,7 @@ class Pictures:
         for column, chair in enumerate(CHAIRS):
             picture.draw(read_model(self.data(chair)),
                          lambda name: numbered_colour(cluster[chair, name]) if (chair, name) in cluster else GREY, column)
-        picture.write(self.out("tutorial_collection"))
+        picture.write(self.out("tutorial_collection"), self.args.browser)
 
     def gallery_figure1(self):
         """Figures 1 and 9: correspondences by the method of the paper."""
@@ -299,7 +292,7 @@ class Pictures:
             folder = next(path for path in (os.path.join(f, category) for f in folders) if os.path.isdir(path))
             shapes = [os.path.join(folder, f"{category}_{name}") for name in (a, b)]
             self.draw_pair(picture, *shapes, options=["--paper"], column=i % 4 * 2, row=i // 4)
-        picture.write(self.out("gallery_figure1"))
+        picture.write(self.out("gallery_figure1"), self.args.browser)
 
     def blends(self, name, pairs, frames=7):
         """A row of frames for each pair of shapes."""
@@ -309,7 +302,7 @@ class Pictures:
                 out = os.path.join(scratch, "frames")
                 self.run("blend", *pair, "-o", out, "--frames", str(frames))
                 draw_blend(picture, out, row)
-        picture.write(self.out(name))
+        picture.write(self.out(name), self.args.browser)
 
     def blend(self):
         self.blends("blend", [(self.data("table_pedestal"), self.data("table_trestle"))])
@@ -322,23 +315,6 @@ class Pictures:
         found = lambda *names: next(path for path in (os.path.join(folder, *names, "parts") for folder in folders) if os.path.isdir(path))
         self.blends("gallery_figure12", [[found(category, name) for name in names] for category, *names in pairs])
 
-    def gallery_figure13(self):
-        """Figure 13: a pair directly, and by way of the chain of least energy."""
-        folder = self.generated("--benchmark")
-        tables = [os.path.join(folder, "table", name) for name in sorted(os.listdir(os.path.join(folder, "table")))]
-        bridges = self.result("collection", *tables, "--paper")["bridges"]
-        best = min(bridges, key=lambda b: b["energy"] / b["direct_energy"])
-        path = {os.path.basename(table): table for table in tables}
-        chain = [path[name] for name in best["chain"]]
-        picture = Picture(2 + len(chain))
-        self.draw_pair(picture, chain[0], chain[-1], options=["--paper"])
-        colours = colours_of_match(connected_blocks(best["pairs"]))
-        for i, shape in enumerate(chain):
-            ends = {0: colours[0], len(chain) - 1: colours[1]}
-            picture.draw(read_model(shape), ends.get(i, lambda name: GREY), 2 + i)
-        picture.write(self.out("gallery_figure13"))
-        print("figure 13:", " - ".join(best["chain"]), best["energy"], "directly", best["direct_energy"])
-
     def gallery_figure14(self):
         """Figure 14: the shapes of a set by their mean distance, the medoid first."""
         folder = os.path.join(self.generated("--benchmark"), "chair")
@@ -346,10 +322,10 @@ class Pictures:
         energies = self.result("collection", *chairs, "--paper")["energies"]
         n = len(chairs)
         order = sorted(range(n), key=lambda i: sum(energies[i][j] + energies[j][i] for j in range(n)))
-        picture = Picture(n, fineness=1)
+        picture = Picture(n)
         for column, i in enumerate(order):
             picture.draw(read_model(chairs[i]), lambda name: numbered_colour(0) if column == 0 else GREY, column)
-        picture.write(self.out("gallery_figure14"))
+        picture.write(self.out("gallery_figure14"), self.args.browser)
 
     def gallery_nearest(self):
         """The medoids of the categories of generated shapes, and the ten shapes of all that are nearest to each."""
@@ -357,7 +333,7 @@ class Pictures:
         shapes = {category: [os.path.join(folder, category, name) for name in sorted(os.listdir(os.path.join(folder, category)))]
                   for category in sorted(os.listdir(folder))}
         everything = sum(shapes.values(), [])
-        picture = Picture(1 + count, len(shapes), fineness=1)
+        picture = Picture(1 + count, len(shapes))
         for row, (category, members) in enumerate(shapes.items()):
             query = next(m for m in members if os.path.basename(m) == self.result("collection", *members)["medoid"]["shape"])
             others = [shape for shape in everything if shape != query]
@@ -369,22 +345,21 @@ class Pictures:
             for column, near in enumerate(self.result("collection", *others, "--nearest", query, "-k", str(count))["nearest"]):
                 colour = {b: numbered_colour(number[a]) for a, b in sorted(near["pairs"], key=lambda pair: size[pair[0]])}
                 picture.draw(read_model(near["file"]), lambda name: colour.get(name, GREY), 1 + column, row)
-        picture.write(self.out("gallery_nearest"))
+        picture.write(self.out("gallery_nearest"), self.args.browser)
 
     def graph(self):
         page = os.path.join(self.scratch, "graph.html")
         self.run("graph", self.data("chair_spindle"), "--html", page)
-        screenshot(self.args.browser, page, self.out("graph"), WIDTH, HEIGHT)
+        screenshot(self.args.browser, page, self.out("graph", ".png"), WIDTH, HEIGHT)
 
     def page(self):
         page = os.path.join(self.scratch, "match.html")
         self.run("match", *map(self.data, DEMO), "--html", page)
-        screenshot(self.args.browser, page, self.out("page"), WIDTH, HEIGHT)
+        screenshot(self.args.browser, page, self.out("page", ".png"), WIDTH, HEIGHT)
 
 
-NAMES = ["readme", "match", "abstraction", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
-         "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure13",
-         "gallery_figure14", "gallery_nearest"]
+NAMES = ["abstraction", "blend", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
+         "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure14", "gallery_nearest", "graph", "page"]
 
 
 def main():
@@ -393,11 +368,14 @@ def main():
     parser.add_argument("generator")
     parser.add_argument("data")
     parser.add_argument("out")
-    parser.add_argument("--browser", default="", help="make graph.png and page.png with it, too")
+    parser.add_argument("--browser", default="chromium")
     parser.add_argument("--only", default="", metavar="NAMES", help=", ".join(NAMES))
     args = parser.parse_args()
     os.makedirs(args.out, exist_ok=True)
-    wanted = args.only.split(",") if args.only else NAMES + (["graph", "page"] if args.browser else [])
+    if not shutil.which(args.browser) or not os.path.exists(THREE):
+        print(f"{args.browser} or {THREE} is not installed: no pictures are made")
+        sys.exit(SKIPPED)
+    wanted = args.only.split(",") if args.only else NAMES
     with tempfile.TemporaryDirectory() as scratch:
         pictures = Pictures(args, scratch)
         for name in wanted:

@@ -3,16 +3,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fills in the figures of the manual's page on the paper from RESULTS.md.
 
-  paper_figures.py RESULTS.md The_paper.txt [--check]
+  paper_figures.py RESULTS.md The_paper.md [--check]
 
-A figure stands behind a comment that names its experiment, shapes, row and column, as in
-<!--figure4; generated shapes; no distortion; mean F1-->0.158. With --check nothing is written; exit status 1 if a figure differs.
+Figures are the numbers with three decimals or more. paper_figures.txt says where each is from, in their order on the page: experiment, shapes, row and column.
+With --check nothing is written; exit status 1 if a figure differs.
 """
 import argparse
+import os
 import re
 import sys
 
-FIGURE = re.compile(r"<!--([^;>]*);([^;>]*);([^;>]*);([^;>]*)-->([^\s,;:)]*[^\s,;:).])")
+FIGURE = re.compile(r"(?<![\d.])\d?\.\d{3,}\b")
+SOURCES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "paper_figures.txt")
 
 
 def read_tables(text):
@@ -44,20 +46,22 @@ def main():
         cells = read_tables(file.read())
     with open(args.page, encoding="utf-8") as file:
         page = file.read()
-    failures = []
+    with open(SOURCES, encoding="utf-8") as file:
+        names = [tuple(part.strip() for part in line.split(";")) for line in file if not line.startswith("#")]
+    count = len(FIGURE.findall(page))
+    if count != len(names):
+        sys.exit(f"{args.page} has {count} figures, {SOURCES} says of {len(names)} where they are from")
+    failures, rest = [], iter(names)
 
     def fill(match):
-        name, value = tuple(part.strip() for part in match.groups()[:4]), match[5]
+        name = next(rest)
         if name not in cells:
             failures.append(f"{'; '.join(name)}: not in {args.results}")
-        elif args.check and cells[name] != value:
-            failures.append(f"{'; '.join(name)}: {value} in the page, {cells[name]} in {args.results}")
-        return match[0][:len(match[0]) - len(value)] + cells.get(name, value)
+        elif args.check and cells[name] != match[0]:
+            failures.append(f"{'; '.join(name)}: {match[0]} in the page, {cells[name]} in {args.results}")
+        return cells.get(name, match[0])
 
-    filled, count = FIGURE.subn(fill, page)
-    unmarked = re.findall(r"(?<!-->)(?<![\d.])0?\.\d{3}\b", re.sub(r"0\.001 of the height", "", filled))
-    if args.check and unmarked:
-        failures.append(f"{args.page}: figures without a comment that says where they are from: {', '.join(unmarked)}")
+    filled = FIGURE.sub(fill, page)
     if not args.check and filled != page:
         with open(args.page, "w", encoding="utf-8") as file:
             file.write(filled)

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures abstraction and search, and writes the manual's page on performance.
 
-  performance.py BUILD_FOLDER doc/Shape_correspondence/Performance.txt [--shapes 8] [--note TEXT]
+  performance.py BUILD_FOLDER doc/Shape_correspondence/Performance.md [--shapes 8] [--note TEXT]
 
 Some shapes of every category of `generate_models --benchmark` are abstracted by the program and matched by `benchmark_search`; both must be
 built. With the usual eight shapes a category it takes two to five minutes. The note stands beside the machine's name, such as "other
@@ -20,37 +20,36 @@ import sys
 import tempfile
 import time
 
-PAGE = """/*!
-\\page sc_performance Performance
+PAGE = """# Performance
 
 Measured by `benchmark/Shape_correspondence/performance.py`, which writes this page, on {machine}, {date}. {note}
 
-The shapes are generated ones, {shapes} of each category (`generate_models --benchmark`). Everything runs in one thread, except where threads are named.
+The shapes are generated, {shapes} of each category (`generate_models --benchmark`). Everything runs in one thread, unless threads are named.
 
-\\section sc_pf_abstraction Abstraction
+## Abstraction
 
-Processor seconds of the command `graph` for one shape: reading, repair, remeshing, curves and sheets, symmetry groups and contacts. Of parts that are
-copies of each other, one is abstracted. Graphs are kept with `--cache`, so that a shape is abstracted once.
+The table has processor seconds of the command `graph` for one shape: reading, repair, remeshing, curves and sheets, symmetry groups and contacts. Of parts that are
+copies of each other, only one is abstracted. `--cache` stores graphs, so that a shape is abstracted once.
 
 {abstraction}
-\\section sc_pf_search Search
+## Search
 
-Milliseconds for one pair of shapes whose graphs are known: the default method, and the least energy by exact search and by the beam search of the paper,
-both in both directions, including the tables of their energies. All pairs within a category, each the fastest of three times; the columns "95 %" have 95th percentiles.
+The table has milliseconds for one pair of shapes whose graphs are known. The methods are the default, exact search, and the beam search of the paper. Both searches run in both
+directions, and their times include the tables of energies. All pairs within a category were measured, each three times, of which the fastest counts. The columns "95 %" have 95th
+percentiles.
 
 {search}
-\\section sc_pf_growth Growth
+## Growth
 
 The time of a match grows with the number n of parts about as n to the power of
 
 {growth}
 The exponents are those of a least squares line through the logarithms, where n is the geometric mean of the two shapes' numbers of parts.
 
-\\section sc_pf_pair A Pair from Files
+## A Pair from Files
 
-Wall-clock seconds of the command `match` for the chairs {pair}, in as many threads as the machine has cores: {cold} the first time, and {warm} with
-`--cache` once their graphs are known (medians of three and of nine). Models are read each time.
-*/
+The command `match` takes {cold} seconds for the chairs {pair}, in as many threads as the machine has cores, and {warm} seconds with
+`--cache` once their graphs are known. These are wall-clock times, medians of three and of nine runs. Models are read each time.
 """
 METHODS = ["default", "exact search", "beam search"]
 

@@ -1,16 +1,22 @@
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws shapes side by side, as PNG files, with nothing but Python; and pages, with a browser that takes screenshots without a window."""
+"""Draws shapes side by side, as WebP files, by three.js in a browser without a window; and takes screenshots of pages."""
+import base64
+import collections
 import colorsys
+import json
 import math
 import os
-import struct
+import re
 import subprocess
-import zlib
+import tempfile
 
-WIDTH, HEIGHT = 200, 240  # pixels of a shape
+HERE = os.path.dirname(os.path.abspath(__file__))
+THREE = "/usr/share/javascript/three/three.min.js"  # of Debian's libjs-three
+WIDTH, HEIGHT = 320, 384  # pixels of a shape
 TURN, TILT = math.radians(32), math.radians(18)  # of the eye
 GREY = 0.72, 0.72, 0.72
+SHADES = 1, 0.8, 1.15, 0.9, 1.07
 COLOURS = ("2f91f2 dc5b90 b7cb30 203aa1 af2e0b 7e0360 b68629 46d6d2 734f9a 7c2621 a879c4 a82964 4cdd8b 1e5dc2 cfaafc 50367f ce7066 "
            "297538 ff9cb4 772548 8b467e f8a96e").split()
 GOLDEN_RATIO = 0.618034  # far hues for subsequent numbers
@@ -24,7 +30,7 @@ body { grid-template: "stage" 100vh / 100%; }
 
 
 def screenshot(browser, page, picture, width, height):
-    subprocess.run([browser, *BROWSER_FLAGS, "--virtual-time-budget=4000", f"--window-size={width},{height}",
+    subprocess.run([browser, *BROWSER_FLAGS, "--virtual-time-budget=4000", f"--window-size={width},{height}", "--force-device-scale-factor=2",
                     f"--screenshot={picture}", "file://" + os.path.abspath(page)], check=True, capture_output=True, timeout=120)
 
 
@@ -62,92 +68,78 @@ def numbered_colour(number):
     return colorsys.hsv_to_rgb(number * GOLDEN_RATIO % 1, 0.55 + 0.2 * darker, 0.95 - 0.25 * darker)
 
 
-def seen(p):
-    """x to the right, y up, z to the eye."""
-    x, z = p[0] * math.cos(TURN) - p[2] * math.sin(TURN), p[0] * math.sin(TURN) + p[2] * math.cos(TURN)
-    return x, p[1] * math.cos(TILT) - z * math.sin(TILT), p[1] * math.sin(TILT) + z * math.cos(TILT)
+def role_colours():
+    """The colours of roles, as the program has them."""
+    with open(os.path.join(HERE, "..", "..", "src", "io", "system", "colours.cpp")) as file:
+        text = file.read()
+    palette = [tuple(int(word[2 * i:2 * i + 2], 16) / 255 for i in range(3)) for word in re.findall(r"\b0x([0-9a-f]{6})\b", text)]
+    return {role: palette[int(place)] for role, place in re.findall(r'\{"(\w+)", (\d+)\}', text)}
+
+
+def colours_of_roles(roles):
+    """A colour for each: of a role, the first has the role's colour, further ones have shades of it."""
+    known, count, result = role_colours(), collections.Counter(), []
+    for i, role in enumerate(roles):
+        shade = SHADES[count[role] % len(SHADES)]
+        count[role] += 1
+        result.append(tuple(shade * channel for channel in known[role]) if role in known else numbered_colour(i))
+    return result
+
+
+def hexadecimal(colour):
+    return "#" + "".join(f"{round(255 * min(1, channel)):02x}" for channel in colour)
+
+
+def by_colour(parts, colour_of):
+    """The triangles of each colour, of the shape 1 high, its middle over the origin, as shapes.js takes them."""
+    points = [p for _, triangles in parts for t in triangles for p in t]
+    low, high = ([extreme(axis) for axis in zip(*points)] for extreme in (min, max))
+    size = max(b - a for a, b in zip(low, high))
+    origin = (low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2
+    found = {}
+    for name, triangles in parts:
+        found.setdefault(hexadecimal(colour_of(name)), []).extend(round((p[k] - origin[k]) / size, 5) for t in triangles for p in t for k in range(3))
+    return [{"colour": colour, "triangles": flat} for colour, flat in found.items()]
+
+
+def rendered(script, data, browser):
+    """The pictures that a script makes with three.js in a browser without a window; it writes their data URLs into the document."""
+    with tempfile.TemporaryDirectory() as work:
+        with open(os.path.join(work, "data.js"), "w") as file:
+            file.write("".join(f"const {name} = {json.dumps(value)};\n" for name, value in data.items()))
+        page = os.path.join(work, "page.html")
+        with open(page, "w") as file:
+            sources = f"file://{THREE}", f"file://{os.path.join(HERE, 'shapes.js')}", "data.js"
+            file.write('<!DOCTYPE html><meta charset="utf-8"><body>' + "".join(f'<script src="{source}"></script>' for source in sources) +
+                       f"<script>{script}</script>")
+        done = subprocess.run([browser, *BROWSER_FLAGS, "--dump-dom", "--timeout=600000", "file://" + page], capture_output=True, text=True, check=True)
+    return [base64.b64decode(picture) for picture in re.findall(r"data:image/webp;base64,([\w+/=]+)", done.stdout)]
 
 
 class Picture:
-    """A grid of shapes. Each is drawn `fineness` times as large and averaged."""
+    """A grid of shapes."""
 
-    def __init__(self, columns, rows=1, fineness=2):
-        self.fineness = fineness
-        self.cell = WIDTH * fineness, HEIGHT * fineness
-        self.pixels = [bytearray(b"\xff" * 3 * columns * self.cell[0]) for _ in range(rows * self.cell[1])]
+    def __init__(self, columns, rows=1):
+        self.columns, self.rows, self.cells = columns, rows, []
 
     def draw(self, parts, colour_of, column, row=0):
         """Draws [(name, triangles)] into a cell, as large as fits. colour_of: name to (red, green, blue)."""
-        triangles = [(colour_of(name), [seen(p) for p in t]) for name, of_part in parts for t in of_part]
-        xs = [p[0] for _, t in triangles for p in t]
-        ys = [p[1] for _, t in triangles for p in t]
-        margin = 10 * self.fineness
-        scale = min((self.cell[0] - margin) / (max(xs) - min(xs)), (self.cell[1] - margin) / (max(ys) - min(ys)))
-        left, bottom = column * self.cell[0], (row + 1) * self.cell[1] - margin / 2
-        middle, low = (max(xs) + min(xs)) / 2, min(ys)
-        depth = [{} for _ in range(len(self.pixels))]
-        for rgb, t in triangles:
-            at = [(left + self.cell[0] / 2 + scale * (p[0] - middle), bottom - scale * (p[1] - low), p[2]) for p in t]
-            self._draw_triangle(at, t, rgb, depth)
+        self.cells.append({"column": column, "row": row, "parts": by_colour(parts, colour_of)})
 
-    def _draw_triangle(self, at, triangle, rgb, depth):
-        a, b, c = at
-        (u, v, w), (x, y, z) = ([q[i] - triangle[0][i] for i in range(3)] for q in triangle[1:])
-        normal = v * z - w * y, w * x - u * z, u * y - v * x
-        length = math.hypot(*normal)
-        area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-        if length == 0 or abs(area) < 1e-9:
-            return
-        light = 0.45 + 0.55 * abs(0.3 * normal[0] + 0.6 * normal[1] + 0.74 * normal[2]) / length
-        shade = bytes(int(255 * min(1, light * channel)) for channel in rgb)
-        xs, ys = (a[0], b[0], c[0]), (a[1], b[1], c[1])
-        for row in range(max(0, math.ceil(min(ys) - 0.5)), min(len(self.pixels) - 1, math.floor(max(ys) - 0.5)) + 1):
-            for column in range(math.ceil(min(xs) - 0.5), math.floor(max(xs) - 0.5) + 1):
-                px, py = column + 0.5, row + 0.5
-                s = ((px - a[0]) * (c[1] - a[1]) - (py - a[1]) * (c[0] - a[0])) / area
-                t = ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / area
-                if s < 0 or t < 0 or s + t > 1:
-                    continue
-                near = a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2])
-                if near > depth[row].get(column, -math.inf):
-                    depth[row][column] = near
-                    self.pixels[row][3 * column:3 * column + 3] = shade
-
-    def _averaged(self):
-        n, rows = self.fineness, []
-        for top in range(0, len(self.pixels), n):
-            lines = self.pixels[top:top + n]
-            width = len(lines[0]) // (3 * n)
-            rows.append(bytes(sum(line[3 * (x * n + i) + channel] for line in lines for i in range(n)) // (n * n)
-                              for x in range(width) for channel in range(3)))
-        return rows
-
-    def write(self, file):
-        def chunk(kind, data):
-            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-        rows = self._averaged()
-        header = struct.pack(">IIBBBBB", len(rows[0]) // 3, len(rows), 8, 2, 0, 0, 0)
+    def write(self, file, browser):
+        [picture] = rendered(f"document.body.textContent = drawGrid(cells, {self.columns}, {self.rows}, {WIDTH}, {HEIGHT}, {TURN}, {TILT});",
+                             {"cells": self.cells}, browser)
         with open(file, "wb") as out:
-            out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
-                      chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows), 9)) + chunk(b"IEND", b""))
-
-
-def connected_blocks(pairs):
-    """The sets of parts that pairs connect, as `match` writes blocks."""
-    blocks = []
-    for a, b in pairs:
-        touched = [block for block in blocks if a in block["source"] or b in block["target"]]
-        blocks = [block for block in blocks if block not in touched]
-        blocks.append({"source": {a}.union(*(block["source"] for block in touched)),
-                       "target": {b}.union(*(block["target"] for block in touched))})
-    return blocks
+            out.write(picture)
 
 
 def colours_of_match(blocks):
     """Colours of source parts and of target parts: one for each block, grey for the others."""
+    colours = colours_of_roles([block.get("role") for block in blocks])
+
     def of_side(side):
         number = {part: i for i, block in enumerate(blocks) for part in block[side]}
-        return lambda name: numbered_colour(number[name]) if name in number else GREY
+        return lambda name: colours[number[name]] if name in number else GREY
     return [of_side("source"), of_side("target")]
 
 

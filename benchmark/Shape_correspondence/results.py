@@ -112,7 +112,7 @@ def table(args, programs, data, further_data, name, pairs, out):
 def commit():
     """The commit that is measured, `-dirty` if more than the results has changed since."""
     git = lambda *words: subprocess.run(["git", "-C", HERE, *words], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
-    written = "RESULTS.md", "The_paper.txt", "Accuracy.txt"
+    written = "RESULTS.md", "The_paper.md", "Accuracy.md"
     changed = [file for file in git("diff", "--name-only", "HEAD").splitlines() if os.path.basename(file) not in written]
     return git("rev-parse", "--short", "HEAD") + "-dirty" * bool(changed)
 
@@ -257,7 +257,7 @@ def main():
                    "the development set. Halves are by source family. Times are wall-clock times on two cores that had other work: compare them within a table\n"
                    "only; the manual's page on performance has times of an idle machine. The manual's page on accuracy says what was tried. A table that names\n"
                    "no commit is older than those that do: there, the paper's method is what the row `all three` of the table of switches is now.\n\n" + "\n".join(sections))
-    for script, page in (("paper_figures.py", "The_paper.txt"), ("accuracy_page.py", "Accuracy.txt")):
+    for script, page in (("paper_figures.py", "The_paper.md"), ("accuracy_page.py", "Accuracy.md")):
         page = os.path.join(HERE, "..", "..", "doc", "Shape_correspondence", page)
         subprocess.run([os.path.join(HERE, script), args.results, page], check=True)
 

@@ -26,7 +26,10 @@ last_match = {}  # the last match, by what it was found from
 
 
 def core():
-    """The Python module: the one that Blender's Python has, or that of the preferences, a folder or a wheel."""
+    """The Python module: the one in the add-on's zip, that Blender's Python has, or that of the preferences, a folder or a wheel."""
+    bundled = os.path.join(os.path.dirname(os.path.abspath(__file__)), "modules")
+    if os.path.isdir(os.path.join(bundled, "shape_correspondence")) and bundled not in sys.path:
+        sys.path.insert(0, bundled)
     try:
         return importlib.import_module("shape_correspondence")
     except ModuleNotFoundError:

@@ -186,7 +186,7 @@ const std::vector<Command_entry>& commands()
       {"match", "finds the part correspondence of two shapes", match_command},
       {"blend", "makes the in-between shapes of two shapes", blend_command},
 #ifndef __EMSCRIPTEN__ // left out of the browser application to keep it small
-      {"transfer", "carries colours, textures or labels from one shape to the other", transfer_command},
+      {"transfer", "transfers colours, textures or labels from one shape to the other", transfer_command},
       {"collection", "matches all pairs of a set of shapes and analyses the set", collection_command},
       {"evaluate", "scores correspondences against labelled parts", evaluate_command},
       {"roles", "learns the roles of parts from labelled shapes", roles_command},

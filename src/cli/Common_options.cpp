@@ -222,17 +222,18 @@ void add_reading_options(Option_table& table, Common_options& options)
   Option_table::Group add = table.rare_group(reading_group);
   add("up", "AXIS", &options.up,
       "upright axis of the model: x, y, z, -x, -y, -z, or auto (the axis along which the model stands most stably). "
-      "Default: the one given by the file (glTF, COLLADA, FBX, URDF, 3MF, graphs); y for a folder of part meshes; "
-      "otherwise y unless the model "
-      "clearly stands along another axis, or its parts are more like labelled ones with another axis up, with a note")
+      "Default: the axis that the file names (glTF, COLLADA, FBX, URDF, 3MF, graphs), or y for a folder of part "
+      "meshes. For other files it is y, unless the model clearly stands along another axis, or its parts are more "
+      "similar to labelled parts with another axis up; a note says so")
       .words(axes)
       .in_python()
       .usual();
   add("parts", "MODE", choice(options.parts, part_splittings),
       "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
-      "divided where they are concave) or auto (its objects, or parts found by what parts look like, if objects are of "
-      "unrelated loose pieces). "
-      "`shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they are")
+      "divided where they are concave) or auto (its objects; objects of unrelated loose pieces are divided by the "
+      "shape of "
+      "the pieces). `shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they "
+      "are")
       .in_python()
       .usual();
   add(

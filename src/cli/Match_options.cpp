@@ -106,23 +106,22 @@ void add_match_options(Option_table& table, Match_options& match)
   const std::vector<std::string> by_energy{"beam", "exact"};
   Option_table::Group add = table.rare_group(match_group);
   add("search", "METHOD", method_or_auto(match.method),
-      "parts (least cost of substituting parts for each other; scores highest against human labels), beam (least "
-      "deformation energy by the beam search of the paper) or exact (least deformation energy with a proof for each "
-      "direction; the direction with less energy per pair of connected parts is taken). auto: parts, unless another "
-      "option asks for beam or exact")
+      "parts (compares parts by place, size, shape and role; scores highest against human labels), beam (least "
+      "deformation energy by the beam search of the paper) or exact (least deformation energy, proven for each "
+      "direction; of both directions, the one with less energy per pair of connected parts). auto: parts, unless "
+      "another option asks for beam or exact")
       .usual();
   add("paper", &match.paper,
-      "the method of the paper: --search beam --front auto, with graphs of --abstraction flow; parts keep their bow, "
-      "follow what they touch to the point, which is a closest one, the direction with less energy is taken, and "
-      "--max-parts is of the source only")
+      "the method of the paper: --search beam --front auto --abstraction flow, with its rules where the default has "
+      "others: contacts are hard constraints at closest points, curved parts keep their bend, the direction with less "
+      "energy is taken, and --max-parts applies to the source only")
       .usual();
   add("roles", "MODEL", &match.roles,
       "role model for --search parts and --role-weight: auto (the one that comes with the program), none, or a file "
       "that `roles train` wrote. Shapes must be upright and face +z");
   add("examples", "FOLDER", &match.examples,
-      "labelled shapes of your own, as `roles train` takes them, from which roles are learned in addition; of a "
-      "category "
-      "that the model does not know, three or more. If they are of one category, both shapes are taken to be of it")
+      "also learn roles from these labelled shapes of your own, in the form that `roles train` takes. A category that "
+      "the model does not know needs three or more. If all are of one category, both shapes are taken to be of it")
       .usual();
   add("category", "NAME", &search.category,
       "category of both shapes for --roles, such as chair; default: the most similar one")
@@ -150,18 +149,18 @@ void add_match_options(Option_table& table, Match_options& match)
       .without_default()
       .in_python("maximum_parts");
   add("coarse-to-fine", "K", &search.coarse_to_fine,
-      "match the K largest parts of either shape first, then all others about them: for shapes of hundreds of symmetry "
-      "groups; for beam and exact search. Default: all at once")
+      "match the K largest parts of either shape first, then the others near them; for shapes of hundreds of symmetry "
+      "groups, by beam and exact search. Default: all at once")
       .at_least(1)
       .without_default()
       .only_for(by_energy)
       .asks_for("beam")
       .in_python();
   add("front", "HOW", &match.front,
-      "which alignments are tried: given (the one nearest to the orientation in the files), likely (the same, but a "
-      "shape is turned by a multiple of 90° if the roles of its parts clearly say that its front is another side) or "
-      "auto (any front is as likely: the fronts estimated from the roles of parts; otherwise the best of all "
-      "alignments that the symmetry of the shapes allows). Default with --paper: auto")
+      "which way shapes face: given (as in the files), likely (as in the files, but a shape is turned by a multiple of "
+      "90° if the roles of its parts clearly say that it faces another way) or auto (any way: it is estimated from the "
+      "roles of parts, or else the best of all alignments that the symmetry of the shapes allows is taken). Default "
+      "with --paper: auto")
       .words({"given", "likely", "auto"});
   add("alignments", "N", number_of_alignments(match.alignments),
       "number of alignments to try, nearest to the given orientation first; auto: as --front says");

@@ -23,29 +23,35 @@ namespace {
 const char* const blend_help =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
 
-Makes the in-between shapes of two segmented shapes of one category, which may differ in topology. All stand on one
-ground, in the axes of the source. Every part goes straight to the place of its counterpart and morphs on the way, by a
-map between the two surfaces. Parts without counterpart, or too unlike it, move with the space around them, which the
-others bend, so that they hold on to what they touch: new ones take the place of old ones. The first frame is the
-source, the last one the target.
+Makes the shapes in between two shapes of one category. The shapes may differ in topology. The first frame is the source,
+the last one the target. All frames stand on the ground, in the axes of the source.
 
-With -o FILE.glb, all frames are one animation; with -o FILE.html, a web page that needs no network shows the match and
-plays the blend; with --at T, one shape is written, FILE.obj, FILE.ply or FILE.glb, with --solid as one closed surface.
-Otherwise FOLDER is made, with one file for each frame: frame_000 and so on. A part of a frame is named s~t where
-source part s becomes t, s~ where s vanishes, and ~t where t grows.
+  - Parts that correspond and are similar morph: they move straight to the place of their counterpart and change their
+    surface gradually.
+  - Parts that correspond but differ too much, such as legs and a star base, are exchanged in one frame.
+  - Parts without counterpart shrink into the parts that they touch, or grow out of them.
+
+All parts that do not morph follow the motion of those that do, so that they stay attached.
+
+The ending of -o sets what is written:
+  - FILE.glb: an animation of all frames;
+  - FILE.html: a web page that plays the blend and needs no network;
+  - FILE.obj, FILE.ply or FILE.glb with --at T: one shape, with --solid as one closed surface;
+  - FOLDER: one file for each frame, frame_000 and so on.
+In a frame, a part is named s~t where source part s becomes target part t, s~ where s vanishes, and ~t where t grows.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
-    nodes or links are the parts; where objects are none, parts are found by what parts look like (--parts);
+    nodes or links are the parts. An object that is not one part is divided by the shape of its pieces (--parts);
   - a folder of part meshes: one file for each part, named after the part;
   - a structural graph (.json) whose parts name their meshes (key "mesh", a path relative to the graph file).
 
-With --match R.json, the correspondence is read from a result of `match` for the same two shapes, and options of the
-search are refused.
+With --match R.json, the correspondence is read from a result of `match` for the same two shapes. Options of the search
+are then errors.
 
-Pairs of parts with a confidence below --min-confidence are left out: their parts come and go. A schedule defines
-when each part changes: --schedule takes one by its name, the best one, or all that make different shapes in between,
-each into a folder of its own (with --at, a file), the best one first.
+Pairs with a confidence below --min-confidence are left out; their parts have no counterpart. A schedule defines when
+each part changes. --schedule takes the best one, one by its name, or all whose frames differ: all are written into one
+folder each (with --at: one file each), the best one first.
 
 Examples: shape_correspondence blend chair.obj swivel_chair.obj -o blend.glb
           shape_correspondence blend chair.obj swivel_chair.obj -o frames --match chair_swivel.json --frames 9
@@ -192,16 +198,15 @@ void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, con
     names += (names.empty() ? "'" : ", '") + structure(shape.graph).parts[part].name + "'";
   };
   for (const auto& [reason, why] :
-       {std::pair(Blend_obstacle::TORN, "surfaces would be torn"),
-        std::pair(Blend_obstacle::UNLIKE, "they would have to change their proportions, to travel or to be cut up too "
-                                          "much to become their counterparts")}) {
+       {std::pair(Blend_obstacle::TORN, "their surfaces would tear"),
+        std::pair(Blend_obstacle::UNLIKE, "their proportions, places or numbers differ too much to morph")}) {
     std::string names, others;
     for (const Blend_task& task : tasks) {
       if (task.obstacle != reason) continue;
       if (task.source != Blend_task::no_part) add_name(names, source, task.source);
       if (task.target != Blend_task::no_part) add_name(others, target, task.target);
     }
-    if (!names.empty()) warnings.push_back(names + " have no map onto " + others + ", as " + why);
+    if (!names.empty()) warnings.push_back(names + " are exchanged for " + others + " in one frame: " + why);
   }
 }
 

@@ -56,7 +56,7 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
 /// The default size of the frames; `SAME`, with a warning, for shapes that seem to have different units.
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
 
-/// Warns of parts without a map to their counterparts, with the reasons.
+/// Tells which parts are exchanged for their counterparts, and why they do not morph.
 void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings);
 

@@ -82,7 +82,7 @@ bool Blend_output::is_file() const { return is_glb(path) || is_page() || !file_f
 void add_output_options(Option_table::Group& add, Blend_output& output)
 {
   add("output,o", "PATH", &output.path,
-      "an animation, FILE.glb, a web page, FILE.html, or a new folder for one file per frame");
+      "what to write: an animation, FILE.glb; a web page, FILE.html; or a new folder with one file for each frame");
   add("frames", "N", &output.frames, "number of frames at equal time steps, including source and target")
       .between(2, internal::most_frames);
   add("format", "FORMAT", &output.format,
@@ -92,11 +92,10 @@ void add_output_options(Option_table::Group& add, Blend_output& output)
       .rare();
   add("schedule", "NAME", &output.schedule,
       "order of the tasks: " + alternatives(schedule_words()) +
-          "; best takes the one in which shapes hold together best, all makes a folder for each one that differs from "
-          "better ones")
+          "; best takes the one in which shapes hold together best, all writes a folder for each one whose frames "
+          "differ from those of better ones")
       .words(schedule_words());
-  add("at", "T", &output.at,
-      "make one shape only, that at time T between 0, the source, and 1, the target. Default: the whole blend")
+  add("at", "T", &output.at, "write only the shape at time T; 0 is the source, 1 the target. Default: the whole blend")
       .between(0, 1)
       .without_default();
   add("solid", &output.solid,

@@ -31,8 +31,8 @@ const char* const collection_help =
        shape_correspondence collection SHAPE SHAPE... [options]
 
 Matches all ordered pairs of a set of shapes and computes
-  - the distance of each pair: its deformation energy per pair of connected parts, where a part without counterpart
-    counts --unmatched-energy;
+  - the distance of each pair: its deformation energy per pair of connected parts. A pair with a part without
+    counterpart counts --unmatched-energy;
   - the topological medoid, the shape with the least sum of distances, and a minimum spanning tree;
   - pairs of shapes that are matched better by way of a third one (bridges);
   - clusters of parts that correspond over the whole set, by Markov clustering.
@@ -40,11 +40,11 @@ Matches all ordered pairs of a set of shapes and computes
 The entries of FOLDER are the shapes: model files, folders of part meshes, and structural graphs (.json). Others
 are left out, with a note.
 
-With --labels-from, the labels of one shape are transferred to all shapes of the set instead, by matching it with each.
+With --labels-from, one labelled shape is matched with each shape of the set, and its labels are transferred to them.
 
-With --store, finished work is kept in a folder. A run that was stopped or killed continues where it was when the same
-command is run again; what depends on a changed shape or option is computed again. Several processes and machines share
-the work if the package was built with MPI; all of them need the folder:
+With --store, finished work is kept in a folder. If a run was stopped, the same command continues it. Results that depend
+on a changed shape or option are computed again. Several processes and machines can share the work if the package was
+built with MPI. All of them need access to the folder:
 
   mpirun -n 8 shape_correspondence_mpi collection FOLDER --store S --json C.json
 

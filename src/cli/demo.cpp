@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 const char* const demo_help =
     R"(Usage: shape_correspondence demo [FOLDER] [options]
 
-Matches two chairs of different topology that come with the program, blends them, and writes the results into FOLDER
-(shape_correspondence_demo by default), a new one or that of an earlier demo. It prints each command before it runs it.
+Matches and blends two chairs that come with the program. It prints each command before it runs it, and writes the results
+into FOLDER, shape_correspondence_demo by default. FOLDER must be new, or that of an earlier demo.
 
 )";
 
@@ -65,14 +65,14 @@ public:
   Demo_command() : Command(demo_help, 0, 1) { add_common_options(table, common); }
 
 private:
-  void run_shown(const std::string& name, std::vector<std::string> words) const
+  void run_shown(const std::string& name, std::vector<std::string> words, bool is_quiet = false) const
   {
     if (!common.quiet)
       std::cout << "$ shape_correspondence " << IO::quote_terminal(name + ' ' + boost::algorithm::join(words, " "))
                 << '\n';
     words.insert(words.end(), {"--progress", common.progress});
     if (common.threads > 0) words.insert(words.end(), {"--threads", std::to_string(common.threads)});
-    if (common.quiet) words.push_back("--quiet");
+    if (common.quiet || is_quiet) words.push_back("--quiet");
     command_of(name)->run(words);
     if (!common.quiet) std::cout << '\n';
   }
@@ -87,12 +87,13 @@ private:
     const std::string source = (data / source_model).string(), target = (data / target_model).string();
     run_shown("match", {source, target, "-o", output(match_html), "-o", output(match_json)});
     for (const char* blend : {blend_html, blend_glb})
-      run_shown("blend", {source, target, "--match", output(match_json), "-o", output(blend)});
+      run_shown("blend", {source, target, "--match", output(match_json), "-o", output(blend)}, /* is_quiet = */ true);
     if (!common.quiet)
-      std::cout << "Written: " << IO::quote_terminal(output(match_html)) << " and "
-                << IO::quote_terminal(output(blend_html)) << " for any browser, "
-                << IO::quote_terminal(output(blend_glb)) << ", an animation for any glTF viewer, and "
-                << IO::quote_terminal(output(match_json)) << '\n';
+      std::cout << "Open " << IO::quote_terminal(output(match_html)) << " and "
+                << IO::quote_terminal(output(blend_html))
+                << " in a browser.\nAlso written: " << IO::quote_terminal(output(blend_glb))
+                << ", the blend as an animation for any glTF viewer, and " << IO::quote_terminal(output(match_json))
+                << ", the match as data.\n";
   }
 };
 

@@ -28,7 +28,7 @@ contacts between parts.
 
 MODEL is one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
-    nodes or links are the parts; where objects are none, parts are found by what parts look like (--parts);
+    nodes or links are the parts. An object that is not one part is divided by the shape of its pieces (--parts);
   - a folder of part meshes: one file for each part, named after the part;
   - a structural graph (.json).
 

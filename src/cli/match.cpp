@@ -24,21 +24,22 @@ namespace {
 const char* const match_help =
     R"(Usage: shape_correspondence match SOURCE TARGET [options]
 
-Finds which parts of two segmented shapes of one category correspond. A part may correspond to one part, to several, or
-to none. By default, parts are matched by the cost of substituting one for the other (place, size, shape, contacts) and
-by their roles, such as leg or seat (--roles). With --paper, --search beam or --search exact, the correspondence of
-least deformation energy is searched for instead. Shapes are assumed to face +z.
+Finds which parts of two shapes of one category correspond. A part may correspond to one part, to several, or to none.
+By default, two parts are compared by place, size, shape, contacts and role, such as leg or seat (--roles). --paper,
+--search beam and --search exact search for the correspondence of least deformation energy instead. Shapes should face
++z.
 
 SOURCE and TARGET are each one of
   - a model file: OBJ with o or g, PLY, STL, OFF, glTF/GLB, COLLADA, FBX, 3DS, 3MF, DXF, AC3D, URDF. Its objects,
-    nodes or links are the parts; where objects are none, parts are found by what parts look like (--parts);
+    nodes or links are the parts. An object that is not one part is divided by the shape of its pieces (--parts);
   - a folder of part meshes: one file for each part, named after the part;
   - a structural graph (.json) that `graph` wrote.
 
-The table lists sets of parts that correspond. The operation is how the source becomes the target: match (one to one),
-split (one to several), merge (several to fewer), duplicate (several to more), cut (a curve into segments) and join (its
-inverse). The confidence is the probability that a pair is right. The deformation energy is E of the paper, Eq. 1; the
-distance is the energy per pair of connected parts, by which `collection` compares shapes.
+Each row of the table is a set of source parts and the set of target parts that it corresponds to. The operation says
+how the source parts become the target parts: match (one to one), split (one to several), merge (several to fewer),
+duplicate (several to more), cut (a curve into segments) or join (its inverse). The confidence is the probability that a
+pair of the row is right. The deformation energy is E of the paper, Eq. 1. The distance is the energy per pair of
+connected parts; `collection` compares shapes by it.
 
 Examples: shape_correspondence match chair.obj swivel_chair.obj -o result.html -o result.json
           shape_correspondence match chair.obj stool.obj --search exact --allow-unmatched --solutions 3

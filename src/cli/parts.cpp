@@ -36,16 +36,16 @@ const char* const parts_help =
     R"(Usage: shape_correspondence parts MODEL... [options]
        shape_correspondence parts FOLDER [--all] [options]
 
-Lists the objects of model files with their loose pieces, and which part each piece becomes, and why. Parts are
-abstracted only where the upright axis is estimated by them, as other commands do. With --html, it also writes a page with a picture of every model, one colour for each part.
+Lists the objects of a model file, their loose pieces, the part that each piece becomes, and the reason. --html also
+writes a page with a picture of every model, one colour for each part.
 
-MODEL is a model file or a folder of part meshes, as in `graph`. FOLDER is a folder of such models; it is known by its
-model files, each of several objects, or by its folders of part meshes. With --all, the models are all model files in
-FOLDER and its subfolders.
+MODEL is a model file or a folder of part meshes, as in `graph`. FOLDER is a folder of such models: of model files with
+several objects each, or of folders of part meshes. With --all, the models are all model files in FOLDER and its
+subfolders.
 
-If the parts are not the wanted ones: --parts file, components or segments makes others, in every command. For full
-control, --parts-json FILE writes which piece is in which part; edit the file and read it with --parts-from, which also
-reads a list with a label for each face of the model (.seg, .txt, .labels).
+If you want other parts, use --parts file, components or segments, which every command has. For full control,
+--parts-json FILE writes which piece is in which part. Edit the file and read it with --parts-from. --parts-from also reads
+a list with a label for each face of the model (.seg, .txt, .labels).
 
 -o writes the parts of one model as separate objects or files: FILE.glb (a node for each part, with materials), FILE.obj
 (an object for each), FILE.ply (one mesh with the number of its part for each face), FILE.seg (these numbers alone, a

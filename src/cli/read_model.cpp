@@ -92,8 +92,9 @@ void warn_of_changes(const std::string& path, Read_model& model)
   const std::size_t number = names.size();
   names.resize(std::min(number, most_named));
   const std::string more = number > most_named ? " and " + std::to_string(number - most_named) + " more" : "";
-  const std::string how = split.is_found ? "Parts were found by what parts look like, in objects that are none: "
-                                         : "Objects of loose pieces were split into parts: ";
+  const std::string how = split.is_found
+                              ? "Objects that are not one part each were divided by the shape of their pieces: "
+                              : "Objects of loose pieces were split into parts: ";
   const std::string what = number > 0 ? how + listed(names) + more : "Objects joined the parts that they belong to";
   model.warnings.push_back(what + ". --parts file takes the objects as they are; `shape_correspondence parts " + path +
                            "` says why.");

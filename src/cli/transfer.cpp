@@ -25,22 +25,23 @@ namespace {
 const char* const transfer_help =
     R"(Usage: shape_correspondence transfer SOURCE TARGET -o FILE.glb|FILE.obj|FILE.ply [options]
 
-Carries the colours and textures of the source over to the target, along the correspondence of their parts and the map
-between their surfaces, and writes the target with them. With --labels, labels of parts are carried over instead.
+Transfers the colours and textures of the source to the target and writes the target with them. It follows the
+correspondence of the parts and a map between their surfaces. With --labels, it transfers labels of parts instead.
 
-Everything is baked, pixel by pixel, into one texture of the target. It has the texture coordinates of the target if no
-triangles overlap in them; otherwise new ones are laid out.
+All colours are baked, pixel by pixel, into one texture of the target. The texture coordinates are those of the target;
+if triangles overlap in them, new ones are laid out.
 
-A target part with several counterparts has the looks of the largest one, or of the highest of several about as large,
-which the table lists first. One without counterpart looks like the largest part that it touches of those that share a
-material with it in the target; of all that it touches, if it has no looks of its own. Otherwise it keeps its own looks,
-or is grey. Labels are not passed on to what touches; a part with several counterparts is divided among them.
+A target part takes the colours of its counterpart. Of several counterparts, it takes the largest; of several about as
+large, the highest. The table lists this one first. A target part without counterpart takes the colours of the largest
+part that it touches and that has the same material in the target. If the target has no materials, it takes those of the
+largest part that it touches. Otherwise it keeps its own colours, or is grey if it has none. With labels, a part with
+several counterparts is divided among them, and a part without counterpart gets none.
 
-SOURCE and TARGET are models, as for `match`. Looks are read from OBJ with its MTL files, glTF/GLB, COLLADA, PLY, OFF,
+SOURCE and TARGET are models, as for `match`. Colours and textures are read from OBJ with its MTL files, glTF/GLB, COLLADA, PLY, OFF,
 FBX, 3DS and AC3D; textures must be PNG or JPEG.
 
-FILE.glb has the texture in it; beside FILE.obj, FILE.mtl and FILE.png are written; FILE.ply has colours at the vertices
-of divided triangles, and the part and label of each face.
+FILE.glb contains the texture. FILE.obj comes with FILE.mtl and FILE.png. FILE.ply has colours at the vertices of divided
+triangles, and the part and label of each face.
 
 Examples: shape_correspondence transfer painted_chair.glb chair.obj -o painted.glb
           shape_correspondence transfer data/chair_slatted chair.obj --labels data/chair_slatted/labels.json -o l.ply

@@ -324,6 +324,7 @@ TEST_CASE("The demo matches its chairs without an error and blends them")
   INFO(shown.error);
   REQUIRE(shown.status == 0);
   CHECK_THAT(shown.out, Contains("$ shape_correspondence match") && Contains("$ shape_correspondence blend"));
+  CHECK_THAT(shown.out + shown.error, !Contains("note"));
   CHECK(text_of(demo + "/match.html").find("<!DOCTYPE html>") == 0);
   CHECK(text_of(demo + "/blend.html").find("<!DOCTYPE html>") == 0);
   CHECK(text_of(demo + "/blend.glb").substr(0, 4) == "glTF");
