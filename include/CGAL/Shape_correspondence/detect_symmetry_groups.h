@@ -33,16 +33,17 @@ struct Symmetry_options
 /// within the tolerance; their meshes may differ. In rings, rows, and pairs under a rotation or translation, the widths
 /// in all directions must agree as well, except for wheels, whose hubs may differ. Noise of 0.5 % of the shape's
 /// diagonal on the vertices does not change the groups. Of overlapping groups, the one with the most parts is taken; of
-/// those with equally many, the first in this list: 1. a star: a complete ring of 3 parts or more about a vertical or
-/// horizontal axis that extend to the axis
-///    (the feet of an office chair, the blades of a propeller); 2. four parts that are images of each other in two
-///    orthogonal vertical planes (the legs of a table): a reflection in the plane that mirrors more of the shape, with
-///    the parts listed pair by pair, the front pair first; 3. any other complete ring of 3 parts or more about a
-///    vertical axis, of 5 or more about a horizontal one; 4. a row: 3 parts or more in a line, their steps within 30 %
-///    of the mean one: a translation; 5. a pair mirrored in a vertical plane that mirrors most of the shape (the arms
-///    of a chair); 6. a pair under half a turn about an axis in such a plane (the cranks of a bicycle): a rotation of
-///    order 2; 7. a pair under a translation (the wheels of a bicycle, one drawer above another); 8. a pair mirrored in
-///    the vertical plane midway between the two.
+/// those with equally many, the first in this list:
+/// 1. a star: a complete ring of 3 parts or more about a vertical or horizontal axis that extend to the axis
+///    (the feet of an office chair, the blades of a propeller);
+/// 2. four parts that are images of each other in two orthogonal vertical planes (the legs of a table): a reflection
+///    in the plane that mirrors more of the shape, with the parts listed pair by pair, the front pair first;
+/// 3. any other complete ring of 3 parts or more about a vertical axis, of 5 or more about a horizontal one;
+/// 4. a row: 3 parts or more in a line, their steps within 30 % of the mean one: a translation;
+/// 5. a pair mirrored in a vertical plane that mirrors most of the shape (the arms of a chair);
+/// 6. a pair under half a turn about an axis in such a plane (the cranks of a bicycle): a rotation of order 2;
+/// 7. a pair under a translation (the wheels of a bicycle, one drawer above another);
+/// 8. a pair mirrored in the vertical plane midway between the two.
 ///
 /// A shape longer than 1.5 times its width has two ends that differ in meaning (the head and the foot of a bed). Two
 /// parts at different ends are a pair only if they are wheels, or if a third part lies above both (the aprons under a
@@ -51,13 +52,13 @@ struct Symmetry_options
 /// Any other part is a single group: `SELF`, with the normal of its mirror plane as direction, or `NONE`. Members are
 /// ordered along the generator: of a pair, the one with the larger x (z) in the frame first; of a ring, by angle; of a
 /// row, along the vector. Groups are ordered by their first part; their volumes and hull volumes are set. The result
-/// does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n parts. If k of
-/// the pairs of parts are congruent and k n is more than 1.5e7, which is impossible with up to 240 parts, no groups are
-/// detected: every part is a single group.
+/// does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n parts. Rows are
+/// followed from ten million ordered pairs of congruent parts at most, for example in ten rounds from those of 1000
+/// parts; of more, the longest rows are groups.
 /// \param parts the abstractions of the shape's parts
 /// \param frame the frame of the shape
 /// \param options the kinds of symmetry to detect, and the tolerance
-/// \param warnings receives a sentence if there are too many parts; may be null
+/// \param warnings receives a sentence if not all rows were looked for; may be null
 std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                                const Symmetry_options& options = {},
                                                std::vector<std::string>* warnings = nullptr);
