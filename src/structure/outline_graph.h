@@ -6,10 +6,17 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
+#include <array>
+#include <cstddef>
+#include <set>
+
 namespace CGAL::Shape_correspondence::internal {
 
 /// A graph for uses that need only the surfaces of parts, such as roles: the curve of a part is the diagonal of its
 /// box, since abstraction takes most of the time of a graph, and every part is a group.
 Structural_graph outline_graph(const Segmented_shape& shape);
+/// \param shape with surfaces that are canonical \param touching the parts that are in contact
+Structural_graph outline_graph(const Segmented_shape& shape, const Shape_frame& frame,
+                               const std::set<std::array<std::size_t, 2>>& touching);
 
 } // namespace CGAL::Shape_correspondence::internal
