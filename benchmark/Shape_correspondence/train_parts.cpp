@@ -10,15 +10,20 @@
 #include "command_line.h"
 #include "roles/Part_model.h"
 #include "roles/Role_model_data.h"
+#include "shape/Loose_piece.h"
+#include "shape/meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -31,15 +36,18 @@ using namespace CGAL::Shape_correspondence::internal;
 namespace {
 
 const char* const usage =
-    "Usage: train_parts [--test FOLDER]... [--roles FILE -o FILE] FOLDER...\n"
-    "Learns what parts look like from labelled shapes. --test leaves out the sources of the shapes in a folder and "
-    "prints "
-    "how well their parts are found again; -o writes the role model of --roles with what was learned.\n";
+    "Usage: train_parts [--test FOLDER]... [--folds] [--found FOLDER] [--roles FILE -o FILE] FOLDER...\n"
+    "Learns what parts look like from labelled shapes. --test leaves out the sources of the shapes in a folder and\n"
+    "prints how well their parts are found again; --folds does so with each fifth of all sources. --found writes the\n"
+    "shapes with the parts that are found, labelled by what they are mostly of, as CATEGORY/SHAPE/{labels.json, "
+    "parts/};\n"
+    "-o writes the role model of --roles with what was learned.\n";
 
 struct Options
 {
   std::vector<std::string> folders, test;
-  std::string roles, output;
+  std::string roles, output, found;
+  bool folds = false;
 };
 
 /// The parts as one object, or as three of parts with the same roles; and by object and triangle the part.
@@ -47,6 +55,7 @@ struct Joined
 {
   Segmented_shape shape;
   std::vector<std::vector<std::size_t>> parts;
+  bool is_one = true;
 };
 
 Joined joined(const Segmented_shape& labelled, const std::vector<std::string>& roles, bool one)
@@ -59,7 +68,7 @@ Joined joined(const Segmented_shape& labelled, const std::vector<std::string>& r
   std::map<std::string, std::size_t> object;
   for (std::size_t k = 0; k < order.size(); ++k)
     object[order[k]] = one ? 0 : k % 3;
-  Joined result{Segmented_shape(labelled.name(), labelled.up()), {}};
+  Joined result{Segmented_shape(labelled.name(), labelled.up()), {}, one};
   for (std::size_t o = 0; o < 3; ++o) {
     std::vector<Point> points;
     std::vector<Eigen::Vector3i> triangles;
@@ -88,17 +97,31 @@ Joined joined(const Segmented_shape& labelled, const std::vector<std::string>& r
   return result;
 }
 
-Part_example example_of(const IO::Labelled_shape& labels, bool one)
+/// The labels of a shape's parts, and what is learned from it.
+struct Example
+{
+  IO::Labelled_shape labels; // sorted as the parts
+  Joined model;
+  Part_example shape;
+};
+
+Example example_of(const IO::Labelled_shape& labels, bool one)
 {
   const Segmented_shape labelled =
       IO::read_segmented_shape((std::filesystem::path(labels.file).parent_path() / "parts").string());
+  Example result;
   std::vector<std::string> roles;
+  result.labels = labels;
+  result.labels.labels.clear();
   for (const Shape_part& part : labelled.parts()) {
     const std::size_t i = labels.index(part.name);
-    roles.push_back(i < labels.labels.size() ? labels.labels[i].coarse : "");
+    result.labels.labels.push_back(i < labels.labels.size() ? labels.labels[i] : Part_label());
+    roles.push_back(result.labels.labels.back().coarse);
   }
-  const Joined model = joined(labelled, roles, one);
-  return part_example(model.shape, model.parts, labels.category, labels.source.empty() ? labels.name : labels.source);
+  result.model = joined(labelled, roles, one);
+  result.shape = part_example(result.model.shape, result.model.parts, labels.category,
+                              labels.source.empty() ? labels.name : labels.source);
+  return result;
 }
 
 using Row = std::array<double, 5>; // recovered, overlap, found over true parts, in one true part, F1
@@ -165,6 +188,10 @@ Options parsed(int argc, char** argv)
     const std::string& word = words.word();
     if (word == "--test")
       options.test.push_back(words.value());
+    else if (word == "--folds")
+      options.folds = true;
+    else if (word == "--found")
+      options.found = words.value();
     else if (word == "--roles")
       options.roles = words.value();
     else if (word == "-o")
@@ -179,56 +206,154 @@ Options parsed(int argc, char** argv)
 }
 
 /// Examples of shapes in both forms, as one object and as three.
-std::vector<Part_example> examples_of(const std::vector<IO::Labelled_shape>& labels)
+std::vector<Example> examples_of(const std::vector<IO::Labelled_shape>& labels)
 {
-  std::vector<Part_example> result(2 * labels.size());
+  std::vector<Example> result(2 * labels.size());
   for_each_index(result.size(), true, [&](std::size_t i) { result[i] = example_of(labels[i / 2], i % 2 == 0); });
   return result;
 }
 
-void print_accuracy(const std::vector<Part_example>& examples, const Part_model& model)
+/// How well parts are found, by the form of the shapes, the way to find them, and the category.
+using Tables = std::map<std::string, std::map<std::string, std::vector<Row>>>;
+
+const Part_model::Category* category_of(const Part_example& shape, const Part_model& model)
 {
-  for (std::size_t form = 0; form < 2; ++form) {
-    std::map<std::string, std::vector<Row>> ideal, known, any;
-    for (std::size_t i = form; i < examples.size(); i += 2) {
-      const Part_example& shape = examples[i];
-      const std::vector<Part_node> nodes = part_candidates(shape.surface, model);
-      const Eigen::MatrixXd overlaps = shape.overlaps_of(nodes);
-      std::vector<double> values;
-      for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const double overlap = overlaps.row(Eigen::Index(k)).maxCoeff();
-        values.push_back((overlap >= same_part_overlap) + 1e-3 * overlap * nodes[k].moments.area / shape.surface.area);
-      }
-      ideal[shape.category].push_back(measured(shape, nodes, best_cut(nodes, values)));
-      const Part_model::Category* own = nullptr;
-      for (const Part_model::Category& category : model.categories)
-        if (category.name == shape.category) own = &category;
-      known[shape.category].push_back(measured(shape, nodes, likeliest_parts(shape.surface, nodes, model, own)));
-      any[shape.category].push_back(measured(shape, nodes, likeliest_parts(shape.surface, nodes, model, nullptr)));
-    }
-    const std::string name = form == 0 ? "one object: " : "objects: ";
-    print(name + "best cut", ideal);
-    print(name + "category", known);
-    print(name + "any", any);
+  for (const Part_model::Category& category : model.categories)
+    if (category.name == shape.category) return &category;
+  return nullptr;
+}
+
+/// The cut that recovers most parts.
+std::vector<std::size_t> ideal_cut(const Part_example& shape, const std::vector<Part_node>& nodes)
+{
+  const Eigen::MatrixXd overlaps = shape.overlaps_of(nodes);
+  std::vector<double> values;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const double overlap = overlaps.row(Eigen::Index(k)).maxCoeff();
+    values.push_back((overlap >= same_part_overlap) + 1e-3 * overlap * nodes[k].moments.area / shape.surface.area);
   }
+  return best_cut(nodes, values);
+}
+
+/// The triangles of some patches.
+Part_mesh mesh_of(const Example& example, const Part_node& node)
+{
+  const std::set<std::size_t> patches(node.patches.begin(), node.patches.end());
+  std::vector<Part_mesh> meshes;
+  std::vector<const Part_mesh*> pointers;
+  for (std::size_t o = 0; o < example.model.shape.parts().size(); ++o) {
+    const Part_mesh& object = example.model.shape.parts()[o].mesh;
+    std::vector<std::size_t> triangles;
+    for (std::size_t t = 0; t < example.shape.surface.of_triangles[o].size(); ++t)
+      if (patches.count(example.shape.surface.of_triangles[o][t])) triangles.push_back(t);
+    std::vector<int> number(std::size_t(object.points.cols()), -1);
+    meshes.push_back(extracted(object, triangles, number));
+  }
+  for (const Part_mesh& mesh : meshes)
+    pointers.push_back(&mesh);
+  return internal::joined(pointers);
+}
+
+/// Writes found parts, each with the role of most of its area, as CATEGORY/SHAPE/{labels.json, parts/}.
+void write_found(const std::string& folder, const Example& example, const std::vector<Part_node>& nodes,
+                 const std::vector<std::size_t>& cut)
+{
+  const IO::Labelled_shape& labels = example.labels;
+  const std::filesystem::path target = std::filesystem::path(folder) / labels.category / labels.name;
+  std::filesystem::create_directories(target / "parts");
+  nlohmann::json parts = nlohmann::json::array();
+  const Eigen::MatrixXd areas = example.shape.areas_of(nodes);
+  for (std::size_t i : cut) {
+    std::map<std::string, double> of_role;
+    for (Eigen::Index j = 0; j < areas.cols(); ++j)
+      of_role[labels.labels[std::size_t(j)].coarse] += areas(Eigen::Index(i), j);
+    const auto role = std::max_element(of_role.begin(), of_role.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    Eigen::Index most = 0;
+    areas.row(Eigen::Index(i)).maxCoeff(&most);
+    const Part_label& label = labels.labels[std::size_t(most)];
+    const std::string name = "part_" + std::to_string(parts.size());
+    parts.push_back({{"name", name}, {"coarse", role->first}});
+    if (label.coarse == role->first && !label.fine.empty()) parts.back()["fine"] = label.fine;
+    const Part_mesh mesh = mesh_of(example, nodes[i]);
+    std::ofstream out(target / "parts" / (name + ".obj"));
+    out.precision(9);
+    for (Eigen::Index v = 0; v < mesh.points.cols(); ++v)
+      out << "v " << mesh.points.col(v).transpose() << '\n';
+    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+      out << "f " << (mesh.triangles.col(t).array() + 1).transpose() << '\n';
+  }
+  std::ofstream(target / "labels.json")
+      << nlohmann::json{{"category", labels.category}, {"source", labels.source}, {"parts", parts}}.dump(1);
+}
+
+/// \param found folder to write the shapes with found parts to, or empty
+void measure(const std::vector<const Example*>& examples, const Part_model& model, const std::string& found,
+             Tables& tables)
+{
+  std::vector<std::array<Row, 3>> rows(examples.size());
+  for_each_index(examples.size(), true, [&](std::size_t i) {
+    const Part_example& shape = examples[i]->shape;
+    const std::vector<Part_node> nodes = part_candidates(shape.surface, model);
+    const std::vector<std::size_t> ideal = ideal_cut(shape, nodes),
+                                   cut = likeliest_parts(shape.surface, nodes, model, category_of(shape, model));
+    rows[i] = {measured(shape, nodes, ideal), measured(shape, nodes, cut),
+               measured(shape, nodes, likeliest_parts(shape.surface, nodes, model, nullptr))};
+    if (!found.empty() && examples[i]->model.is_one && cut.size() > 1) write_found(found, *examples[i], nodes, cut);
+  });
+  for (std::size_t i = 0; i < examples.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string form = examples[i]->model.is_one ? "one object: " : "three objects: ";
+      tables[form + std::array{"best cut", "category known", "category unknown"}[k]][examples[i]->shape.category]
+          .push_back(rows[i][k]);
+    }
+}
+
+Part_model learned(const std::vector<Example>& examples, const std::set<std::string>& unseen)
+{
+  std::vector<Part_example> training;
+  for (const Example& example : examples)
+    if (unseen.count(example.shape.source) == 0) training.push_back(example.shape);
+  std::printf("%zu shapes to learn from\n", training.size() / 2);
+  std::fflush(stdout);
+  return train_part_model(training);
+}
+
+void measure_unseen(const std::vector<Example>& training, const std::vector<Example>& test,
+                    const std::set<std::string>& sources, const std::string& found, Tables& tables)
+{
+  std::vector<const Example*> unseen;
+  for (const Example& example : test)
+    if (sources.count(example.shape.source)) unseen.push_back(&example);
+  measure(unseen, learned(training, sources), found, tables);
 }
 
 void run(const Options& options)
 {
-  std::vector<IO::Labelled_shape> training = labels_of(options.folders);
-  const std::vector<IO::Labelled_shape> test = labels_of(options.test);
-  std::set<std::string> unseen;
-  for (const IO::Labelled_shape& shape : test)
-    unseen.insert(shape.source);
-  training.erase(std::remove_if(training.begin(), training.end(),
-                                [&](const IO::Labelled_shape& shape) { return unseen.count(shape.source) > 0; }),
-                 training.end());
-  std::printf("%zu shapes to learn from\n", training.size());
-  const Part_model model = train_part_model(examples_of(training));
-  print_accuracy(examples_of(test), model);
+  const std::vector<Example> training = examples_of(labels_of(options.folders));
+  Tables tables;
+  if (!options.test.empty()) {
+    const std::vector<Example> test = examples_of(labels_of(options.test));
+    std::set<std::string> sources;
+    for (const Example& example : test)
+      sources.insert(example.shape.source);
+    measure_unseen(training, test, sources, options.found, tables);
+  }
+  if (options.folds) {
+    std::vector<std::set<std::string>> folds(training_folds);
+    std::vector<std::string> sources;
+    for (const Example& example : training)
+      sources.push_back(example.shape.source);
+    for (const auto& [source, fold] : folds_of_sources(sources))
+      folds[fold].insert(source);
+    for (const std::set<std::string>& of_fold : folds)
+      measure_unseen(training, training, of_fold, options.found, tables);
+  }
+  for (const auto& [title, rows] : tables)
+    print(title, rows);
   if (options.output.empty()) return;
   Role_model_data data = Role_model_access::data(IO::read_role_model(options.roles));
-  data.parts = std::make_shared<Part_model>(model);
+  data.parts = std::make_shared<Part_model>(learned(training, {}));
   IO::write_role_model(options.output, Role_model_access::model(std::move(data)));
 }
 

@@ -23,8 +23,9 @@ namespace {
 constexpr Boosting_options affinity_options{150, 16, 0.1, 5, 0.5, 1}, partness_options{60, 12, 0.15, 5, 0.3, 1};
 constexpr double pure_enough = 0.85;             // share of a node in one true part, from which on it tells of it
 constexpr std::size_t most_pairs_of_shape = 250; // that affinities are learned from
-constexpr std::size_t training_folds = 5;        // of sources
-constexpr double least_chance = 0.02;            // that a node is a part, and that it is none
+// What a part must be more probable than to be worth one more: about half of the F1 with which parts are found, for
+// which the expected number of right parts less this for each one found makes F1 greatest.
+constexpr double worth_a_part = 0.45;
 
 // Examples of pairs of nodes, and whether they are of one part.
 struct Node_pairs
@@ -57,26 +58,6 @@ Node_pairs pairs_of(const Part_example& example)
     const double size = std::sqrt(std::min(a.moments.area, b.moments.area) / example.surface.area);
     return part_a == part_b ? std::max(0., 1 - (growth + size / 2) / 2) : -1;
   });
-  return result;
-}
-
-// A number from 0 on for the fold of each source, so that folds have about as many shapes.
-std::map<std::string, std::size_t> folds_of_sources(const std::vector<Part_example>& examples)
-{
-  std::map<std::string, std::size_t> count;
-  for (const Part_example& example : examples)
-    ++count[example.source];
-  std::vector<std::pair<std::size_t, std::string>> order;
-  for (const auto& [source, n] : count)
-    order.push_back({n, source});
-  std::sort(order.rbegin(), order.rend());
-  std::array<std::size_t, training_folds> load{};
-  std::map<std::string, std::size_t> result;
-  for (const auto& [n, source] : order) {
-    const auto least = std::min_element(load.begin(), load.end());
-    result[source] = std::size_t(least - load.begin());
-    *least += n;
-  }
   return result;
 }
 
@@ -139,8 +120,6 @@ Boosted_trees learned_partness(const std::vector<const Judged_nodes*>& shapes)
   return Boosted_trees(features, targets, weights, partness_options);
 }
 
-double logit_of(double p) { return std::log(p / (1 - p)); }
-
 } // namespace
 
 std::vector<Part_node> part_candidates(const Surface_patches& surface, const Part_model& model)
@@ -150,8 +129,8 @@ std::vector<Part_node> part_candidates(const Surface_patches& surface, const Par
   });
 }
 
-std::vector<double> part_log_odds(const std::vector<Part_node>& nodes, const Byte_rows& features,
-                                  const Part_model& model, const Part_model::Category* category)
+std::vector<double> part_values(const std::vector<Part_node>& nodes, const Byte_rows& features, const Part_model& model,
+                                const Part_model::Category* category)
 {
   struct Mean
   {
@@ -170,7 +149,7 @@ std::vector<double> part_log_odds(const std::vector<Part_node>& nodes, const Byt
   std::vector<double> result;
   for (const Part_node& node : nodes) {
     const Mean& mean = copies[node.shapes];
-    result.push_back(logit_of(std::clamp(mean.sum / mean.count, least_chance, 1 - least_chance)));
+    result.push_back(mean.sum / mean.count - worth_a_part);
   }
   return result;
 }
@@ -181,7 +160,7 @@ std::vector<std::size_t> likeliest_parts(const Surface_patches& surface, const s
   std::vector<std::size_t> best;
   Steps most = 0;
   for (int turn = 0; turn < 4; ++turn) {
-    const std::vector<double> values = part_log_odds(nodes, part_features(surface, nodes, turn), model, category);
+    const std::vector<double> values = part_values(nodes, part_features(surface, nodes, turn), model, category);
     const std::vector<std::size_t> cut = best_cut(nodes, values);
     double sum = 0;
     for (std::size_t i : cut)
@@ -263,9 +242,31 @@ bool Part_model::read(Stored_bytes& bytes)
   return true;
 }
 
+std::map<std::string, std::size_t> folds_of_sources(const std::vector<std::string>& sources)
+{
+  std::map<std::string, std::size_t> count;
+  for (const std::string& source : sources)
+    ++count[source];
+  std::vector<std::pair<std::size_t, std::string>> order;
+  for (const auto& [source, n] : count)
+    order.push_back({n, source});
+  std::sort(order.rbegin(), order.rend());
+  std::array<std::size_t, training_folds> load{};
+  std::map<std::string, std::size_t> result;
+  for (const auto& [n, source] : order) {
+    const auto least = std::min_element(load.begin(), load.end());
+    result[source] = std::size_t(least - load.begin());
+    *least += n;
+  }
+  return result;
+}
+
 Part_model train_part_model(const std::vector<Part_example>& examples)
 {
-  std::map<std::string, std::size_t> folds = folds_of_sources(examples);
+  std::vector<std::string> sources;
+  for (const Part_example& example : examples)
+    sources.push_back(example.source);
+  const std::map<std::string, std::size_t> folds = folds_of_sources(sources);
   std::vector<Node_pairs> pairs(examples.size());
   for_each_index(examples.size(), true, [&](std::size_t i) { pairs[i] = pairs_of(examples[i]); });
   std::vector<Part_model> by_fold(training_folds + 1); // the last one knows all

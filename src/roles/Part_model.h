@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,10 @@ struct Part_model
 // The candidates for parts of a surface.
 std::vector<Part_node> part_candidates(const Surface_patches& surface, const Part_model& model);
 
-// The log-odds that nodes are parts; copies have the same.
+// How much more probable it is that nodes are parts than they must be to be taken; copies have the same.
 // \param category null: it is not known
-std::vector<double> part_log_odds(const std::vector<Part_node>& nodes, const Byte_rows& features,
-                                  const Part_model& model, const Part_model::Category* category);
+std::vector<double> part_values(const std::vector<Part_node>& nodes, const Byte_rows& features, const Part_model& model,
+                                const Part_model::Category* category);
 
 // The likeliest parts, for the best of the four fronts: indices of nodes. \param category null: it is not known
 std::vector<std::size_t> likeliest_parts(const Surface_patches& surface, const std::vector<Part_node>& nodes,
@@ -65,6 +66,12 @@ Part_example part_example(const Segmented_shape& objects, const std::vector<std:
 
 // From which share of the union of two parts on one is the other.
 constexpr double same_part_overlap = 0.75;
+
+constexpr std::size_t training_folds = 5; // of sources
+
+// A number from 0 on for the fold of each source, so that folds have about as many shapes.
+// \param sources by shape
+std::map<std::string, std::size_t> folds_of_sources(const std::vector<std::string>& sources);
 
 // Learns from examples. Which nodes are parts is learned on trees whose affinities have not seen the shape's source.
 Part_model train_part_model(const std::vector<Part_example>& examples);

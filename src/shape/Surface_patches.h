@@ -38,6 +38,7 @@ struct Surface_patch
   std::size_t sheet = 0;     ///< number of the piece that is connected across edges of two triangles
   std::size_t component = 0; ///< number of the piece that is connected through vertices
   std::size_t shape = 0;     ///< the same number for patches that are about congruent
+  std::vector<std::array<Point, 3>> triangles{}; ///< of the canonical surface
 };
 
 /// How two patches touch, or two unions of patches.

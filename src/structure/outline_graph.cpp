@@ -33,22 +33,43 @@ Part_abstraction outline(const Shape_part& part)
   return result;
 }
 
+/// The shape without contacts.
+Shape_structure outlines(const Segmented_shape& shape, const Shape_frame& frame)
+{
+  Shape_structure result;
+  result.name = shape.name();
+  result.frame = frame;
+  for (const Shape_part& part : shape.parts())
+    result.parts.push_back(outline(part));
+  return result;
+}
+
+Structural_graph graph_of_parts(Shape_structure shape)
+{
+  std::vector<Part_group> groups(shape.parts.size());
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    groups[i].parts = {i};
+  return make_structural_graph(std::move(shape), std::move(groups));
+}
+
 } // namespace
 
 Structural_graph outline_graph(const Segmented_shape& given)
 {
   const Shape_in_frame placed(given);
-  const Segmented_shape& shape = placed.shape;
-  Shape_structure result;
-  result.name = shape.name();
-  result.frame = placed.frame;
-  std::vector<Part_group> groups;
-  for (const Shape_part& part : shape.parts()) {
-    groups.emplace_back().parts = {result.parts.size()};
-    result.parts.push_back(outline(part));
-  }
-  result.contacts = detect_contacts<CGAL::Sequential_tag>(shape, result.parts, result.frame, {}, result.warnings);
-  return make_structural_graph(std::move(result), std::move(groups));
+  Shape_structure result = outlines(placed.shape, placed.frame);
+  result.contacts =
+      detect_contacts<CGAL::Sequential_tag>(placed.shape, result.parts, result.frame, {}, result.warnings);
+  return graph_of_parts(std::move(result));
+}
+
+Structural_graph outline_graph(const Segmented_shape& shape, const Shape_frame& frame,
+                               const std::set<std::array<std::size_t, 2>>& touching)
+{
+  Shape_structure result = outlines(shape, frame);
+  for (const std::array<std::size_t, 2>& parts : touching)
+    result.contacts.push_back({parts, {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()}, {}});
+  return graph_of_parts(std::move(result));
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -4,10 +4,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Parts of models without given parts: patches, their tree, its best cut, and features.
+#include "io/read/read_objects.h"
 #include "part_meshes.h"
 #include "roles/Boosted_trees.h"
 #include "roles/Part_model.h"
 #include "shape/Part_tree.h"
+
+#include <CGAL/Shape_correspondence/IO/role_model.h>
 
 #include <catch2/catch.hpp>
 
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <sstream>
@@ -269,4 +273,15 @@ TEST_CASE("Parts are learned from examples and found in others")
   model.write(first);
   train_part_model(examples).write(second);
   CHECK(first.str() == second.str());
+}
+
+TEST_CASE("What is found is said in words: the parts of each role, and their pieces")
+{
+  const Segmented_shape table = one_object(united(table_boxes()));
+  const std::shared_ptr<const Role_model> roles = IO::shipped_role_model();
+  const Part_split split = IO::split_parts_by_roles(table, {}, roles.get());
+  REQUIRE(split.is_found);
+  CHECK(split.shape.parts().size() == 5);
+  CHECK(split.decisions == std::vector<std::string>{"5 pieces, split into 5 parts: table, with 4 × leg from 4 pieces, "
+                                                    "1 × tabletop from 1 piece"});
 }

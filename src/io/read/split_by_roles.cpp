@@ -6,14 +6,16 @@
 #include "io/read/read_objects.h"
 #include "roles/Shape_roles.h"
 #include "roles/up_by_roles.h"
-#include "shape/has_area.h"
+#include "shape/Shape_in_frame.h"
 #include "shape/split_patches.h"
 #include "structure/outline_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,40 +55,60 @@ std::vector<std::size_t> parts_of_patches(const Surface_patches& surface, const 
   return result;
 }
 
-/// The category that the parts are most like, whether clearly or not; null if no parts of it were learned.
-const Part_model::Category* category_of(const Segmented_shape& parts, const Role_model& roles)
+/// The parts alone, for their roles: canonical surfaces, and which of them touch.
+Structural_graph graph_of_cut(const Surface_patches& surface, const std::vector<Part_node>& nodes,
+                              const std::vector<std::size_t>& cut)
 {
-  const internal::Role_model_data& data = internal::Role_model_access::data(roles);
-  const internal::Shape_roles shape(internal::outline_graph(parts), roles);
-  const std::size_t nearest = internal::category_of_pair(shape, shape, data).nearest;
-  if (nearest == data.categories.size()) return nullptr;
-  for (const Part_model::Category& category : data.parts->categories)
-    if (category.name == data.categories[nearest].name) return &category;
-  return nullptr;
+  constexpr std::size_t none = Part_node::none;
+  std::vector<std::size_t> part_of_patch(surface.patches.size(), none);
+  Segmented_shape shape("");
+  std::vector<const Part_mesh*> meshes;
+  for (std::size_t i : cut) {
+    std::vector<Point> corners;
+    for (std::size_t patch : nodes[i].patches)
+      for (const std::array<Point, 3>& triangle : surface.patches[patch].triangles)
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
+    if (corners.empty()) continue;
+    for (std::size_t patch : nodes[i].patches)
+      part_of_patch[patch] = shape.parts().size();
+    Part_mesh mesh;
+    mesh.points = Eigen::Map<const Points>(corners[0].data(), 3, Eigen::Index(corners.size()));
+    mesh.triangles.resize(3, Eigen::Index(corners.size() / 3));
+    std::iota(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size(), 0);
+    shape.add_part(std::to_string(shape.parts().size()), std::move(mesh));
+  }
+  for (const Shape_part& part : shape.parts())
+    meshes.push_back(&part.mesh);
+  constexpr double touching_gap = 0.01; // over the diagonal, between samples of parts
+  std::set<std::array<std::size_t, 2>> touching;
+  for (const Surface_patches::Contact& contact : surface.contacts) {
+    const auto [i, j] = std::minmax(part_of_patch[contact.first], part_of_patch[contact.second]);
+    if (i != j && j != none && contact.contact.gap <= touching_gap) touching.insert({i, j});
+  }
+  return internal::outline_graph(shape, internal::rough_frame(meshes, Point::UnitY()), touching);
 }
 
-/// The parts alone, for their roles.
-Segmented_shape shape_of_patches(const Segmented_shape& objects, const Surface_patches& surface,
-                                 const std::vector<std::size_t>& part_of_patch)
+/// What is learned of a category that is known by name; null if nothing is.
+const Part_model::Category* category_named(const std::string& name, const Part_model& model)
 {
-  std::map<std::size_t, std::vector<Point>> corners; // by part, three of a triangle
-  for (std::size_t i = 0; i < objects.parts().size(); ++i) {
-    const Part_mesh& mesh = objects.parts()[i].mesh;
-    for (std::size_t t = 0; t < surface.of_triangles[i].size(); ++t)
-      for (int k = 0; k < 3; ++k)
-        corners[part_of_patch[surface.of_triangles[i][t]]].push_back(
-            mesh.points.col(mesh.triangles(k, Eigen::Index(t))));
+  const auto is_it = [&](const Part_model::Category& category) { return category.name == name; };
+  const auto found = std::find_if(model.categories.begin(), model.categories.end(), is_it);
+  return found == model.categories.end() ? nullptr : &*found;
+}
+
+/// The number of parts of each role, and of the pieces that they are made of.
+std::string in_words(const std::string& category, const std::vector<Part_label>& labels,
+                     const std::vector<Part_node>& nodes, const std::vector<std::size_t>& cut)
+{
+  std::map<std::string, std::array<std::size_t, 2>> counts; // parts and pieces, by role
+  for (std::size_t i = 0; i < std::min(labels.size(), cut.size()); ++i) {
+    ++counts[labels[i].coarse][0];
+    counts[labels[i].coarse][1] += nodes[cut[i]].sheets.size();
   }
-  Segmented_shape result(objects.name(), objects.up());
-  for (const auto& [part, points] : corners) {
-    Part_mesh mesh;
-    mesh.points.resize(3, Eigen::Index(points.size()));
-    for (std::size_t v = 0; v < points.size(); ++v)
-      mesh.points.col(Eigen::Index(v)) = points[v];
-    mesh.triangles.resize(3, Eigen::Index(points.size() / 3));
-    std::iota(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size(), 0);
-    if (internal::has_area(mesh)) result.add_part(std::to_string(part), std::move(mesh));
-  }
+  std::string result;
+  for (const auto& [role, count] : counts)
+    result += (result.empty() ? category + ", with " : ", ") + std::to_string(count[0]) + " × " + role + " from " +
+              std::to_string(count[1]) + (count[1] == 1 ? " piece" : " pieces");
   return result;
 }
 
@@ -94,19 +116,27 @@ Segmented_shape shape_of_patches(const Segmented_shape& objects, const Surface_p
 std::optional<Part_split> find_parts(const Segmented_shape& objects, const std::vector<std::vector<int>>& materials,
                                      const Role_model& roles)
 {
-  const Part_model& model = *internal::Role_model_access::data(roles).parts;
+  const internal::Role_model_data& data = internal::Role_model_access::data(roles);
+  const Part_model& model = *data.parts;
   const Surface_patches surface = internal::patches_of_objects(objects, materials);
   if (surface.patches.size() > internal::most_patches) return std::nullopt;
   const std::vector<Part_node> nodes = internal::part_candidates(surface, model);
   std::vector<std::size_t> cut = internal::likeliest_parts(surface, nodes, model, nullptr);
   if (cut.size() < 2 || cut.size() > internal::most_parts) return std::nullopt;
-  const Segmented_shape any = shape_of_patches(objects, surface, parts_of_patches(surface, nodes, cut));
-  if (const Part_model::Category* category = category_of(any, roles)) {
-    std::vector<std::size_t> known = internal::likeliest_parts(surface, nodes, model, category);
-    if (known.size() > 1) cut = std::move(known);
-  }
+  const internal::Shape_roles seen(graph_of_cut(surface, nodes, cut), roles);
+  const internal::Pair_category likest = internal::category_of_pair(seen, seen, data);
+  if (likest.nearest < data.categories.size())
+    if (const Part_model::Category* category = category_named(data.categories[likest.nearest].name, model)) {
+      std::vector<std::size_t> known = internal::likeliest_parts(surface, nodes, model, category);
+      if (known.size() > 1) cut = std::move(known);
+    }
   Part_split split = internal::split_patches(objects, surface, materials, parts_of_patches(surface, nodes, cut));
   if (!may_be_matched(split)) return std::nullopt;
+  if (likest.index < data.categories.size()) { // clearly
+    const internal::Shape_roles of_cut(graph_of_cut(surface, nodes, cut), roles);
+    split.decisions[0] +=
+        ": " + in_words(data.categories[likest.index].name, of_cut.votes(likest.index).labels, nodes, cut);
+  }
   return split;
 }
 
@@ -117,12 +147,15 @@ Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_split
 {
   Part_splitting_options whole = options;
   whole.divide_by_materials = false;
-  Part_split split = split_parts(objects, whole);
-  if (options.mode != Part_splitting::AUTO || !roles) return split;
-  const bool are_parts = objects.parts().size() > 1 && !split.changes_objects();
-  const bool finds = internal::Role_model_access::data(*roles).parts != nullptr;
-  if (finds && !are_parts)
-    if (std::optional<Part_split> found = find_parts(objects, {}, *roles)) split = std::move(*found);
+  if (options.mode != Part_splitting::AUTO || !roles) return split_parts(objects, whole);
+  const bool finds = internal::Role_model_access::data(*roles).parts != nullptr, is_one = objects.parts().size() == 1;
+  std::optional<Part_split> found;
+  if (finds && is_one) found = find_parts(objects, {}, *roles);
+  Part_split split = found ? std::move(*found) : split_parts(objects, whole);
+  if (finds && !is_one && split.changes_objects()) {
+    found = find_parts(objects, {}, *roles);
+    if (found) split = std::move(*found);
+  }
   if (options.materials.empty()) return split;
   std::optional<Part_split> divided;
   if (finds) divided = find_parts(objects, options.materials, *roles);

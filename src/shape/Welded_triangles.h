@@ -1,0 +1,88 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "base/Disjoint_sets.h"
+#include "shape/Point_grid.h"
+
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+constexpr double welding_distance = 1e-5; ///< over the diagonal: distance of vertices that are one
+
+/// A side of a triangle.
+struct Triangle_side
+{
+  std::size_t low, high; // places of its ends
+  std::size_t triangle;
+  int corner;      // that it begins at
+  bool is_forward; // from `low` to `high`
+};
+
+/// The triangles of all objects, in a frame with y up in which their box begins at the origin and has diagonal 1.
+class Welded_triangles
+{
+public:
+  /// \param axes the rows are the axes of the frame
+  Welded_triangles(const Segmented_shape& shape, const Eigen::Matrix3d& axes);
+
+  Point sides = Point::Ones();                     ///< of the box
+  double area = 0;                                 ///< of all
+  Points points;                                   ///< the vertices
+  Numbers places;                                  ///< by vertex, the number of its place
+  std::vector<std::array<std::size_t, 3>> corners; ///< by triangle, indices of vertices
+  Numbers objects;                                 ///< by triangle
+  std::vector<double> areas;                       ///< by triangle
+  std::vector<Point> normals;                      ///< by triangle
+  std::vector<Triangle_side> edges;                ///< those at the same places next to one another
+
+  std::size_t size() const { return corners.size(); }
+  Point corner(std::size_t t, int k) const { return points.col(Eigen::Index(corners[t][std::size_t(k)])); }
+  Point middle(std::size_t t) const { return (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3; }
+  std::size_t place(std::size_t t, int k) const { return places[corners[t][std::size_t(k)]]; }
+  bool is_degenerate(std::size_t t) const;
+  /// The triangles at each place.
+  std::vector<Numbers> triangles_of_places() const;
+
+  double length(const Triangle_side& edge) const;
+  /// Cosine of the angle between the normals, with one turned if the triangles are oriented differently.
+  double cosine(const Triangle_side& a, const Triangle_side& b) const;
+
+  /// Calls a function with the range of sides at each edge.
+  template <typename Function>
+  void for_each_edge(Function function) const
+  {
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+      while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high)
+        ++end;
+      function(begin, end);
+    }
+  }
+
+  /// Calls a function with sides of neighbours of the same piece. \param pieces by triangle
+  template <typename Function>
+  void for_each_neighbours(const Numbers& pieces, Function function) const
+  {
+    for (std::size_t e = 1; e < edges.size(); ++e) {
+      const Triangle_side &a = edges[e - 1], &b = edges[e];
+      if (a.low == b.low && a.high == b.high && pieces[a.triangle] == pieces[b.triangle]) function(a, b);
+    }
+  }
+
+private:
+  void collect(const Segmented_shape& shape, const Eigen::Matrix3d& axes);
+  void weld();
+  void find_edges();
+};
+
+/// Numbers from 0 on for the sets, in the order of their first elements.
+Numbers numbers_of_sets(const Disjoint_sets& sets);
+std::size_t numbers_in(const Numbers& numbers);
+
+} // namespace CGAL::Shape_correspondence::internal

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "shape/Surface_patches.h"
+#include "shape/Welded_triangles.h"
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The pieces that triangles are of, by their numbers from 0 on.
+struct Triangle_pieces
+{
+  Numbers sheets, components, patches; // as of `Surface_patch`; by triangle
+};
+
+/// Measures the patches and finds which may be merged; of more than `most_patches` it only tells how many there are.
+void measure_patches(const Welded_triangles& triangles, const Triangle_pieces& pieces, Surface_patches& surface);
+
+} // namespace CGAL::Shape_correspondence::internal
