@@ -143,7 +143,7 @@ export class MatchView {
       const sides = [[], []];
       sides[side] = list.map((_, index) => index).filter(index => this.blockOf[side][index] < 0);
       if (!sides[side].length) return;
-      rows.push(row('none' + side, '', sides, {confidence: null, text: `${countedParts(labelsOf(sides)[side], '')} without counterpart in ${match.titles[1 - side]}`}, parts(sides)));
+      rows.push(row('none' + side, '', sides, {confidence: null, text: `${sides[side].length === 1 ? labelsOf(sides)[side][0] : countedParts(labelsOf(sides)[side], '')} without counterpart in ${match.titles[1 - side]}`}, parts(sides)));
     });
     this.table = fillTable($('table'), columns, rows, this.selection, $('#search'));
   }

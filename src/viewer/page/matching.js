@@ -45,7 +45,8 @@ export function nounOf(label) {
 }
 
 function plural(noun) {
-  if (/(s|x|sh|ch)$/.test(noun)) return noun + 'es';
+  if (/[^s]s$/.test(noun)) return noun; // named for several
+  if (/(ss|x|sh|ch)$/.test(noun)) return noun + 'es';
   if (/[^aeiou]y$/.test(noun)) return noun.slice(0, -1) + 'ies';
   return /(lea|shel)f$/.test(noun) ? noun.slice(0, -1) + 'ves' : noun + 's';
 }
@@ -67,9 +68,9 @@ export function countedParts(labels, role) {
 /** What becomes of parts, as a sentence: `4 legs become 1 column and 5 arms`. @param labels of source and target */
 export function sentenceOf(labels, role) {
   const [sources, targets] = labels.map(list => list.length);
-  if (sources === 1 && targets === 1) return labels[0][0] === labels[1][0] ? `${labels[0][0]} is ${labels[0][0]}` : `${labels[0][0]} becomes ${labels[1][0]}`;
-  const [from, to] = labels.map(list => countedParts(list, role));
-  return from === to ? `${from}, each to one` : `${from} ${sources === 1 ? 'becomes' : 'become'} ${to}`;
+  const isOne = sources === 1 && targets === 1, [from, to] = labels.map(list => isOne ? list[0] : countedParts(list, role));
+  const [verb, verbs] = from === to ? ['matches', 'match'] : ['becomes', 'become'];
+  return `${from} ${sources === 1 ? verb : verbs} ${to}`;
 }
 
 /** An operation with the numbers of parts, if they are not one and one. */

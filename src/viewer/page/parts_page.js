@@ -33,8 +33,13 @@ export function showParts() {
     selection.clear();
     update();
   };
+  // A reason names pieces; people know their parts
+  const readable = (reason, part) => [...model.list.pieces.keys()].sort((a, b) => model.list.pieces[b].piece.length - model.list.pieces[a].piece.length).reduce((text, k) => {
+    const of = model.pieces[k][0] < 0 ? -1 : into[model.pieces[k][0]], {piece} = model.list.pieces[k];
+    return of === part ? text.replace(` with ${piece}`, '').replace(piece, 'it') : text.replace(piece, of < 0 ? piece : model.labels[of]);
+  }, reason);
   const told = part => {
-    const pieces = model.pieces.filter(([of]) => of >= 0 && into[of] === part), reasons = [...new Set(pieces.map(([,, reason]) => reason).filter(Boolean))];
+    const pieces = model.pieces.filter(([of]) => of >= 0 && into[of] === part), reasons = [...new Set(pieces.map(([,, reason]) => readable(reason, part)).filter(Boolean))];
     const size = Math.max(0, ...pieces.map(piece => piece[1]));
     return {size, reason: (pieces.length > 1 ? counted(pieces.length, 'piece') + (reasons.length ? ': ' + reasons.join('; ') : '') : 'one piece') + (joined(part).length > 1 ? ', joined by you' : '')};
   };
@@ -59,7 +64,7 @@ export function showParts() {
 
   function list() {
     const hasRoles = model.roles.some(Boolean);
-    const columns = [{text: 'part'}, ...(hasRoles ? [{text: 'role', kind: 'narrow'}] : []), {text: 'size', kind: 'narrow'}, {text: 'of'}];
+    const columns = [{text: 'part'}, ...(hasRoles ? [{text: 'role', kind: 'narrow'}] : []), {text: 'size', kind: 'narrow'}, {text: 'made of'}];
     const rows = into.map((_, i) => i).filter(i => into[i] === i).map(part => {
       const {size, reason} = told(part);
       return {key: part, colour: colours[part] || 'none', words: joined(part).map(i => model.parts[i]),

@@ -88,7 +88,7 @@ function visitCells(corners, visit) {
 function paintGround(canvas, group, {min, max}, width) {
   const g = canvas.getContext('2d'), n = groundPixels, scale = n / width, meshes = [], p = new THREE.Vector3();
   let shadow = new Float32Array(n * n);
-  group.traverse(object => { if (object.isMesh && object.geometry.index) meshes.push(object); });
+  group.traverse(object => { if (object.isMesh && object.geometry.index && !object.userData.item.isHidden) meshes.push(object); });
   const step = Math.max(1, Math.ceil(meshes.reduce((sum, mesh) => sum + mesh.geometry.index.count / 3, 0) / shadowTriangles));
   for (const {geometry: {index, attributes}, matrixWorld} of meshes)
     for (let t = 0; t + 2 < index.count; t += 3 * step) {
