@@ -51,7 +51,7 @@ export function showCollection() {
       '; parts that are like no others are grey. Choose two shapes to see their match.',
       $('#facts'));
   addWarnings($('#facts'), (collection.warnings || []).map(note => readersNote(note, {})));
-  addTabs([['shapes', 'Shapes'], ['models', 'Two shapes'], ['list', 'Parts']]);
+  addTabs([['models', 'Two shapes'], ['shapes', 'All shapes'], ['list', 'Parts']]);
 
   const stage = new Stage($('#stage')), views = [stage.addView(''), stage.addView('')];
   const view = new MatchView(stage, views);

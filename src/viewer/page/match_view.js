@@ -78,6 +78,7 @@ export class MatchView {
     this.leastConfidence = 0;
     this.selection = new Selection(key => this.light(key));
     addGestures(stage, (item, x, y) => this.point(item, x, y), (item, x, y) => this.click(item, x, y));
+    stage.labels = () => this.shownLabels(); // for tests
     stage.afterDrawing = () => this.overlay.draw(this.shownLinks(), this.shownLabels());
     addEventListener('keydown', event => { if (event.key === 'Escape') this.clear(); });
   }
@@ -272,7 +273,7 @@ export class MatchView {
     if (!this.match || !this.hasLabels) return [];
     return this.views.flatMap((view, side) => {
       const confine = this.stage.boxOf(view), rowOf = part => { const b = this.blockOf[side][part]; return b < 0 ? -1 : this.rowOf[b]; };
-      if (view.figure.hidden || confine.width < leastView) return [];
+      if (view.figure.hidden || Math.min(confine.width, confine.height) < leastView) return [];
       const isShown = (part, b) => b >= 0 && this.isSure(this.match.blocks[b]) && (!this.lit || this.lit.has('b' + b) || this.lit.has(side + ':' + part));
       const places = this.stage.seenPlaces(view, ({part}) => part >= 0 && isShown(part, this.blockOf[side][part]) ? rowOf(part) : -1);
       const text = row => { const {role, blocks: [b]} = this.rows[row]; return role ? roleText(role) : this.match.labels[side][this.match.blocks[b].parts[side][0]]; };

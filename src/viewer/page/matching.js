@@ -38,8 +38,9 @@ export function withRanges(names) {
 // Words that say where a part is, not what it is
 const places = /^(.|[fr][lr]|left|right|front|rear|upper|lower|inner|outer|middle|center|centre)$/i;
 
-/** What a part is, by its label: the last word that is no place, without a number. */
-export function nounOf(label) {
+/** What a part is, by its label: its role if it is named so, or else the last word that is no place, without a number. */
+export function nounOf(label, role = '') {
+  if (role && roleText(label.replace(/[\s_.:#-]*\d+$/, '')) === roleText(role)) return roleText(role);
   const words = label.replace(/[\s_.:#-]*\d+$/, '').split(/[_.:-]+/).filter(word => word && !places.test(word));
   return words.length ? words[words.length - 1].replace(/\d+$/, '') || 'part' : label;
 }
@@ -60,7 +61,7 @@ export const roleText = role => role.replace(/_/g, ' ');
 /** Parts as one counts them: `1 column and 5 arms`. @param role names those that have too many names; it may be empty */
 export function countedParts(labels, role) {
   const counts = new Map();
-  for (const noun of labels.map(nounOf)) counts.set(noun, (counts.get(noun) || 0) + 1);
+  for (const noun of labels.map(label => nounOf(label, role))) counts.set(noun, (counts.get(noun) || 0) + 1);
   if (counts.size > mostNouns) return counted(labels.length, role ? roleText(role) : 'part');
   return listed([...counts].map(([noun, number]) => counted(number, noun)));
 }

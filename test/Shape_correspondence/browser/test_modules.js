@@ -70,11 +70,12 @@ function glb(json, numbers) {
   equal(listed(['a', 'b', 'c', 'd'], 3), 'a, b and 2 more');
   equal(withRanges(['leg_1', 'leg_2', 'leg_3', 'leg_5', 'seat', 'a#9', 'a#10', 'a#11']), ['leg_1–3', 'leg_5', 'seat', 'a#9–11']);
   equal([withRanges(['a1', 'b2', 'b3']), withRanges([])], [['a1', 'b2', 'b3'], []]);
-  equal(['front_left_leg', 'star_1', 'seat frame 2', 'arm_pad_l', 'wheels#3', '7', 'leg_left'].map(nounOf), ['leg', 'star', 'seat frame', 'pad', 'wheels', '7', 'leg']);
+  equal(['front_left_leg', 'star_1', 'seat frame 2', 'arm_pad_l', 'wheels#3', '7', 'leg_left'].map(label => nounOf(label)), ['leg', 'star', 'seat frame', 'pad', 'wheels', '7', 'leg']);
   equal([countedParts(['column', 'star_1', 'star_2'], ''), countedParts(['a_x', 'shelf', 'body', 'box', 'leg'], 'seat_frame'), countedParts(['shelf 1', 'shelf 2'], '')],
         ['1 column and 2 stars', '5 seat frames', '2 shelves']);
   equal([sentenceOf([['left_leg', 'right_leg'], ['column', 'star_1', 'star_2']], 'leg'), sentenceOf([['seat'], ['pad']], ''), sentenceOf([['wheels 1', 'wheels 2'], ['wheels 1', 'wheels 2']], '')],
         ['2 legs become 1 column and 2 stars', 'seat becomes pad', '2 wheels match 2 wheels']);
+  equal([nounOf('seat_frame#2', 'seat_frame'), nounOf('seat_frame 2')], ['seat frame', 'frame']);
   const roles = ['leg', 'seat', 'leg', '', ''].map(role => ({role, parts: [[0], [0]]}));
   equal(rowsByRole(roles), [{role: 'leg', blocks: [0, 2]}, {role: 'seat', blocks: [1]}, {role: '', blocks: [3]}, {role: '', blocks: [4]}]);
   const many = rowsByRole(Array.from({length: 30}, (_, i) => ({role: 'role' + i % 20, parts: [[0], [0]]})));
