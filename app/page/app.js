@@ -425,7 +425,7 @@ function tellError(text) {
 function show(name, page, saves = []) {
   shown.set(name, {url: URL.createObjectURL(new Blob([page], {type: 'text/html'})), saves});
   select(name);
-  if (saves.length && matchMedia('(max-width: 800px)').matches) $('#results').scrollIntoView(); // it is below the buttons
+  if (saves.length && !isExample && matchMedia('(max-width: 800px)').matches) $('#results').scrollIntoView(); // it is below the buttons
 }
 
 function select(name) {
