@@ -184,8 +184,10 @@ std::vector<std::string> stems(const std::vector<std::string>& names)
   for (const Divided_name& name : pieces)
     result.push_back(name.object + (materials[name.object].size() > 1 ? name.material : ""));
   const std::string prefix = common_prefix(result);
-  for (std::string& label : result)
-    label = without_words_of_modellers(without_prefix(label, prefix));
+  for (std::string& label : result) {
+    const std::string rest = without_prefix(label, prefix);
+    label = without_words_of_modellers(says_nothing(rest) ? label : rest);
+  }
   return result;
 }
 
