@@ -78,7 +78,9 @@ export function showMatch() {
   view.addSwitches($('#tools'));
   setBreakable(titles.join(' and '), $('h1'));
   element('p', answer(result, blocks, names, titles), $('#facts'));
-  addWarnings($('#facts'), (result.warnings || []).map(note => readersNote(note, {[result.source]: titles[0], [result.target]: titles[1]})));
+  const labels = documentOf('labels'), labelOf = new Map(names.flatMap((list, side) => list.map((name, part) => [name, labels[side][part]])));
+  addWarnings($('#facts'), (result.warnings || []).map(note => readersNote(note, {[result.source]: titles[0], [result.target]: titles[1]})
+      .replace(/'([^']+)'/g, (quoted, name) => labelOf.get(name) || quoted)));
   views.forEach((one, side) => { if (isOnePiece(names[side])) element('small', 'one piece in its file; its parts were found by their shape', one.caption); });
   addTabs([['models', blend ? 'Film' : 'Models'], ['list', 'Parts']]);
   if (blend) new BlendPlayer(view, blend, glbOf('blend.glb'));
