@@ -30,15 +30,11 @@ constexpr std::size_t most_fine = 50; // shapes whose curves and sheets are draw
 class Collection_models
 {
 public:
-  Collection_models(std::size_t shapes, const std::vector<std::string>& role_of_cluster)
+  Collection_models(std::size_t shapes, int labels)
       : triangles_of_shape_(std::max(fewest_of_shape, collection_triangles / std::max<std::size_t>(1, shapes))),
-        is_coarse_(shapes > most_fine)
-  {
-    int number = 0;
-    for (const Colour& colour : colours_of_roles(role_of_cluster))
-      glb_.add_material("cluster_" + std::to_string(++number), colour);
-    unclustered_ = glb_.add_material("none", grey());
-  }
+        is_coarse_(shapes > most_fine),
+        unclustered_(labels)
+  {}
 
   /// \param model may be null: curves and sheets are shown
   void add(const Structural_graph& graph, const Segmented_shape* model, const std::vector<int>& labels)
@@ -57,8 +53,13 @@ public:
     roots_.push_back(glb_.add_node(drawn.name(), nodes, Point::Zero()));
   }
 
-  std::string text() const
+  /// \param role_of_cluster a colour for each label
+  std::string text(const std::vector<std::string>& role_of_cluster)
   {
+    int number = 0; // materials in the order of labels, which are known when all shapes are added
+    for (const Colour& colour : colours_of_roles(role_of_cluster))
+      glb_.add_material("cluster_" + std::to_string(++number), colour);
+    glb_.add_material("none", grey());
     std::ostringstream out;
     glb_.write(out, {{"collection", roots_}});
     return out.str();
@@ -68,7 +69,7 @@ private:
   std::size_t triangles_of_shape_;
   bool is_coarse_;
   Glb_file glb_;
-  int unclustered_ = 0;
+  int unclustered_; // material
   std::vector<int> roots_;
 };
 
@@ -194,14 +195,15 @@ Page collection_page(const Collection& collection, std::size_t total,
                      const std::function<Structural_graph(std::size_t)>& graph, const Models& model,
                      const std::vector<Shape_pair_map>& maps)
 {
+  Collection_models models(collection.shapes.size(), collection.co_analysis.number_of_labels);
   std::vector<Roles> roles;
-  for (std::size_t i = 0; i < collection.shapes.size(); ++i)
-    roles.push_back(likeliest_roles(graph(i)));
-  Collection_models models(collection.shapes.size(), roles_of_clusters(collection.co_analysis, roles));
   for (std::size_t i = 0; i < collection.shapes.size(); ++i) {
     const std::optional<Segmented_shape> shape = model ? model(i) : std::nullopt;
-    models.add(graph(i), shape ? &*shape : nullptr, collection.co_analysis.labels[i]);
+    const Structural_graph drawn = graph(i);
+    roles.push_back(likeliest_roles(drawn));
+    models.add(drawn, shape ? &*shape : nullptr, collection.co_analysis.labels[i]);
   }
+  const Roles role_of_cluster = roles_of_clusters(collection.co_analysis, roles);
   std::ostringstream json, stored;
   Json outline = collection_outline_json(collection);
   outline["warnings"] = collection.warnings;
@@ -211,13 +213,13 @@ Page collection_page(const Collection& collection, std::size_t total,
     labels.push_back(part_labels(collection.shapes[i].parts, roles[i]));
   Json({{"total", total},
         {"labels", std::move(labels)},
-        {"roles", roles_of_clusters(collection.co_analysis, roles)},
+        {"roles", role_of_cluster},
         {"clusters", clusters_json(collection)},
         {"maps", maps_json(collection, maps)}})
       .write(stored);
   return {"Collection of shapes",
           {{"collection", json.str()}, {"maps", stored.str()}},
-          {{"collection.glb", models.text()}}};
+          {{"collection.glb", models.text(role_of_cluster)}}};
 }
 
 } // namespace
