@@ -248,6 +248,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(browser.evaluate(swatches), 1)
         drawn = """(c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(v => v > 0))(
                    document.querySelector('.links'))"""
+        browser.evaluate("document.querySelector('#show').open = true")  # a click beside it has closed it
         browser.evaluate(switch + "('labels')")
         browser.evaluate(AFTER_DRAWING)
         self.assertFalse(browser.evaluate(drawn))
