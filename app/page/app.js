@@ -214,6 +214,11 @@ document.ondrop = event => {
   attempt(async () => takeDropped(null, await files));
 };
 
+// What is dragged over the shown page would be that page's: a shield takes it, until the mouse moves without dragging
+const shield = $('#shield'), protect = () => { shield.hidden = false; };
+shield.onpointermove = shield.onpointerdown = () => { shield.hidden = true; };
+$('#shown').onmouseleave = document.documentElement.onmouseleave = protect;
+
 /** Two models are source and target; one goes where it was dropped, or where none is yet. */
 async function takeDropped(side, files) {
   const models = modelsAmong(files);
