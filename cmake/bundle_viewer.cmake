@@ -2,7 +2,8 @@
 # cmake -DTHREE_JS=... -DLICENSE=... -DMODULES=a.js,b.js -DSCRIPT=... -DHASH=... -P bundle_viewer.cmake
 #
 # The modules stand in the order in which they need each other, what they define differs in name, and each import is one
-# line: without imports and exports, and in one function, they are one script.
+# line: without imports and exports, and in one function, they are one script. Comments that have lines of their own, and
+# indentation, are left out.
 file(READ ${LICENSE} license)
 set(is_complete false)
 if(THREE_JS)
@@ -15,6 +16,9 @@ foreach(module IN LISTS modules)
   file(READ ${module} text)
   string(REGEX REPLACE "\nimport [^\n]*" "" text "${text}")
   string(REGEX REPLACE "\nexport " "\n" text "${text}")
+  string(REGEX REPLACE "\n */[/*][^\n]*" "" text "\n${text}")
+  string(REGEX REPLACE "\n *\\* [^\n]*|\n *\\*/" "" text "${text}")
+  string(REGEX REPLACE "\n +" "\n" text "${text}")
   string(APPEND script "${text}")
 endforeach()
 file(WRITE ${SCRIPT} "${script}})();\n")

@@ -134,7 +134,8 @@ async function read({name, path, files}) {
 const titles = {source: 'First model', target: 'Second model', match: 'Match', blend: 'Blend'}; // of what is shown
 const sides = ['source', 'target'], chosen = {source: null, target: null}, shown = new Map();
 const program = new Program();
-let examples = null, isWorking = false;
+const firstExample = {source: 'chair_four_legged', target: 'chair_swivel'}; // that the page opens with
+let examples = null, isWorking = false, isExample = false;
 
 const examplesByName = () => examples = examples || unpacked(embedded('examples')).then(exampleFiles);
 
@@ -183,12 +184,12 @@ const cards = Object.fromEntries(sides.map(side => {
 }));
 
 const options = {
-  method: addChoice($('#options'), 'method', [['', 'costs and roles of parts'], ['paper', 'as in the paper (beam search)'], ['exact', 'exact, least energy']],
+  method: addChoice($('#options'), 'method', [['', 'automatic'], ['paper', 'of the paper (beam search)'], ['exact', 'exact search, least energy']],
                     'How correspondences are found'),
   category: addChoice($('#options'), 'category', [['', 'automatic'], ...categories.map(name => [name, name])], 'What both models are; by it the roles of parts are known'),
-  front: addChoice($('#options'), 'front', [['', 'as the method has it'], ['given', 'as in the files'], ['likely', 'turned where roles say so'], ['auto', 'any']],
+  front: addChoice($('#options'), 'front', [['', 'automatic'], ['given', 'as in the files'], ['likely', 'turned by roles of parts'], ['auto', 'any side']],
                    'Which sides of the models may be their fronts'),
-  parts: addChoice($('#options'), 'parts of a file', [['', 'objects, loose pieces split'], ['file', 'objects'], ['components', 'loose pieces'], ['segments', 'segments']],
+  parts: addChoice($('#options'), 'parts of a file', [['', 'automatic'], ['file', 'objects of the file'], ['components', 'loose pieces'], ['segments', 'segments']],
                    'How parts are made of a model file; files of a folder are parts as they are'),
 };
 options.method.onchange = () => { options.category.disabled = options.method.value !== ''; update(); };
@@ -213,6 +214,11 @@ document.ondrop = event => {
   attempt(async () => takeDropped(null, await files));
 };
 
+// What is dragged over the shown page would be that page's: a shield takes it, until the mouse moves without dragging
+const shield = $('#shield'), protect = () => { shield.hidden = false; };
+shield.onpointermove = shield.onpointerdown = () => { shield.hidden = true; };
+$('#shown').onmouseleave = document.documentElement.onmouseleave = protect;
+
 /** Two models are source and target; one goes where it was dropped, or where none is yet. */
 async function takeDropped(side, files) {
   const models = modelsAmong(files);
@@ -221,7 +227,27 @@ async function takeDropped(side, files) {
 }
 
 async function chooseBoth(models) {
-  for (const [i, side] of sides.entries()) await choose(side, await read(models[i]));
+  const read_models = await Promise.all(models.map(read));
+  leaveExample();
+  for (const side of sides) chosen[side] = null;
+  for (const [i, side] of sides.entries()) await choose(side, read_models[i]);
+}
+
+/** A pair of examples, matched, so that one sees at once what the page does. */
+async function openExample() {
+  const files = await examplesByName();
+  if (sides.some(side => chosen[side])) return;
+  isExample = true;
+  for (const side of sides) put(side, {name: firstExample[side], path: firstExample[side], files: files[firstExample[side]]});
+  await match();
+}
+
+/** The example makes way for models that one chooses. */
+function leaveExample() {
+  if (!isExample) return;
+  isExample = false;
+  shown.clear();
+  for (const side of sides) forget(side);
 }
 
 async function chooseOne(side, files) {
@@ -234,6 +260,18 @@ async function chooseOne(side, files) {
 
 /** @param model {name, path, files: [[path, bytes]]} */
 async function choose(side, model) {
+  leaveExample();
+  put(side, model);
+  try {
+    await preview(side);
+  } catch (error) {
+    forget(side);
+    throw error;
+  }
+  if (sides.every(one => chosen[one])) await match();
+}
+
+function put(side, model) {
   chosen[side] = {...model, parts: null};
   for (const name of [side, 'match', 'blend']) shown.delete(name);
   const card = cards[side];
@@ -244,12 +282,6 @@ async function choose(side, model) {
   card.pieces.hidden = true;
   program.put(side, model.files);
   update();
-  try {
-    await preview(side);
-  } catch (error) {
-    forget(side);
-    throw error;
-  }
 }
 
 /** A model that cannot be used is as none. */
@@ -268,7 +300,7 @@ function showPieces(side, list) {
   root.replaceChildren();
   root.hidden = false;
   element('summary', `Parts by hand: ${new Set(list.pieces.map(piece => piece.part)).size} of ${list.pieces.length} pieces`, root);
-  element('p', 'Choose pieces; they become one part, or a part each. Names can be written, too.', root);
+  element('p', 'Choose pieces, then join them to one part or separate them. Pieces with one name are one part.', root);
   const grid = element('div', '', root), buttons = element('div', '', root);
   grid.className = 'pieces';
   buttons.className = 'choices';
@@ -287,9 +319,9 @@ function showPieces(side, list) {
     return preview(side);
   });
   const add = (text, rename) => { element('button', text, buttons).onclick = () => change(rename); };
-  add('One part', taken => taken.forEach(row => { row.name.value = taken[0].name.value; }));
-  add('A part each', taken => taken.forEach(row => { row.name.value = row.piece; }));
-  add('As written', null);
+  add('Join', taken => taken.forEach(row => { row.name.value = taken[0].name.value; }));
+  add('Separate', taken => taken.forEach(row => { row.name.value = row.piece; }));
+  add('Use names', null);
 }
 
 const pathOf = side => `${side}/${chosen[side].path}`;
@@ -376,6 +408,10 @@ async function work(what, action) {
 
 /** Does something that may fail; then the page says why. */
 async function attempt(action) {
+  if (isWorking && isExample && !shown.has('match')) { // what one chooses comes first
+    program.cancel();
+    await new Promise(done => setTimeout(done));
+  }
   if (isWorking) return;
   tellError('');
   try {
@@ -394,11 +430,14 @@ function tellError(text) {
 function show(name, page, saves = []) {
   shown.set(name, {url: URL.createObjectURL(new Blob([page], {type: 'text/html'})), saves});
   select(name);
-  if (saves.length && matchMedia('(max-width: 800px)').matches) $('#results').scrollIntoView(); // it is below the buttons
+  if (saves.length && !isExample && matchMedia('(max-width: 800px)').matches) $('#results').scrollIntoView(); // it is below the buttons
 }
 
 function select(name) {
-  Object.assign($('#shown'), {src: shown.get(name).url, onload: () => { document.body.dataset.shown = name; }});
+  Object.assign($('#shown'), {src: shown.get(name).url, onload: () => {
+    document.body.dataset.shown = name;
+    if (isExample && name === 'match') $('#shown').contentWindow.postMessage('turn', '*');
+  }});
   $('#shown').dataset.name = name;
   delete document.body.dataset.shown;
   update();
@@ -416,9 +455,11 @@ function update() {
   const hasBoth = sides.every(side => chosen[side]), current = $('#shown').dataset.name;
   $('#match').disabled = isWorking || !hasBoth;
   $('#blend').disabled = isWorking || !shown.has('match');
-  const next = !hasBoth ? '' : shown.has('match') ? 'blend' : 'match';
-  for (const name of ['match', 'blend']) $('#' + name).classList.toggle('next', name === next);
-  $('#next').textContent = hasBoth || isWorking ? '' : sides.some(side => chosen[side]) ? 'Choose the other model, too.' : 'Choose two models first.';
+  const saved = shown.get('blend') || shown.get('match'), next = !hasBoth ? '' : !shown.has('match') ? 'match' : shown.has('blend') ? 'save' : 'blend';
+  for (const name of ['match', 'blend', 'save']) $('#' + name).classList.toggle('next', name === next);
+  $('#save').disabled = !saved;
+  $('#save').onclick = () => save(...saved.saves[0]);
+  $('#next').textContent = isExample ? 'This is an example. Drop two models of yours anywhere on the page.' : hasBoth || isWorking ? '' : sides.some(side => chosen[side]) ? 'Choose the other model, too.' : 'Choose two models first.';
   $('#cancel').hidden = $('#work').hidden = !isWorking;
   for (const control of document.querySelectorAll('section select, section input, section button, #options select'))
     control.disabled = isWorking || (control === options.category && options.method.value !== '');
@@ -435,7 +476,7 @@ function update() {
   const saves = ['match', 'blend'].flatMap(name => shown.has(name) ? shown.get(name).saves : []);
   $('#saves').replaceChildren();
   $('#saves').hidden = !saves.length;
-  if (saves.length) element('span', 'Save', $('#saves'));
+  if (saves.length) element('span', 'Files:', $('#saves'));
   for (const [name, content] of saves) {
     const button = element('button', name, $('#saves'));
     button.disabled = isWorking && typeof content === 'function';
@@ -449,4 +490,5 @@ $('#match').onclick = () => attempt(match);
 $('#blend').onclick = () => attempt(blend);
 $('#cancel').onclick = () => program.cancel();
 update();
+attempt(openExample);
 document.body.dataset.ready = Math.round(performance.now()); // milliseconds since the page was opened

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Add-on of Blender: matches the parts of two shapes, blends them, and labels their parts. See the manual."""
 
-import colorsys
 import importlib
 import os
 import sys
@@ -140,13 +139,11 @@ def matched(context):
 
 
 def colours_of(match):
-    """By side, the colour of every part that has a block."""
-    result = {"source": {}, "target": {}}
-    for i, block in enumerate(match.blocks):
-        colour = (*colorsys.hsv_to_rgb(i * 0.618034 % 1, 0.65, 0.9), 1)
-        result["source"].update(dict.fromkeys(block.source, colour))
-        result["target"].update(dict.fromkeys(block.target, colour))
-    return result
+    """By side, the colour of every part: that of its role, as on pages."""
+    def linear(value):
+        return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+    return {side: {name: (*(linear(int(text[k:k + 2], 16) / 255) for k in (1, 3, 5)), 1) for name, text in colours.items()}
+            for side, colours in match.colours.items()}
 
 
 def material(colour):
@@ -165,11 +162,13 @@ def show_pairs(match, context):
     pairs = context.scene.parts.pairs
     kept = [(pair.source, pair.target, pair.state) for pair in pairs if pair.state != "FREE"]
     pairs.clear()
+    labels = match.labels
     states = {(source, target): state for source, target, state in kept}
     confidences = dict(zip(match.pairs, match.confidences or []))
     for source, target in [*match.pairs, *(pair for pair in states if pair not in match.pairs)]:
         pair = pairs.add()
         pair.source, pair.target = source, target
+        pair.text = f"{labels['source'].get(source, source)} \N{RIGHTWARDS ARROW} {labels['target'].get(target, target)}"
         pair.state = states.get((source, target), "FREE")
         pair.confidence = confidences.get((source, target), 0)
     colours = colours_of(match)
@@ -351,7 +350,7 @@ class PARTS_UL_pairs(bpy.types.UIList):
 
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
         row = layout.row(align=True)
-        row.label(text=f"{item.source} \N{RIGHTWARDS ARROW} {item.target}")
+        row.label(text=item.text)
         row.label(text=f"{item.confidence:.0%}" if item.confidence else "")
         for state, name in (("PINNED", "PINNED" if item.state == "PINNED" else "UNPINNED"), ("FORBIDDEN", "CANCEL")):
             button = row.operator("parts.state", text="", icon=name, depress=item.state == state)
@@ -385,6 +384,7 @@ class PARTS_PT_panel(bpy.types.Panel):
 class PARTS_pair(bpy.types.PropertyGroup):
     source: bpy.props.StringProperty()
     target: bpy.props.StringProperty()
+    text: bpy.props.StringProperty()
     confidence: bpy.props.FloatProperty()
     state: bpy.props.EnumProperty(items=[(state, state.capitalize(), "") for state in ("FREE", "PINNED", "FORBIDDEN")])
 

@@ -10,10 +10,13 @@ from dataclasses import dataclass
 from pathlib import Path as _Path
 from typing import Any, ClassVar, Dict, List, Optional, Union
 
+import numpy as np
+
 from . import _core
 from ._matches import Match, match
 from ._options import defaults, with_options
 from ._pages import Page
+from ._pictures import picture
 from ._records import Record
 from ._shapes import Input, Path, Progress, Shape, _graphs
 
@@ -50,6 +53,12 @@ class Blend(Page):
         :raises InvalidInput: if t is not in [0, 1]
         """
         return Shape._of(self._handle.shape(t, True))
+
+    def _repr_html_(self) -> str:
+        """Five still pictures; `show()` and `save()` have the page."""
+        shapes = [self(t) for t in (0, 0.25, 0.5, 0.75, 1)]
+        turn = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]] if abs(shapes[0].up[2]) > 0.5 else np.eye(3))  # y is up in pictures
+        return picture([[(part.vertices[part.faces].reshape(-1, 3) @ turn, "#3b8ede") for part in shape.parts] for shape in shapes], 190, 190)
 
     @property
     def tasks(self) -> List[BlendTask]:

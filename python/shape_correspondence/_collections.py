@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 import webbrowser
@@ -17,7 +18,6 @@ import numpy as np
 from . import _core
 from ._matches import Match
 from ._options import defaults, with_names_of_program, with_options
-from ._pages import framed
 from ._records import Record
 from ._shapes import Graph, Input, Path, Progress, Shape, _graphs
 from .roles import LabelledShape, PartRole, PartRoles, _examples, _model_of
@@ -119,8 +119,12 @@ class Collection(Record):
         webbrowser.open(_Path(self._page).absolute().as_uri())
         return self._page
 
-    def _repr_html_(self) -> Optional[str]:
-        return None if self._page is None else framed(_Path(self._page))
+    def _repr_html_(self) -> str:
+        """A small table of the clusters; the page that `collection()` wrote is shown by `show()`."""
+        rows = "".join(f"<tr><td>{html.escape(cluster.parts[0][1])}</td><td>{len(cluster.parts)}</td>"
+                       f"<td>{len({shape for shape, _ in cluster.parts})}</td></tr>" for cluster in self.clusters[:30])
+        return (f"<p>{len(self.shapes)} shapes, {len(self.clusters)} clusters of parts; medoid: {html.escape(self.medoid.shape)}</p>"
+                f"<table><tr><th>cluster of</th><th>parts</th><th>shapes</th></tr>{rows}</table>")
 
     def __repr__(self) -> str:
         return f"<Collection of {len(self.shapes)} shapes: {len(self.clusters)} clusters of parts>"

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 from dataclasses import dataclass, field
@@ -14,9 +15,12 @@ import numpy as np
 from . import _core
 from ._options import defaults, with_options
 from ._pages import Page
+from ._pictures import MOST_TRIANGLES, picture
 from ._records import Record
 from ._shapes import Graph, Input, Path, Progress, _graphs
 from .roles import RoleModel, _model_of
+
+_MOST_ROWS, _MOST_NAMES = 30, 6  # of a table in a notebook
 
 Names = Sequence[Union[str, int]]
 Pairs = Sequence[Tuple[Union[str, int], Union[str, int]]]
@@ -144,6 +148,53 @@ class Match(Record, Page):
     def target_graph(self) -> Graph:
         """The structural graph of the target."""
         return Graph(self._handle.target)
+
+    @property
+    def labels(self) -> Dict[str, Dict[str, str]]:
+        """By side, ``"source"`` or ``"target"``, and name of a part: what pages call it, a short name or its role."""
+        return self._looks(0)
+
+    @property
+    def colours(self) -> Dict[str, Dict[str, str]]:
+        """The same for its colour on pages, #rrggbb: one for each role."""
+        return self._looks(1)
+
+    def _looks(self, which: int) -> Dict[str, Dict[str, str]]:
+        graphs = {"source": self.source_graph, "target": self.target_graph}
+        return {side: dict(zip(graphs[side].part_names, looks[which])) for side, looks in self._handle.looks().items()}
+
+    def to_dataframe(self) -> Any:
+        """A pandas `DataFrame` of the pairs: source, target, their labels, role, operation, confidence, block."""
+        import pandas
+
+        blocks = {(a, b): i for i, block in enumerate(self.blocks) for a in block.source for b in block.target}
+        labels = self.labels
+        rows = []
+        for (source, target), confidence in zip(self.pairs, self.confidences or [None] * len(self.pairs)):
+            index = blocks.get((source, target))
+            block = None if index is None else self.blocks[index]
+            rows.append((source, target, labels["source"][source], labels["target"][target], block and block.role,
+                         block and block.operation, confidence, index))
+        return pandas.DataFrame(rows, columns=["source", "target", "source_label", "target_label", "role", "operation",
+                                               "confidence", "block"])
+
+    def _repr_html_(self) -> str:
+        """A small table and a still picture; `show()` and `save()` have the page."""
+        labels, colours = self.labels, self.colours
+        image = picture([list(zip(graph._handle.drawn_parts(turns, MOST_TRIANGLES), colours[side].values())) for side, graph, turns in (
+            ("source", self.source_graph, 0), ("target", self.target_graph, self.target_quarter_turns))])
+        rows = ""
+        for block in self.blocks[:_MOST_ROWS]:
+            names = [", ".join(labels[side][name] for name in getattr(block, side)[:_MOST_NAMES])
+                     + (" …" if len(getattr(block, side)) > _MOST_NAMES else "") for side in ("source", "target")]
+            sure = "" if block.confidence is None else f"{block.confidence:.0%}"
+            swatch = f'<span style="color: {colours["source"][block.source[0]]}">&#9632;</span>'
+            cells = [html.escape(text) for text in ((block.role or "").replace("_", " "), *names, block.operation, sure)]
+            rows += f"<tr><td>{swatch}</td>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
+        more = len(self.blocks) - _MOST_ROWS
+        heads = ("", "role", self.source_graph.name, self.target_graph.name, "operation", "confidence")
+        return (image + "<table><tr>" + "".join(f"<th>{html.escape(head)}</th>" for head in heads) + f"</tr>{rows}</table>"
+                + (f"<p>and {more} more</p>" if more > 0 else ""))
 
     def counterparts(self, source_part: str) -> List[str]:
         """The target parts that correspond to a source part."""

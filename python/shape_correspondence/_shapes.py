@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 from collections.abc import Mapping
@@ -16,6 +17,7 @@ from . import _core
 from ._inputs import is_mesh, parts_of
 from ._options import defaults, with_options
 from ._pages import Page
+from ._pictures import MOST_TRIANGLES, picture
 from ._records import Record
 
 Path = Union[str, "os.PathLike[str]"]
@@ -209,6 +211,12 @@ class Graph(Page):
         """Writes the graph as ``.json``, which `build_graph()` reads, ``.graphml`` or ``.dot``, or a picture of it as
         ``.glb`` or ``.html``."""
         self._handle.save(os.fspath(path))
+
+    def _repr_html_(self) -> str:
+        """A still picture; `show()` and `save()` have the page."""
+        labels, colours = self._handle.looks()
+        image = picture([list(zip(self._handle.drawn_parts(0, MOST_TRIANGLES), colours))])
+        return image + f"<p>{html.escape(self.name)}: {html.escape(', '.join(labels[:40]))}</p>"
 
     def __repr__(self) -> str:
         return f"<Graph of {self.name!r}: {len(self.part_names)} parts>"

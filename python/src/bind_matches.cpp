@@ -9,12 +9,15 @@
 #include "cli/run.h"
 #include "cli/transfer.h"
 #include "io/system/atomic_file.h"
+#include "io/system/colours.h"
 #include "io/system/input_file.h"
+#include "io/write/part_labels.h"
 #include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Surface_map.h>
+#include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -152,6 +155,28 @@ std::string transfer_looks(const Match& match, const std::string& output, int si
   return text([&](std::ostream& out) { SC::cli::write_transfer_json(out, source, target, request, transferred); });
 }
 
+/// By side, the label and the colour of every part, as pages show them.
+py::dict looks_of(const Match& match)
+{
+  const SC::Correspondence& c = match.best();
+  std::vector<std::string> roles_of_blocks;
+  const std::vector<SC::Correspondence_block> blocks = SC::correspondence_blocks(c);
+  for (const SC::Correspondence_block& block : blocks)
+    roles_of_blocks.push_back(block.role);
+  const std::vector<SC::IO::Colour> colours = SC::IO::colours_of_roles(roles_of_blocks);
+  py::dict result;
+  for (const char* side : {"source", "target"}) {
+    const bool is_source = side == std::string("source");
+    const std::vector<std::string> names = SC::cli::part_names((is_source ? match.source : match.target)->shape.graph);
+    std::vector<std::string> of_parts(names.size(), SC::IO::css_colour(SC::IO::grey()));
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+      for (std::size_t part : is_source ? blocks[block].source : blocks[block].target)
+        of_parts[part] = SC::IO::css_colour(colours[block]);
+    result[side] = py::make_tuple(SC::IO::part_labels(names, is_source ? c.source_roles : c.target_roles), of_parts);
+  }
+  return result;
+}
+
 } // namespace
 
 void bind_matches(py::module_& module)
@@ -161,6 +186,7 @@ void bind_matches(py::module_& module)
       .def_property_readonly("target", [](const Match& match) { return std::const_pointer_cast<Graph>(match.target); })
       .def("json", json_of)
       .def("save", save, py::call_guard<py::gil_scoped_release>())
+      .def("looks", looks_of)
       .def("surface_places", surface_places)
       .def("transfer_looks", transfer_looks, py::call_guard<py::gil_scoped_release>());
   module.def("match", match);

@@ -8,7 +8,11 @@
 
 #include "cli/run.h"
 #include "io/system/atomic_file.h"
+#include "io/system/colours.h"
 #include "io/system/input_file.h"
+#include "io/write/part_labels.h"
+#include "io/write/pictures.h"
+#include "viewer/page_models.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -172,6 +176,36 @@ void save_shape(const Shape& shape, const std::string& path)
   });
 }
 
+/// By part, the corners of the triangles of a simplified surface, or of the curve or sheet, one after the other.
+py::list drawn_parts(const Graph& graph, int quarter_turns, std::size_t most_triangles)
+{
+  std::optional<SC::Segmented_shape> model;
+  if (graph.shape.model) model = SC::IO::simplified_shape(*graph.shape.model, most_triangles);
+  const SC::IO::Drawn_shape drawn(graph.shape.graph, model ? &*model : nullptr, quarter_turns);
+  py::list result;
+  for (std::size_t part = 0; part < drawn.number_of_parts(); ++part) {
+    const SC::IO::Drawn_mesh mesh = model ? drawn.flat_surface(part) : drawn.coarse_abstraction(part);
+    py::array_t<double> corners({mesh.triangles.size(), Eigen::Index(3)});
+    for (Eigen::Index i = 0; i < mesh.triangles.size(); ++i)
+      for (Eigen::Index k = 0; k < 3; ++k)
+        corners.mutable_at(i, k) = mesh.points(k, mesh.triangles.data()[i]);
+    result.append(corners);
+  }
+  return result;
+}
+
+/// The label and the colour of every part, as pages show them.
+py::tuple looks_of(const Graph& graph)
+{
+  const std::vector<std::string> names = SC::cli::part_names(graph.shape.graph);
+  std::vector<std::string> roles = SC::IO::likeliest_roles(graph.shape.graph), colours;
+  const std::vector<std::string> labels = SC::IO::part_labels(names, roles);
+  roles.resize(names.size());
+  for (const SC::IO::Colour& colour : SC::IO::colours_of_roles(roles))
+    colours.push_back(SC::IO::css_colour(colour));
+  return py::make_tuple(labels, colours);
+}
+
 } // namespace
 
 void bind_shapes(py::module_& module)
@@ -191,6 +225,8 @@ void bind_shapes(py::module_& module)
       .def_readonly("file", &Graph::file)
       .def_property_readonly("name", [](const Graph& graph) { return structure(graph.shape.graph).name; })
       .def_property_readonly("warnings", [](const Graph& graph) { return structure(graph.shape.graph).warnings; })
+      .def("drawn_parts", drawn_parts)
+      .def("looks", looks_of)
       .def("part_names", [](const Graph& graph) { return SC::cli::part_names(graph.shape.graph); })
       .def("shape",
            [](const Graph& graph) {

@@ -53,9 +53,11 @@ using Lines = std::vector<std::string>;
 constexpr std::size_t narrowest_names = 16; // width of a column of part names, in characters
 constexpr std::size_t folded_lines = 4;     // lines of a cell if parts are not listed in full
 
-Lines labels_of(const Structural_graph& graph)
+/// The labels of a shape's parts, for readers.
+Lines labels_of(const Structural_graph& graph, const Lines& roles)
 {
-  return IO::part_labels(mapped(part_names(graph), [](const std::string& name) { return IO::quote_terminal(name); }));
+  return IO::part_labels(mapped(part_names(graph), [](const std::string& name) { return IO::quote_terminal(name); }),
+                         roles);
 }
 
 Lines labels_of(const Parts& parts, const Lines& labels)
@@ -154,7 +156,7 @@ void write_group_table(std::ostream& out, const Correspondence& c, const Structu
   if (c.direction == Direction::TARGET_TO_SOURCE)
     rows[0][0] = "source", rows[0][1] = "group in the target", rows[0][2] = "operation on the target";
   const std::size_t width = width_of_names({9, 6, 10, 13}); // operation, energy, distortion, connectedness
-  const Lines source_labels = labels_of(source), target_labels = labels_of(target);
+  const Lines source_labels = labels_of(source, c.source_roles), target_labels = labels_of(target, c.target_roles);
   for (const Group_match& group : c.groups)
     add_row({wrapped(listed(labels_of(group.source, source_labels)), width),
              wrapped(listed(labels_of(group.target, target_labels)), width),
@@ -241,7 +243,7 @@ Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& targ
 void write_match_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
                        const Structural_graph& target, bool verbose)
 {
-  const Lines source_labels = labels_of(source), target_labels = labels_of(target);
+  const Lines source_labels = labels_of(source, c.source_roles), target_labels = labels_of(target, c.target_roles);
   write_table(out, rows_of(c, source_labels, target_labels, verbose));
   out << '\n';
   if (!c.category.empty()) out << "category: " << c.category << '\n';

@@ -10,6 +10,8 @@
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
+#include "structure/outline_graph.h"
+#include "viewer/page_models.h"
 #include "viewer/parts_sheet.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
@@ -270,7 +272,7 @@ private:
         find_up_by_roles(path, common, model);
         write_parts(output_, path, common, model);
         if (common.prints_table()) print_model(path, model, common.verbose);
-        if (!common.html.empty()) sheet.add(title, model.objects, model.split, summary(model));
+        if (!common.html.empty()) sheet.add(title, model.objects, model.split, roles_of(model), summary(model));
         write_output(pieces_, [&](std::ostream& out) { IO::write_parts_json(out, model.split); });
         ++shown;
       } catch (const Invalid_input& error) {
@@ -282,6 +284,13 @@ private:
     if (shown == 0) throw Invalid_input(complaints);
     write_output(common.html, [&](std::ostream& out) { sheet.write(out); });
     if (!complaints.empty()) throw Invalid_input(complaints);
+  }
+
+  /// The likeliest roles of the parts; none where the category is not clear.
+  static std::vector<std::string> roles_of(const Read_model& model)
+  {
+    if (model.split.shape.parts().size() < 2) return {};
+    return IO::likeliest_roles(internal::outline_graph(model.split.shape));
   }
 
   /// The inputs, with a folder of shapes replaced by the models in it.

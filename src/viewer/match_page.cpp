@@ -17,12 +17,12 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-Labels labels_of(const Structural_graph& graph)
+Labels labels_of(const Structural_graph& graph, const std::vector<std::string>& roles)
 {
   Labels names;
   for (const Part_abstraction& part : structure(graph).parts)
     names.push_back(part.name);
-  return part_labels(names);
+  return part_labels(names, roles);
 }
 
 std::string listed(const std::vector<std::size_t>& parts, const Labels& labels)
@@ -57,7 +57,8 @@ Page match_page(const std::vector<Correspondence>& ranked, const Structural_grap
   write_correspondences_json(json, ranked, source, target, source_file, target_file, seconds);
   const Page_models models({source_shape, target_shape}, largest_page_triangles);
   write_correspondence_glb(glb, ranked.front(), source, target, models[0], models[1], add_scenes);
-  const Labels source_labels = labels_of(source), target_labels = labels_of(target);
+  const Labels source_labels = labels_of(source, ranked.front().source_roles),
+               target_labels = labels_of(target, ranked.front().target_roles);
   std::ostringstream labels;
   labels << Json::array({source_labels, target_labels}).line();
   return {structure(source).name + " and " + structure(target).name,

@@ -17,6 +17,10 @@ constexpr std::size_t largest_page_triangles = 100000;
 /// The same for a page of a blend, whose surfaces move: each takes about 250 bytes.
 constexpr std::size_t largest_blend_page_triangles = 60000;
 
+/// The likeliest roles of a shape's parts by the model that comes with the package; none where the category is not
+/// clear.
+std::vector<std::string> likeliest_roles(const Structural_graph& graph);
+
 /// Models as pages show them: all simplified by the same factor if together they have too many triangles.
 class Page_models
 {

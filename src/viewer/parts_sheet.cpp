@@ -3,8 +3,11 @@
 
 #include "viewer/parts_sheet.h"
 #include "io/system/colours.h"
+#include "io/write/part_labels.h"
 #include "io/write/pictures.h"
 #include "viewer/page.h"
+
+#include <CGAL/Shape_correspondence/IO/parts_json.h>
 
 #include <Eigen/Geometry>
 
@@ -33,16 +36,18 @@ Parts_sheet::Parts_sheet(std::size_t models)
 {}
 
 void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
-                      const std::string& summary)
+                      const std::vector<std::string>& roles, const std::string& summary)
 {
   const Segmented_shape shape = simplified_shape(split.shape, triangles_of_model_);
-  const std::vector<Colour> colours = distinct_colours(shape.parts().size());
+  std::vector<std::string> known = roles, names;
+  known.resize(shape.parts().size());
+  const std::vector<Colour> colours = colours_of_roles(known);
   const Eigen::Matrix3d turn = upright(shape.up());
-  Json parts = Json::array(), decisions = Json::array();
+  Json decisions = Json::array();
   std::vector<int> nodes;
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
     const Shape_part& part = shape.parts()[i];
-    parts.push_back(part.name);
+    names.push_back(part.name);
     Drawn_mesh mesh{turn * part.mesh.points, {}, part.mesh.triangles};
     mesh.material = glb_.add_material(part.name, colours[i]);
     nodes.push_back(glb_.add_node(part.name, {std::move(mesh)}));
@@ -50,7 +55,20 @@ void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, 
   for (std::size_t i = 0; i < split.decisions.size(); ++i)
     decisions.push_back(Json::array({objects.parts()[i].name, split.decisions[i]}));
   roots_.push_back(glb_.add_node(title, nodes, Point::Zero()));
-  models_.push_back({{"name", title}, {"summary", summary}, {"parts", parts}, {"objects", decisions}});
+  std::ostringstream list;
+  write_parts_json(list, split);
+  Json pieces = Json::array(); // by piece: the part, the size, and why it is in the part
+  for (const Model_piece& piece : split.pieces)
+    pieces.push_back(Json::array(
+        {piece.part == no_part ? -1 : int(piece.part), std::round(1000 * piece.size) / 1000, piece.reason}));
+  models_.push_back({{"name", title},
+                     {"summary", summary},
+                     {"parts", names},
+                     {"labels", part_labels(names, roles)},
+                     {"roles", known},
+                     {"objects", decisions},
+                     {"pieces", pieces},
+                     {"list", Json::of_text(list.str())}});
 }
 
 void Parts_sheet::add(const std::string& title, const std::string& complaint)

@@ -20,8 +20,9 @@ public:
   explicit Parts_sheet(std::size_t models);
 
   /// \param title of the model \param objects its objects, for their names \param summary is said above its parts
+  /// \param roles of the parts, or none if they are not known
   void add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
-           const std::string& summary);
+           const std::vector<std::string>& roles, const std::string& summary);
   /// Adds a model that cannot be used.
   void add(const std::string& title, const std::string& complaint);
 

@@ -6,12 +6,14 @@
 #include "io/write/part_labels.h"
 #include "io/write/pictures.h"
 #include "viewer/page.h"
+#include "viewer/page_models.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -30,13 +32,9 @@ class Collection_models
 public:
   Collection_models(std::size_t shapes, int labels)
       : triangles_of_shape_(std::max(fewest_of_shape, collection_triangles / std::max<std::size_t>(1, shapes))),
-        is_coarse_(shapes > most_fine)
-  {
-    int number = 0;
-    for (const Colour& colour : distinct_colours(std::size_t(labels)))
-      glb_.add_material("cluster_" + std::to_string(++number), colour);
-    unclustered_ = glb_.add_material("none", grey());
-  }
+        is_coarse_(shapes > most_fine),
+        unclustered_(labels)
+  {}
 
   /// \param model may be null: curves and sheets are shown
   void add(const Structural_graph& graph, const Segmented_shape* model, const std::vector<int>& labels)
@@ -55,8 +53,13 @@ public:
     roots_.push_back(glb_.add_node(drawn.name(), nodes, Point::Zero()));
   }
 
-  std::string text() const
+  /// \param role_of_cluster a colour for each label
+  std::string text(const std::vector<std::string>& role_of_cluster)
   {
+    int number = 0; // materials in the order of labels, which are known when all shapes are added
+    for (const Colour& colour : colours_of_roles(role_of_cluster))
+      glb_.add_material("cluster_" + std::to_string(++number), colour);
+    glb_.add_material("none", grey());
     std::ostringstream out;
     glb_.write(out, {{"collection", roots_}});
     return out.str();
@@ -66,7 +69,7 @@ private:
   std::size_t triangles_of_shape_;
   bool is_coarse_;
   Glb_file glb_;
-  int unclustered_ = 0;
+  int unclustered_; // material
   std::vector<int> roots_;
 };
 
@@ -159,27 +162,64 @@ std::vector<Shape_pair_map> maps_between(const std::vector<Shape_pair_map>& maps
   return result;
 }
 
+using Roles = std::vector<std::string>;
+
+/// By cluster, the role of most of its parts; empty if it is not known.
+Roles roles_of_clusters(const Co_analysis& clusters, const std::vector<Roles>& roles)
+{
+  std::vector<std::map<std::string, int>> counts(std::size_t(clusters.number_of_labels));
+  for (std::size_t shape = 0; shape < roles.size(); ++shape)
+    for (std::size_t part = 0; part < roles[shape].size(); ++part)
+      if (const int cluster = clusters.labels[shape][part]; cluster != Co_analysis::none)
+        ++counts[std::size_t(cluster)][roles[shape][part]];
+  Roles result;
+  for (const std::map<std::string, int>& of_cluster : counts) {
+    const auto most = std::max_element(of_cluster.begin(), of_cluster.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    result.push_back(most == of_cluster.end() ? "" : most->first);
+  }
+  return result;
+}
+
+/// By shape and part, the number of the cluster; -1: none.
+Json clusters_json(const Collection& collection)
+{
+  Json result = Json::array();
+  for (const std::vector<int>& labels : collection.co_analysis.labels)
+    result.push_back(labels);
+  return result;
+}
+
 /// The documents of the page, for a collection small enough for it. \param total shapes of the whole one
 Page collection_page(const Collection& collection, std::size_t total,
                      const std::function<Structural_graph(std::size_t)>& graph, const Models& model,
                      const std::vector<Shape_pair_map>& maps)
 {
   Collection_models models(collection.shapes.size(), collection.co_analysis.number_of_labels);
+  std::vector<Roles> roles;
   for (std::size_t i = 0; i < collection.shapes.size(); ++i) {
     const std::optional<Segmented_shape> shape = model ? model(i) : std::nullopt;
-    models.add(graph(i), shape ? &*shape : nullptr, collection.co_analysis.labels[i]);
+    const Structural_graph drawn = graph(i);
+    roles.push_back(likeliest_roles(drawn));
+    models.add(drawn, shape ? &*shape : nullptr, collection.co_analysis.labels[i]);
   }
+  const Roles role_of_cluster = roles_of_clusters(collection.co_analysis, roles);
   std::ostringstream json, stored;
   Json outline = collection_outline_json(collection);
   outline["warnings"] = collection.warnings;
   outline.write(json);
   Json labels = Json::array();
-  for (const auto& shape : collection.shapes)
-    labels.push_back(part_labels(shape.parts));
-  Json({{"total", total}, {"labels", std::move(labels)}, {"maps", maps_json(collection, maps)}}).write(stored);
+  for (std::size_t i = 0; i < collection.shapes.size(); ++i)
+    labels.push_back(part_labels(collection.shapes[i].parts, roles[i]));
+  Json({{"total", total},
+        {"labels", std::move(labels)},
+        {"roles", role_of_cluster},
+        {"clusters", clusters_json(collection)},
+        {"maps", maps_json(collection, maps)}})
+      .write(stored);
   return {"Collection of shapes",
           {{"collection", json.str()}, {"maps", stored.str()}},
-          {{"collection.glb", models.text()}}};
+          {{"collection.glb", models.text(role_of_cluster)}}};
 }
 
 } // namespace

@@ -5,9 +5,12 @@
 
 #include "io/system/colours.h"
 
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <set>
 
 using namespace CGAL::Shape_correspondence;
 
@@ -69,4 +72,29 @@ TEST_CASE("Colours can be shown, are not grey, and the first ones stay when more
   }
   for (std::size_t i = 0; i < few.size(); ++i)
     CHECK(few[i] == many[i]);
+}
+
+TEST_CASE("Roles of a category have colours of their own, and further parts of a role shades of it")
+{
+  const std::shared_ptr<const Role_model> model = IO::shipped_role_model();
+  for (const std::string& category : model->categories()) {
+    std::set<std::string> colours;
+    for (const std::string& role : model->roles(category)) {
+      INFO(category << ": " << role);
+      colours.insert(IO::css_colour(IO::role_colour(role)));
+      CHECK(lab(IO::role_colour(role))[0] > 40); // so light that one sees its form
+    }
+    INFO(category);
+    CHECK(colours.size() + 1 >=
+          model->roles(category).size()); // one role that the table does not know may have a colour twice
+  }
+  const std::vector<IO::Colour> colours = IO::colours_of_roles({"leg", "seat", "leg", "", ""});
+  CHECK(colours[0] == IO::role_colour("leg"));
+  CHECK(colours[1] == IO::role_colour("seat"));
+  const double to_shade = (lab(colours[2]) - lab(colours[0])).norm();
+  CHECK(to_shade > 3);
+  CHECK(to_shade < (lab(colours[1]) - lab(colours[0])).norm());
+  CHECK(colours[3] != colours[4]);
+  CHECK(IO::css_colour(IO::role_colour("a role of one's own")) ==
+        IO::css_colour(IO::role_colour("a role of one's own")));
 }

@@ -341,7 +341,7 @@ TEST_CASE("Pages of matches and of parts hold the names in their JSON, and nothi
   };
   const auto page_of_parts = [](const Segmented_shape& objects, const std::string& title) {
     IO::Parts_sheet sheet(2);
-    sheet.add(title, objects, split_parts(objects), title);
+    sheet.add(title, objects, split_parts(objects), {}, title);
     sheet.add(title, title);
     return text_of_output([&](std::ostream& out) { sheet.write(out); });
   };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <map>
 
 // Colours are spread in Oklab (B. Ottosson, 2020), a perceptually uniform space, also as seen with red-green colour
 // blindness (G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, 2009).
@@ -63,6 +65,41 @@ double difference(const Seen_colour& a, const Seen_colour& b)
   return result;
 }
 
+// sRGB; none is so dark that it hides the form of a part
+constexpr std::array<unsigned, 20> palette = {0x3b8ede, 0xe8912d, 0x3aa655, 0xe0699a, 0x8c6bd1, 0xdcc331, 0x2fb5b5,
+                                              0xcf4a3c, 0x8f9a34, 0xa0714a, 0x8fc7ee, 0xf0a58a, 0x557f66, 0x5566b5,
+                                              0xb35bb3, 0xa3d65f, 0x6fd0b0, 0xcdb37e, 0xd4b5ec, 0xb8325f};
+
+// Places in the palette: roles that are in one category have different ones
+const std::map<std::string, std::size_t> place_of_role = {
+    {"apron", 4},       {"arm", 1},      {"armrest", 3},   {"axle", 12},    {"back", 1},       {"back_rail", 12},
+    {"backsplash", 18}, {"base", 9},     {"basket", 17},   {"bedding", 5},  {"body", 13},      {"boom", 8},
+    {"bottom", 10},     {"brake", 11},   {"bulb", 5},      {"bumper", 6},   {"cabinet", 17},   {"canard", 14},
+    {"canopy", 8},      {"cargo", 17},   {"caster", 7},    {"chain", 6},    {"chassis", 16},   {"cornice", 16},
+    {"cushion", 10},    {"deck", 2},     {"desk", 15},     {"divider", 14}, {"door", 11},      {"drawer", 7},
+    {"drivetrain", 14}, {"engine", 7},   {"faucet", 9},    {"fender", 2},   {"footboard", 14}, {"fork", 6},
+    {"frame", 0},       {"fuselage", 0}, {"gear", 3},      {"grille", 14},  {"h_stab", 2},     {"handle", 3},
+    {"handlebar", 4},   {"handrim", 5},  {"headboard", 1}, {"hub", 10},     {"interior", 11},  {"knob", 8},
+    {"ladder", 11},     {"leaf", 2},     {"leg", 2},       {"light", 5},    {"mattress", 0},   {"mirror", 15},
+    {"mudguard", 13},   {"ornament", 3}, {"panel", 10},    {"pedal", 7},    {"pillow", 10},    {"plinth", 12},
+    {"post", 8},        {"pot", 9},      {"propeller", 6}, {"pylon", 5},    {"rack", 12},      {"radome", 12},
+    {"rail", 4},        {"roof", 0},     {"saddle", 9},    {"seat", 0},     {"seat_frame", 4}, {"shade", 0},
+    {"shelf", 5},       {"side", 6},     {"side_rail", 4}, {"sill", 7},     {"sink", 17},      {"slat", 6},
+    {"soil", 17},       {"spokes", 15},  {"stairs", 13},   {"stem", 8},     {"step", 16},      {"stretcher", 6},
+    {"strut", 9},       {"tabletop", 0}, {"tank", 1},      {"top", 19},     {"tray", 5},       {"underbody", 9},
+    {"v_stab", 4},      {"wheel", 8},    {"window", 10},   {"wing", 1}};
+
+Colour colour_of(unsigned srgb) { return linear_colour(Colour(srgb >> 16, srgb >> 8 & 255, srgb & 255) / 255); }
+
+/// The n-th shade of a colour: the first is the colour itself.
+Colour shade(const Colour& colour, std::size_t n)
+{
+  constexpr std::array<double, 5> steps = {0, .09, -.09, .05, -.05}; // of lightness
+  Oklab lab = oklab_of(colour);
+  lab[0] += steps[n % steps.size()];
+  return n % steps.size() == 0 ? colour : Colour(linear_rgb(lab).cwiseMax(0).cwiseMin(1));
+}
+
 bool is_displayable(const Colour& colour) { return colour.minCoeff() >= 0 && colour.maxCoeff() <= 1; }
 
 /// Colours of several lightnesses and saturations around the circle of hues, starting with blue.
@@ -99,6 +136,37 @@ std::vector<Colour> distinct_colours(std::size_t n)
     best = static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
   }
   return colours;
+}
+
+Colour role_colour(const std::string& role)
+{
+  const auto known = place_of_role.find(role);
+  if (known != place_of_role.end()) return colour_of(palette[known->second]);
+  std::size_t sum = 0; // the same for the same role, whatever the standard library
+  for (unsigned char c : role)
+    sum = (31 * sum + c) % 65521;
+  return colour_of(palette[sum % palette.size()]);
+}
+
+std::vector<Colour> colours_of_roles(const std::vector<std::string>& roles)
+{
+  const std::vector<Colour> distinct = distinct_colours(roles.size());
+  std::map<std::string, std::size_t> counts;
+  std::vector<Colour> result;
+  for (const std::string& role : roles) {
+    const std::size_t number = counts[role]++;
+    result.push_back(role.empty() ? distinct[number] : shade(role_colour(role), number));
+  }
+  return result;
+}
+
+std::string css_colour(const Colour& linear)
+{
+  const Colour c = 255 * srgb_colour(linear);
+  std::array<char, 8> text;
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", unsigned(std::lround(c[0])), unsigned(std::lround(c[1])),
+                unsigned(std::lround(c[2])));
+  return text.data();
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -16,6 +17,16 @@ using Colour = Eigen::Vector3d;
 
 /// `n` colours as different as possible, the first ones most, also with red-green colour blindness; none is grey.
 std::vector<Colour> distinct_colours(std::size_t n);
+
+/// The colours of things by their roles: the first thing of a role has the colour of the role, which is the same in all
+/// pictures, and further ones have shades of it. Things without a role have colours that are as different as possible.
+std::vector<Colour> colours_of_roles(const std::vector<std::string>& roles);
+
+/// The colour of a role, which other roles of its category do not have.
+Colour role_colour(const std::string& role);
+
+/// The notation of style sheets: #rrggbb.
+std::string css_colour(const Colour& linear);
 
 /// The conversion of an sRGB colour to linear light, clamped to [0, 1], and its inverse.
 inline Colour linear_colour(const Colour& srgb) { return srgb.unaryExpr(&internal::linear_of_srgb); }

@@ -3,8 +3,11 @@
 
 #include "io/write/part_labels.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cctype>
+#include <locale>
 #include <map>
 #include <set>
 
@@ -13,6 +16,16 @@ namespace {
 
 constexpr double common_share = .75;      // share of the names from which on a common prefix is dropped
 constexpr std::size_t longest_number = 6; // in digits
+constexpr std::size_t longest_label = 24; // in characters
+
+// What modellers name parts by themselves, and the shapes that they start from
+const std::set<std::string> meaningless = {
+    "bezier",  "box",         "circle",  "component", "cone",      "cube",      "curve",   "cylinder",  "default",
+    "element", "entity",      "geo",     "geom",      "geometry",  "group",     "grp",     "icosphere", "instance",
+    "item",    "jpg",         "line",    "mat",       "material",  "mesh",      "model",   "node",      "nurbs",
+    "obj",     "object",      "part",    "path",      "pcube",     "pcylinder", "piece",   "plane",     "png",
+    "polygon", "polysurface", "pplane",  "psphere",   "rectangle", "root",      "scene",   "segment",   "shape",
+    "solid",   "sphere",      "submesh", "surface",   "torus",     "unnamed",   "untitled"};
 
 bool is_separator(char c) { return c == '_' || c == '-' || c == '.' || c == ' ' || c == ':'; }
 
@@ -86,9 +99,80 @@ bool follows(const std::string& next, const std::string& label)
          std::stoi(next_digits) == std::stoi(digits) + 1;
 }
 
-} // namespace
+std::string without_separators(std::string text)
+{
+  while (!text.empty() && is_separator(text.back()))
+    text.pop_back();
+  return text;
+}
 
-std::vector<std::string> part_labels(const std::vector<std::string>& names)
+/// The words of a name, in small letters and without digits at their ends; and where they begin and end.
+struct Word
+{
+  std::size_t begin, end;
+  std::string text;
+};
+
+std::vector<Word> words_of(const std::string& name)
+{
+  std::vector<Word> result;
+  for (std::size_t begin = 0, end; begin < name.size(); begin = end + 1) {
+    end = begin;
+    while (end < name.size() && !is_separator(name[end]))
+      ++end;
+    const std::string word = numbered(name.substr(begin, end - begin)).first;
+    if (end > begin) result.push_back({begin, end, boost::algorithm::to_lower_copy(word, std::locale::classic())});
+  }
+  return result;
+}
+
+bool is_meaningless(const Word& word) { return word.text.size() < 2 || meaningless.count(word.text) > 0; }
+
+bool says_nothing(const std::string& name)
+{
+  const std::vector<Word> words = words_of(name);
+  return std::all_of(words.begin(), words.end(), is_meaningless);
+}
+
+/// A name without what modellers add at its ends: words and numbers behind a dot.
+std::string without_words_of_modellers(const std::string& name)
+{
+  std::vector<Word> words = words_of(name);
+  const auto is_copy = [&](const Word& word) { // .001
+    return word.text.empty() && word.begin > 0 && name[word.begin - 1] == '.' && word.end - word.begin == 3;
+  };
+  if (says_nothing(name)) {
+    return words.size() > 1 && is_copy(words.back()) ? name.substr(0, words.back().begin - 1) : name;
+  }
+  while (is_copy(words.back()) || meaningless.count(words.back().text) > 0)
+    words.pop_back();
+  std::size_t first = 0;
+  while (meaningless.count(words[first].text) > 0)
+    ++first;
+  return name.substr(words[first].begin, words.back().end - words[first].begin);
+}
+
+/// At most some characters of a text in UTF-8: its last words, or else the beginning of the last one.
+std::string shortened(const std::string& label, std::size_t longest)
+{
+  const auto length = [](const std::string& text) {
+    return std::size_t(std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+  };
+  std::string result = label;
+  for (const Word& word : words_of(label)) {
+    if (length(result) <= longest) return result;
+    result = label.substr(word.begin);
+  }
+  if (length(result) <= longest) return result;
+  while (length(result) >= longest)
+    do
+      result.pop_back();
+    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80);
+  return result + "…";
+}
+
+/// The names without what says nothing, and without numbers of pieces: not all of them differ.
+std::vector<std::string> stems(const std::vector<std::string>& names)
 {
   std::vector<Divided_name> pieces;
   std::map<std::string, std::set<std::string>> materials;
@@ -98,11 +182,58 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names)
   }
   std::vector<std::string> result;
   for (const Divided_name& name : pieces)
-    result.push_back(name.object + (materials[name.object].size() > 1 ? name.material : "") + name.number);
+    result.push_back(name.object + (materials[name.object].size() > 1 ? name.material : ""));
   const std::string prefix = common_prefix(result);
+  for (std::string& label : result) {
+    const std::string rest = without_prefix(label, prefix);
+    label = without_words_of_modellers(says_nothing(rest) ? label : rest);
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<std::string> part_labels(const std::vector<std::string>& names, const std::vector<std::string>& roles)
+{
+  std::vector<std::string> result = stems(names);
+  std::map<std::string, std::set<std::string>> roles_of_stem, roles_of_series;
+  std::map<std::string, std::size_t> size_of_series;
+  std::vector<std::string> series; // what is left of a stem without its number
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    series.push_back(without_separators(numbered(result[i]).first));
+    ++size_of_series[series[i]];
+    if (roles[i].empty()) continue;
+    roles_of_stem[result[i]].insert(roles[i]);
+    roles_of_series[series[i]].insert(roles[i]);
+  }
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    if (!roles[i].empty() && (says_nothing(result[i]) || roles_of_stem[result[i]].size() > 1 ||
+                              (2 * size_of_series[series[i]] > names.size() && roles_of_series[series[i]].size() > 1)))
+      series[i] = role_text(roles[i]);
+    else
+      series[i] = result[i];
+  if (!roles.empty()) result = std::move(series);
+  std::map<std::string, std::size_t> counts, numbers;
+  for (std::string& label : result) {
+    label = shortened(label, longest_label - 4); // with a number of three digits
+    if (label.empty()) label = "part";
+    ++counts[label];
+  }
   for (std::string& label : result)
-    label = without_prefix(label, prefix);
-  return std::set<std::string>(result.begin(), result.end()).size() == result.size() ? result : names;
+    if (counts[label] > 1) {
+      std::string next;
+      do
+        next = label + ' ' + std::to_string(++numbers[label]);
+      while (counts.count(next));
+      label = next;
+    }
+  return result;
+}
+
+std::string role_text(std::string role)
+{
+  std::replace(role.begin(), role.end(), '_', ' ');
+  return role;
 }
 
 std::vector<std::string> with_ranges(const std::vector<std::string>& labels)

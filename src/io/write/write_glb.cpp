@@ -148,7 +148,10 @@ std::vector<int> add_match_materials(Glb_file& glb, const Correspondence& corres
 {
   const std::vector<Correspondence_block> blocks = correspondence_blocks(correspondence);
   std::vector<int> materials;
-  for (const Colour& colour : distinct_colours(blocks.size()))
+  std::vector<std::string> roles;
+  for (const Correspondence_block& block : blocks)
+    roles.push_back(block.role);
+  for (const Colour& colour : colours_of_roles(roles))
     materials.push_back(glb.add_material("match_" + std::to_string(materials.size() + 1), colour));
   std::vector<int> result(sources + targets, glb.add_material("unmatched", grey()));
   for (std::size_t block = 0; block < blocks.size(); ++block) {

@@ -1,25 +1,23 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, element} from './dom.js';
+import {$, cssColour, element} from './dom.js';
 import {morphed, valuesAt} from './glb.js';
+import {roleText} from './matching.js';
 
-// A third view between source and target, in which the one becomes the other, with a slider and the tasks as bars.
+// A film in which the source becomes the target and the target the source again, with a slider and a bar for each role.
 
-const secondsOfBlend = 4;
-
-/** The parts of a task. */
-function taskName(task) {
-  return [task.source, task.target].filter(Boolean).join(' → ');
-}
+const secondsOfBlend = 4, secondsOfRest = 0.8; // at either end
 
 export class BlendPlayer {
   /** @param match the MatchView of the page */
   constructor(match, blend, glb) {
     const {stage, views} = match;
     this.stage = stage;
+    this.match = match;
     this.view = stage.addView('in between');
-    views[0].figure.after(this.view.figure);
+    this.view.figure.className = 'between';
+    stage.root.classList.add('film');
     [this.begin, this.end] = [glb.animation.extras.begin, glb.animation.extras.end];
     for (const root of glb.scenes[0].nodes)
       for (const node of root.children.length ? root.children : [root])
@@ -34,33 +32,50 @@ export class BlendPlayer {
     for (const item of stage.items)
       if (item.view === this.view && !item.isHidden) source.expandByObject(item.object);
     stage.centre(this.view, size(views[0].bounds) / (size(source) || 1));
-    stage.root.classList.add('three');
     stage.resize();
-    this.pose(0.5); // so that the first sight is a shape in between
+    matchMedia('(prefers-reduced-motion: reduce)').matches ? this.pose(0.5) : this.play();
   }
 
   addControls(blend) {
     const root = $('#player'), line = element('div', '', root);
     root.hidden = false;
-    this.button = element('button', 'play', line);
+    this.button = element('button', 'Play', line);
+    this.button.className = 'next';
     this.button.onclick = () => this.isPlaying ? this.stop() : this.play();
     this.slider = element('input', '', line);
     Object.assign(this.slider, {type: 'range', min: 0, max: 1, step: 0.001, value: 0, ariaLabel: 'time of the blend'});
     this.slider.oninput = () => { this.stop(); this.pose(Number(this.slider.value)); };
-    const tasks = element('details', '', root), bars = element('div', '', tasks);
-    tasks.prepend(element('summary', `${blend.tasks.length} tasks`, tasks));
-    bars.className = 'bars';
-    for (const task of blend.tasks) {
-      const reason = task.task === 'exchange' ? ': none has a counterpart, and they are in the same place'
-        : task.obstacle === 'unlike' ? ': too unlike its counterpart'
-          : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '';
-      element('span', `${task.task}: ${taskName(task)}`, bars).title = taskName(task) + reason;
-      const bar = element('b', '', element('span', '', bars));
-      bar.className = task.task;
-      bar.style.left = 100 * task.begin + '%';
-      bar.style.width = Math.max(0.5, 100 * (task.end - task.begin)) + '%';
+    this.bars = element('div', '', root);
+    this.bars.className = 'bars';
+    for (const {text, colour, tasks} of this.rowsOf(blend)) {
+      element('span', text, this.bars);
+      const box = element('span', '', this.bars), bar = element('b', '', box), begin = Math.min(...tasks.map(task => task.begin));
+      bar.style.left = 100 * begin + '%';
+      bar.style.width = Math.max(0.5, 100 * (Math.max(...tasks.map(task => task.end)) - begin)) + '%';
+      bar.style.background = colour;
+      box.title = tasks.map(task => this.told(task)).join('\n');
     }
-    this.bars = bars;
+  }
+
+  /** The tasks of each row of the table, and those of parts without counterpart. */
+  rowsOf(blend) {
+    const {match: {names, labels}, blockOf, rowOf, rows, own} = this.match, result = new Map();
+    for (const task of blend.tasks) {
+      const places = [task.source, task.target].map((name, side) => names[side].indexOf(name)), side = places[0] >= 0 ? 0 : 1;
+      const block = places[side] >= 0 ? blockOf[side][places[side]] : -1, row = block >= 0 ? rowOf[block] : side === 0 ? 'goes' : 'comes';
+      if (!result.has(row)) result.set(row, {tasks: [], colour: block >= 0 ? cssColour(own[side][places[side]]) : '#888',
+                                             text: block < 0 ? (side === 0 ? 'vanishes' : 'grows') : roleText(rows[row].role) || labels[side][places[side]]});
+      result.get(row).tasks.push(task);
+    }
+    return [...result].sort((a, b) => (typeof a[0] === 'string') - (typeof b[0] === 'string') || a[0] - b[0]).map(([, row]) => row);
+  }
+
+  told(task) {
+    const {names, labels} = this.match.match;
+    const named = [task.source, task.target].map((name, side) => labels[side][names[side].indexOf(name)] || name).filter(Boolean).join(' → ');
+    return `${task.task}: ${named}` + (task.task === 'exchange' ? ': none has a counterpart, and they are in the same place'
+      : task.obstacle === 'unlike' ? ': too unlike its counterpart'
+        : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '');
   }
 
   /** Shows the shape at a time from 0, the source, to 1. */
@@ -84,20 +99,22 @@ export class BlendPlayer {
 
   play() {
     this.isPlaying = true;
-    this.button.textContent = 'pause';
-    let last = performance.now(), t = this.time >= 1 ? 0 : this.time;
+    this.button.textContent = 'Pause';
+    const period = secondsOfBlend + secondsOfRest;
+    let last = performance.now(), clock = this.time >= 1 ? period : this.time * secondsOfBlend + secondsOfRest * (this.time > 0); // from an end it rests first
     const step = now => {
       if (!this.isPlaying) return;
-      t = Math.min(1, t + (now - last) / 1000 / secondsOfBlend);
+      clock = (clock + Math.min(0.1, (now - last) / 1000)) % (2 * period); // a slow browser shows all of it, slowly
       last = now;
-      this.pose(t);
-      t < 1 ? requestAnimationFrame(step) : this.stop();
+      const t = Math.max(0, Math.min(1, (clock % period - secondsOfRest) / secondsOfBlend)), next = clock < period ? t : 1 - t;
+      if (next !== this.time) this.pose(next);
+      requestAnimationFrame(step);
     };
     requestAnimationFrame(step);
   }
 
   stop() {
     this.isPlaying = false;
-    this.button.textContent = 'play';
+    this.button.textContent = 'Play';
   }
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, addWarnings, documentOf, element, setBreakable} from './dom.js';
+import {$, addTabs, addWarnings, documentOf, element, setBreakable} from './dom.js';
+import {listed, readersNote, roleText} from './matching.js';
 import {fillGallery, Pictures} from './gallery.js';
 import {addLayerSwitches, glbOf} from './match_page.js';
 import {MatchView} from './match_view.js';
@@ -37,7 +38,8 @@ export function shellWord(path) {
 }
 
 export function showCollection() {
-  const collection = documentOf('collection'), {maps, labels, total} = documentOf('maps');
+  const collection = documentOf('collection'), {maps, labels, total, roles, clusters} = documentOf('maps');
+  const roleOf = (shape, part) => roles[clusters[shape][part]] || '';
   const nodes = glbOf('collection.glb').scenes[0].nodes, shapes = collection.shapes;
   const number = new Map(shapes.map((shape, i) => [shape.name, i])), medoid = number.get(collection.medoid.shape);
   const cards = shapes.map((shape, i) => ({name: shape.name, mark: i === medoid ? '★ medoid' : '', shape: nodes[i]}));
@@ -45,9 +47,11 @@ export function showCollection() {
 
   $('h1').textContent = `Collection of ${total} shapes`;
   element('p', (total > shapes.length ? `Shown are ${shapes.length} of them, from all branches of the spanning tree. ` : '') +
-      'Parts of one cluster have one colour; parts that are like no others are grey. Choose two shapes to see their match.',
+      'Parts that are alike have one colour' + (roles.some(Boolean) ? ': ' + listed([...new Set(roles.filter(Boolean))].map(roleText), 10) : '') +
+      '; parts that are like no others are grey. Choose two shapes to see their match.',
       $('#facts'));
-  addWarnings($('#facts'), collection.warnings);
+  addWarnings($('#facts'), (collection.warnings || []).map(note => readersNote(note, {})));
+  addTabs([['models', 'Two shapes'], ['shapes', 'All shapes'], ['list', 'Parts']]);
 
   const stage = new Stage($('#stage')), views = [stage.addView(''), stage.addView('')];
   const view = new MatchView(stage, views);
@@ -67,7 +71,7 @@ export function showCollection() {
     stage.equalise(views.filter(v => !v.figure.hidden));
     const of = list => [0, 1].map(side => side < indices.length ? list[indices[side]] : null);
     view.show({titles: of(shapes).map(shape => shape ? shape.name : ''), names: of(shapes).map(shape => shape ? shape.parts : []),
-               labels: of(labels).map(list => list || []), blocks: stored ? stored.blocks : [], roles: [[], []], groups: [[], []]});
+               labels: of(labels).map(list => list || []), blocks: stored ? stored.blocks.map(block => ({...block, least: block.confidence, role: roleOf(indices[0], block.parts[0][0])})) : [], roles: [[], []], groups: [[], []]});
     if (stored)
       for (const item of stage.items)
         if (view.blockOf[views.indexOf(item.view)][item.part] < 0) item.opacity = withoutCounterpart;

@@ -36,12 +36,32 @@ export function addSwitch(parent, text, hint, isSet, change) {
   return box;
 }
 
+/** Tabs of narrow windows. @param tabs [[name, text]] */
+export function addTabs(tabs) {
+  const buttons = tabs.map(([name, text]) => {
+    const button = element('button', text, $('#tabs'));
+    button.role = 'tab';
+    button.onclick = () => {
+      document.body.dataset.tab = name;
+      buttons.forEach(other => { other.ariaSelected = String(other === button); });
+    };
+    return button;
+  });
+  buttons[0].onclick();
+}
+
 /** Warnings, folded: there may be many. */
-export function addWarnings(parent, warnings) {
-  if (!warnings || !warnings.length) return;
+export function addWarnings(parent, warnings = []) {
+  warnings = [...new Set(warnings)].filter(Boolean);
+  if (!warnings.length) return;
   const details = element('details', '', parent);
   element('summary', warnings.length === 1 ? '1 note' : `${warnings.length} notes`, details);
   for (const warning of warnings) element('p', warning, details);
+}
+
+/** The linear light of a colour #rrggbb. */
+export function linearColour(text) {
+  return [1, 3, 5].map(k => parseInt(text.slice(k, k + 2), 16) / 255).map(c => c <= 0.04045 ? c / 12.92 : Math.pow((c + 0.055) / 1.055, 2.4));
 }
 
 /** A colour in linear light, as style sheets have it. */

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import {BlendPlayer} from './blend_player.js';
-import {$, addSwitch, addWarnings, documentOf, element, setBreakable} from './dom.js';
+import {$, addSwitch, addTabs, addWarnings, documentOf, element, setBreakable} from './dom.js';
 import {bytesOfBase64, readGlb} from './glb.js';
-import {groupNumbers, indexedBlocks} from './matching.js';
+import {counted, groupNumbers, indexedBlocks, listed, percent, readersNote, roleText, unsure} from './matching.js';
 import {MatchView} from './match_view.js';
 import {Stage} from './stage.js';
 
@@ -45,8 +45,22 @@ export function addLayerSwitches(stage, parent, shown) {
   }
 }
 
-/** A number of things: `2 parts`. */
-function counted(number, thing) { return `${number} ${thing}${number === 1 ? '' : 's'}`; }
+/** Whether a shape's parts were made of one object of its file. */
+function isOnePiece(names) {
+  return names.length > 1 && new Set(names.map(name => name.replace(/#\d+$/, ''))).size === 1;
+}
+
+/** What the page shows, for those who see it for the first time. */
+function answer(result, blocks, names, titles) {
+  const roles = [...new Set(blocks.map(block => block.role).filter(Boolean))].map(roleText);
+  const sure = blocks.map(block => block.confidence).filter(value => value !== null), mean = sure.reduce((sum, value) => sum + value, 0) / sure.length;
+  const what = !blocks.length ? 'No parts correspond.' : 'Parts that correspond have one colour' + (roles.length ? ': ' + listed(roles, 10) : '') +
+      (sure.length ? `. They are right with a probability of ${percent(mean)} on average` : '') + '.';
+  const missing = [result.unmatched_source, result.unmatched_target].map(
+      (list, side) => list.length ? `${list.length} of the ${counted(names[side].length, 'part')} of ${titles[side]}` : '').filter(Boolean);
+  return what + (missing.length ? ` Grey parts have no counterpart: ${missing.join(' and ')}.` : '') +
+      (blocks.some(block => block.least !== null && block.least < unsure) ? ' What is pale or hatched is unsure.' : '');
+}
 
 export function showMatch() {
   const result = documentOf('match'), glb = glbOf('match.glb'), blend = documentOf('blend');
@@ -63,10 +77,11 @@ export function showMatch() {
   view.show({titles, names, labels: documentOf('labels'), roles, blocks, groups: groupNumbers(result, names)});
   view.addSwitches($('#tools'));
   setBreakable(titles.join(' and '), $('h1'));
-  const unmatched = [result.unmatched_source, result.unmatched_target].map(list => list.length);
-  element('p', `${counted(blocks.length, 'set')} of corresponding parts` + (result.category ? `; category: ${result.category}` : '') +
-          '. Parts of one colour correspond; grey ones have no counterpart: ' +
-          `${unmatched[0]} of ${counted(names[0].length, 'part')} and ${unmatched[1]} of ${names[1].length}.`, $('#facts'));
-  addWarnings($('#facts'), result.warnings);
+  element('p', answer(result, blocks, names, titles), $('#facts'));
+  const labels = documentOf('labels'), labelOf = new Map(names.flatMap((list, side) => list.map((name, part) => [name, labels[side][part]])));
+  addWarnings($('#facts'), (result.warnings || []).map(note => readersNote(note, {[result.source]: titles[0], [result.target]: titles[1]})
+      .replace(/'([^']+)'/g, (quoted, name) => labelOf.get(name) || quoted)));
+  views.forEach((one, side) => { if (isOnePiece(names[side])) element('small', 'one piece in its file; its parts were found by their shape', one.caption); });
+  addTabs([['models', blend ? 'Film' : 'Models'], ['list', 'Parts']]);
   if (blend) new BlendPlayer(view, blend, glbOf('blend.glb'));
 }

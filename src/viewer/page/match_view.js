@@ -3,23 +3,31 @@
 
 import {$, addSwitch, cssColour, element, tip} from './dom.js';
 import {addGestures} from './gestures.js';
-import {cellOf, inWords, listed, operationText, percent} from './matching.js';
+import {countedParts, inWords, listed, operationText, percent, roleText, rowsByRole, sentenceOf, unsure, withRanges} from './matching.js';
 import {Selection} from './selection.js';
 import {fillTable} from './table.js';
 
 // Two shapes beside each other, and what corresponds: what is chosen in one lights up in the other.
 
 const grey = [0.45, 0.45, 0.45];
+const leastLabelled = 14, leastView = 170; // pixels: sides of what has a label, if it were square, and of the view
+const labelHeight = 18; // pixels
 
-/** Lines between counterparts, over the stage. */
-class Links {
+/** A colour in linear light, the paler the less sure it is. */
+function paled(colour, confidence) {
+  const share = Math.max(0.25, Math.min(1, (confidence - 0.2) / 0.6)), light = 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
+  return colour.slice(0, 3).map(c => share * c + (1 - share) * (0.35 + 0.5 * light));
+}
+
+/** Labels of parts and lines between counterparts, over the stage. */
+class Overlay {
   constructor(stage) {
     this.stage = stage;
     this.canvas = element('canvas', '', stage.root);
     this.canvas.className = 'links';
   }
-  /** @param links [{ends: [[view, part], [view, part]], colour}] */
-  draw(links) {
+  /** @param links [{ends: [[view, part], [view, part]], colour}] @param labels [{x, y, text}] in the window */
+  draw(links, labels) {
     const box = this.stage.root.getBoundingClientRect(), ratio = Math.min(devicePixelRatio, 2);
     this.canvas.width = box.width * ratio;
     this.canvas.height = box.height * ratio;
@@ -35,6 +43,27 @@ class Links {
       g.lineTo(b[0] - box.left, b[1] - box.top);
       g.stroke();
     }
+    const style = getComputedStyle(document.body);
+    g.font = '600 12px system-ui, sans-serif';
+    g.textAlign = 'center';
+    g.textBaseline = 'middle';
+    this.placed = [];
+    for (const {x, y, text, confine} of labels) {
+      const half = g.measureText(text).width / 2 + 6;
+      const middle = Math.max(confine.left + half, Math.min(confine.left + confine.width - half, x));
+      const place = [0, -1, 1].map(step => ({left: middle - half, right: middle + half, middle: y + step * (labelHeight + 2), text})).find(
+          one => this.placed.every(other => one.right < other.left || one.left > other.right || Math.abs(one.middle - other.middle) > labelHeight));
+      if (!place) continue;
+      this.placed.push(place);
+      g.globalAlpha = 0.85;
+      g.fillStyle = style.getPropertyValue('--paper');
+      g.beginPath();
+      g.rect(place.left - box.left, place.middle - box.top - labelHeight / 2, 2 * half, labelHeight);
+      g.fill();
+      g.globalAlpha = 1;
+      g.fillStyle = style.getPropertyValue('--ink');
+      g.fillText(text, middle - box.left, place.middle - box.top);
+    }
   }
 }
 
@@ -43,17 +72,20 @@ export class MatchView {
   constructor(stage, views) {
     this.stage = stage;
     this.views = views;
-    this.links = new Links(stage);
+    this.overlay = new Overlay(stage);
     this.hasLinks = this.hasGroups = false;
+    this.hasLabels = true;
     this.leastConfidence = 0;
     this.selection = new Selection(key => this.light(key));
     addGestures(stage, (item, x, y) => this.point(item, x, y), (item, x, y) => this.click(item, x, y));
-    stage.afterDrawing = () => this.links.draw(this.shownLinks());
+    stage.labels = () => this.shownLabels(); // for tests
+    stage.afterDrawing = () => this.overlay.draw(this.shownLinks(), this.shownLabels());
     addEventListener('keydown', event => { if (event.key === 'Escape') this.clear(); });
   }
 
   /** The switches of the page. */
   addSwitches(parent) {
+    addSwitch(parent, 'labels', 'What parts are', true, isSet => { this.hasLabels = isSet; this.stage.redraw(); });
     addSwitch(parent, 'links', 'Lines between corresponding parts', false, isSet => { this.hasLinks = isSet; this.stage.redraw(); });
     if (this.match.groups.some(numbers => numbers.some(n => n >= 0)))
       addSwitch(parent, 'groups', 'One colour for the symmetric parts that were matched together', false,
@@ -80,32 +112,41 @@ export class MatchView {
     match.blocks.forEach((block, b) => block.parts.forEach(
         (parts, side) => parts.forEach(part => { this.blockOf[side][part] = b; })));
     this.own = match.names.map((list, side) => list.map((_, part) => this.ownColour(side, part)));
-    const hasRoles = match.blocks.some(block => block.role), hasConfidence = match.blocks.some(block => block.confidence !== null);
-    const columns = [...(hasRoles ? [{text: 'role', kind: 'narrow'}] : []), ...match.titles.map(text => ({text})),
-                     {text: 'operation', kind: 'narrow minor'}, ...(hasConfidence ? [{text: 'confidence', kind: 'narrow'}] : [])];
-    const first = hasRoles ? 1 : 0; // column of the source
-    const row = (key, colour, role, sides, others) => {
-      const labels = sides.map((parts, side) => parts.map(part => match.labels[side][part]));
-      const result = {key, colour, words: sides.flatMap((parts, side) => parts.map(part => match.names[side][part])).concat(...labels),
-                      cells: [...(hasRoles ? [role] : []), ...labels.map(list => cellOf(list) || '–'), ...others].slice(0, columns.length)};
-      if (sides.some(parts => parts.length > 1)) {
-        result.parts = [];
-        sides.forEach((parts, side) => {
-          result.parts[first + side] = parts.map((part, i) => ({name: labels[side][i], key: side + ':' + part}));
-        });
-      }
-      return result;
-    };
-    const rows = match.blocks.map((block, b) => row(
-        'b' + b, cssColour(this.own[0][block.parts[0][0]]), block.role, block.parts, [operationText(block), percent(block.confidence)]));
-    match.names.forEach((list, side) => {
-      const parts = list.map((_, part) => part).filter(part => this.blockOf[side][part] < 0), sides = [[], []];
-      sides[side] = parts;
-      if (parts.length) rows.push(row('none' + side, cssColour(grey), '', sides, ['none', '']));
-    });
-    this.table = fillTable($('table'), columns, rows, this.selection, $('#search'));
+    this.rows = rowsByRole(match.blocks);
+    this.rowOf = match.blocks.map((_, b) => this.rows.findIndex(row => row.blocks.includes(b)));
+    this.fillTable();
     this.colour();
     this.selection.clear();
+  }
+
+  fillTable() {
+    const {match} = this, hasRoles = match.blocks.some(block => block.role), hasConfidence = match.blocks.some(block => block.confidence !== null);
+    const columns = [...(hasRoles ? [{text: 'role', kind: 'narrow'}] : []), ...match.titles.map(text => ({text})), ...(hasConfidence ? [{text: 'how sure', kind: 'narrow'}] : [])];
+    const labelsOf = sides => sides.map((parts, side) => parts.map(part => match.labels[side][part]));
+    const cells = (role, middle, last) => [...(hasRoles ? [role] : []), ...middle, ...(hasConfidence ? [last] : [])];
+    const sure = ({confidence, least}) => ({text: percent(confidence), small: least !== null && least !== undefined && percent(least) !== percent(confidence) ? `least ${percent(least)}` : '',
+                                            title: 'The probability that a pair of parts is right: of all pairs, and of the least sure one'});
+    const part = (side, index) => index === undefined ? '' : {text: match.labels[side][index], title: match.names[side][index], key: side + ':' + index};
+    const parts = sides => Array.from({length: Math.max(...sides.map(list => list.length))}, (_, i) => (
+        {cells: cells('', sides.map((list, side) => part(side, list[i])), ''), words: sides.map((list, side) => list[i] === undefined ? '' : match.names[side][list[i]])}));
+    const row = (key, role, sides, block, below) => {
+      const labels = labelsOf(sides), title = (block.operation ? operationText({...block, parts: sides}) + ': ' : '') + labels.map(list => withRanges(list).join(', ') || 'nothing').join(' → ');
+      return {key, colour: cssColour(grey), cells: cells(roleText(role), [{text: block.text || sentenceOf(labels, role), title, span: 2}], sure(block)), rows: below};
+    };
+    const ofBlock = b => row('b' + b, '', match.blocks[b].parts, match.blocks[b], parts(match.blocks[b].parts));
+    const rows = this.rows.map(({role, blocks}, r) => {
+      if (blocks.length === 1) return row('b' + blocks[0], match.blocks[blocks[0]].role, match.blocks[blocks[0]].parts, match.blocks[blocks[0]], parts(match.blocks[blocks[0]].parts));
+      const all = blocks.map(b => match.blocks[b]), sides = [0, 1].map(side => all.flatMap(block => block.parts[side])), known = all.filter(block => block.confidence !== null);
+      const summed = known.length ? {confidence: known.reduce((sum, block) => sum + block.confidence, 0) / known.length, least: Math.min(...known.map(block => block.least))} : {confidence: null};
+      return row('r' + r, role, sides, summed, blocks.map(ofBlock));
+    });
+    match.names.forEach((list, side) => {
+      const sides = [[], []];
+      sides[side] = list.map((_, index) => index).filter(index => this.blockOf[side][index] < 0);
+      if (!sides[side].length) return;
+      rows.push(row('none' + side, '', sides, {confidence: null, text: `${sides[side].length === 1 ? labelsOf(sides)[side][0] : countedParts(labelsOf(sides)[side], '')} without counterpart in ${match.titles[1 - side]}`}, parts(sides)));
+    });
+    this.table = fillTable($('table'), columns, rows, this.selection, $('#search'));
   }
 
   ownColour(side, part) {
@@ -122,19 +163,29 @@ export class MatchView {
     groups.forEach((numbers, side) => numbers.forEach((n, part) => {
       if (n >= 0 && !first.has(n) && this.blockOf[side][part] >= 0) first.set(n, this.own[side][part]);
     }));
+    const sureOf = (side, part) => {
+      const block = blocks[this.blockOf[side][part]];
+      return block && block.confidence !== null ? (block.sure ? block.sure[side].get(part) : block.confidence) : 1;
+    };
     const colourOf = (side, part) => {
       const block = blocks[this.blockOf[side][part]], group = (groups[side] || [])[part];
-      if (block && !this.isSure(block)) return grey;
-      return this.hasGroups && first.has(group) && block ? first.get(group) : this.own[side][part];
+      if (!block || !this.isSure(block)) return block ? grey : this.own[side][part];
+      return paled(this.hasGroups && first.has(group) ? first.get(group) : this.own[side][part], sureOf(side, part));
     };
     for (const item of this.stage.items) {
       if (item.part < 0 || item.layer === 'materials') continue;
-      item.colour.setRGB(...colourOf(...this.placeOfItem(item)).slice(0, 3));
+      const place = this.placeOfItem(item), block = blocks[this.blockOf[place[0]][place[1]]];
+      item.colour.setRGB(...colourOf(...place).slice(0, 3));
+      item.hatch = block && this.isSure(block) && sureOf(...place) < unsure ? 1 : 0;
     }
-    const colours = new Map(blocks.map((block, b) => ['b' + b, cssColour(colourOf(0, block.parts[0][0]))]));
+    const colours = new Map(), hatched = new Set(), ofBlock = block => paled(colourOf(0, block.parts[0][0]), 1);
+    const isUnsure = block => block.least !== null && block.least < unsure;
+    blocks.forEach((block, b) => { colours.set('b' + b, cssColour(ofBlock(block))); if (isUnsure(block)) hatched.add('b' + b); });
+    this.rows.forEach((row, r) => { colours.set('r' + r, cssColour(ofBlock(blocks[row.blocks[0]]))); if (row.blocks.some(b => isUnsure(blocks[b]))) hatched.add('r' + r); });
     [0, 1].forEach(side => colours.set('none' + side, cssColour(grey)));
-    this.table.paint(colours);
-    this.table.hide(new Set(blocks.flatMap((block, b) => this.isSure(block) ? [] : ['b' + b])));
+    this.table.paint(colours, hatched);
+    const isHidden = b => !this.isSure(blocks[b]);
+    this.table.hide(new Set([...blocks.flatMap((_, b) => isHidden(b) ? ['b' + b] : []), ...this.rows.flatMap((row, r) => row.blocks.every(isHidden) ? ['r' + r] : [])]));
     this.stage.redraw();
   }
 
@@ -153,6 +204,7 @@ export class MatchView {
   /** All keys that light up with one; that of a single part, SIDE:PART, is alone. */
   keysWith(key) {
     const keys = new Set([key]);
+    if (key[0] === 'r') for (const b of this.rows[Number(key.slice(1))].blocks) keys.add('b' + b);
     if (!this.hasGroups) return keys;
     const groups = new Set();
     const each = visit => this.match.groups.forEach((numbers, side) => numbers.forEach(
@@ -199,12 +251,13 @@ export class MatchView {
   told(item) {
     const {names, labels, roles, titles, blocks} = this.match;
     const [side, part] = this.placeOfItem(item), block = blocks[this.blockOf[side][part]], lines = [];
-    if (roles[side][part]) lines.push('role: ' + roles[side][part]);
-    if (!block) return [names[side][part], lines.concat('no counterpart')];
-    lines.push(inWords(block, side));
+    if (roles[side][part]) lines.push('role: ' + roleText(roles[side][part]));
+    if (names[side][part] !== labels[side][part]) lines.push('name in the file: ' + names[side][part]);
+    if (!block) return [labels[side][part], lines.concat('no counterpart')];
+    lines.push(`${inWords(block, side)} (${operationText(block)})`);
     lines.push(`in ${titles[1 - side]}: ` + listed(block.parts[1 - side].map(p => labels[1 - side][p])));
-    if (block.confidence !== null) lines.push('confidence: ' + percent(block.confidence));
-    return [names[side][part], lines];
+    if (block.confidence !== null) lines.push('confidence: ' + percent(block.confidence) + (block.least < block.confidence ? `, of its least sure pair ${percent(block.least)}` : ''));
+    return [labels[side][part], lines];
   }
 
   /** With the switch all links, else none. Of what is chosen, if something is. */
@@ -213,5 +266,18 @@ export class MatchView {
     return this.match.blocks.flatMap((block, b) => (this.lit && !this.lit.has('b' + b)) || !this.isSure(block) ? [] :
         block.parts[0].flatMap(source => block.parts[1].map(target => ({
           ends: [[this.views[0], source], [this.views[1], target]], colour: cssColour(this.own[0][source])}))));
+  }
+
+  /** The role of each row where it is seen best, or else a part's label; none of what is small or faded. */
+  shownLabels() {
+    if (!this.match || !this.hasLabels) return [];
+    return this.views.flatMap((view, side) => {
+      const confine = this.stage.boxOf(view), rowOf = part => { const b = this.blockOf[side][part]; return b < 0 ? -1 : this.rowOf[b]; };
+      if (view.figure.hidden || Math.min(confine.width, confine.height) < leastView) return [];
+      const isShown = (part, b) => b >= 0 && this.isSure(this.match.blocks[b]) && (!this.lit || this.lit.has('b' + b) || this.lit.has(side + ':' + part));
+      const places = this.stage.seenPlaces(view, ({part}) => part >= 0 && isShown(part, this.blockOf[side][part]) ? rowOf(part) : -1);
+      const text = row => { const {role, blocks: [b]} = this.rows[row]; return role ? roleText(role) : this.match.labels[side][this.match.blocks[b].parts[side][0]]; };
+      return [...places].filter(([, {area}]) => area >= leastLabelled * leastLabelled).sort((a, b) => b[1].area - a[1].area).map(([row, {x, y}]) => ({x, y, text: text(row), confine}));
+    });
   }
 }

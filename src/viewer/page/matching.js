@@ -4,7 +4,9 @@
 // What a result of `match` says of the parts of two shapes, in the words of the page.
 
 const shortestRange = 3; // parts with consecutive numbers
-const longestCell = 40;  // characters of names in a cell of the table
+const mostNouns = 3;     // of one side of a sentence
+const mostRows = 8;      // of roles, or of blocks without a role: with those of parts without counterpart, ten
+export const unsure = 0.5; // confidence
 
 /** The value of a fraction in per cent, or an empty text. */
 export function percent(fraction) {
@@ -33,16 +35,65 @@ export function withRanges(names) {
   return result;
 }
 
-/** Parts in a cell of the table: their names, or how many they are. */
-export function cellOf(names) {
-  const text = withRanges(names).join(', ');
-  return names.length > 1 && text.length > longestCell ? `${names.length} parts` : text;
+// Words that say where a part is, not what it is
+const places = /^(.|[fr][lr]|left|right|front|rear|upper|lower|inner|outer|middle|center|centre)$/i;
+
+/** What a part is, by its label: its role if it is named so, or else the last word that is no place, without a number. */
+export function nounOf(label, role = '') {
+  if (role && roleText(label.replace(/[\s_.:#-]*\d+$/, '')) === roleText(role)) return roleText(role);
+  const words = label.replace(/[\s_.:#-]*\d+$/, '').split(/[_.:-]+/).filter(word => word && !places.test(word));
+  return words.length ? words[words.length - 1].replace(/\d+$/, '') || 'part' : label;
+}
+
+function plural(noun) {
+  if (/[^s]s$/.test(noun)) return noun; // named for several
+  if (/(ss|x|sh|ch)$/.test(noun)) return noun + 'es';
+  if (/[^aeiou]y$/.test(noun)) return noun.slice(0, -1) + 'ies';
+  return /(lea|shel)f$/.test(noun) ? noun.slice(0, -1) + 'ves' : noun + 's';
+}
+
+/** How many things: `4 legs`. */
+export const counted = (number, noun) => `${number} ${number === 1 ? noun : plural(noun)}`;
+
+/** A role in words. */
+export const roleText = role => role.replace(/_/g, ' ');
+
+/** Parts as one counts them: `1 column and 5 arms`. @param role names those that have too many names; it may be empty */
+export function countedParts(labels, role) {
+  const counts = new Map();
+  for (const noun of labels.map(label => nounOf(label, role))) counts.set(noun, (counts.get(noun) || 0) + 1);
+  if (counts.size > mostNouns) return counted(labels.length, role ? roleText(role) : 'part');
+  return listed([...counts].map(([noun, number]) => counted(number, noun)));
+}
+
+/** What becomes of parts, as a sentence: `4 legs become 1 column and 5 arms`. @param labels of source and target */
+export function sentenceOf(labels, role) {
+  const [sources, targets] = labels.map(list => list.length);
+  const isOne = sources === 1 && targets === 1, [from, to] = labels.map(list => isOne ? list[0] : countedParts(list, role));
+  const [verb, verbs] = from === to ? ['matches', 'match'] : ['becomes', 'become'];
+  return `${from} ${sources === 1 ? verb : verbs} ${to}`;
 }
 
 /** An operation with the numbers of parts, if they are not one and one. */
 export function operationText(block) {
   const [sources, targets] = block.parts.map(parts => parts.length);
   return block.operation + (sources === 1 && targets === 1 ? '' : ` ${sources}:${targets}`);
+}
+
+/** Blocks by role, in the order of the blocks: [{role, blocks: [indices]}]; the last one may gather several roles, or none. */
+export function rowsByRole(blocks) {
+  const rows = new Map();
+  blocks.forEach(({role}, b) => {
+    const key = role || '#' + b;
+    if (!rows.has(key)) rows.set(key, {role, blocks: []});
+    rows.get(key).blocks.push(b);
+  });
+  const result = [...rows.values()];
+  if (result.length <= mostRows) return result;
+  const size = row => row.blocks.reduce((sum, b) => sum + blocks[b].parts[0].length + blocks[b].parts[1].length, 0);
+  const kept = new Set([...result].sort((a, b) => size(b) - size(a)).slice(0, mostRows - 1));
+  return [...result.filter(row => kept.has(row)),
+          {role: 'others', blocks: result.filter(row => !kept.has(row)).flatMap(row => row.blocks)}];
 }
 
 /** The same in a sentence, for a part of side 0, the source, or 1. */
@@ -61,13 +112,31 @@ function indicesOf(names) {
 
 /**
  * The blocks of a result of `match` by the indices of parts in `names`, the names of both shapes' parts: [{parts: [indices,
- * indices], role, operation, confidence}]; the role may be empty, the confidence null.
+ * indices], role, operation, confidence, least, sure}]; the role may be empty, and the confidence null. `least` is that of its
+ * least sure pair; `sure` has by side a map from part to the mean confidence of its pairs.
  */
 export function indexedBlocks(result, names) {
-  const index = indicesOf(names);
-  return result.blocks.map(block => ({
-    parts: [block.source, block.target].map((list, side) => list.map(name => index[side].get(name))),
-    role: block.role || '', operation: block.operation, confidence: block.confidence === undefined ? null : block.confidence}));
+  const index = indicesOf(names), confidences = new Map();
+  if (result.confidences) result.pairs.forEach(([a, b], i) => confidences.set(index[0].get(a) + ':' + index[1].get(b), result.confidences[i]));
+  return result.blocks.map(block => {
+    const parts = [block.source, block.target].map((list, side) => list.map(name => index[side].get(name)));
+    const of = pairs => pairs.map(([a, b]) => confidences.get(a + ':' + b)).filter(value => value !== undefined);
+    const mean = values => values.length ? values.reduce((sum, value) => sum + value, 0) / values.length : 1;
+    const sure = [new Map(parts[0].map(a => [a, mean(of(parts[1].map(b => [a, b])))])), new Map(parts[1].map(b => [b, mean(of(parts[0].map(a => [a, b])))]))];
+    const confidence = block.confidence === undefined ? null : block.confidence, all = of(parts[0].flatMap(a => parts[1].map(b => [a, b])));
+    return {parts, role: block.role || '', operation: block.operation, confidence, least: all.length ? Math.min(...all) : confidence, sure};
+  });
+}
+
+/** What a note says to the reader of a page: without files, commands and their options. @param models {file: title} */
+export function readersNote(note, models) {
+  let text = note, of = '';
+  for (const [file, title] of Object.entries(models)) if (text.startsWith(file + ': ')) [of, text] = [title + ': ', text.slice(file.length + 2)];
+  if (/^Parts were found by what parts look like/.test(text)) return of + 'The objects of the file are not its parts; these were found by what parts look like.';
+  if (/^Objects of loose pieces were split/.test(text)) return of + 'Objects of the file that have several loose pieces were split into parts.';
+  const isOfShell = part => /--\w|`/.test(part);
+  const sentences = text.split(/(?<=\.)\s+/).map(sentence => sentence.split(/;\s+/).filter(part => !isOfShell(part)).join('; ')).filter(Boolean);
+  return sentences.length ? of + sentences.join(' ').replace(/[.;]?$/, '.') : '';
 }
 
 /** For each shape the group of every part: parts that the search took together have one number, others -1. */

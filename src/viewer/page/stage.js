@@ -11,8 +11,11 @@ const focalLength = 1 / Math.tan(fieldOfView * Math.PI / 360); // over half the 
 const home = {yaw: 0.5, pitch: 0.3, zoom: 1, x: 0, y: 0};
 const stackedGain = 1.1; // in size, for which views go one below the other
 const fadedOpacity = 0.1, overlaidOpacity = 0.3;
-const largestRatio = 2; // of the sizes of shapes that are drawn to one scale
+const largestRatio = 1.25; // of the sizes of shapes that are drawn to one scale
+const groundPixels = 96, shadowTriangles = 12000; // of the picture of the ground, which is soft for its few pixels
+const hatching = `if (hatch > 0. && mod(gl_FragCoord.x + gl_FragCoord.y, 9.) < 3.) gl_FragColor.rgb = mix(gl_FragColor.rgb, vec3(1.), .75);`;
 const fittedPoints = 3000; // at most, of a view that is to be in the picture
+const radiansPerSecond = 0.35; // of shapes that turn slowly
 const isDark = matchMedia('(prefers-color-scheme: dark)');
 const lightOfLines = 0.6; // in the dark
 const noPoints = {points: [], middle: {x: 0, y: 0}};
@@ -53,6 +56,11 @@ export function objectOf(mesh, onLoad = () => {}) {
   const material = new THREE.MeshPhongMaterial(
       {color: colour, side: THREE.DoubleSide, flatShading: !mesh.normals, shininess: 8, specular: 0x111111,
        vertexColors: mesh.colours ? THREE.VertexColors : THREE.NoColors});
+  material.userData.hatch = {value: 0};
+  material.onBeforeCompile = shader => {
+    shader.uniforms.hatch = material.userData.hatch;
+    shader.fragmentShader = 'uniform float hatch;\n' + shader.fragmentShader.replace('#include <dithering_fragment>', hatching);
+  };
   if (mesh.texture && mesh.coordinates) addTexture(material, mesh.texture, onLoad);
   return new THREE.Mesh(geometry, material);
 }
@@ -63,6 +71,57 @@ export function litScene() {
   sun.position.set(0.4, 0.7, 1);
   scene.add(new THREE.HemisphereLight(0xffffff, 0x8890a0, 0.62), sun);
   return scene;
+}
+
+/** Calls `visit` with the cells of a grid in a triangle, [x, y] of its corners, and those of its corners. */
+function visitCells(corners, visit) {
+  const [a, b, c] = corners, area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+  const range = k => [Math.max(0, Math.floor(Math.min(a[k], b[k], c[k]))), Math.min(groundPixels - 1, Math.floor(Math.max(a[k], b[k], c[k])))];
+  const [left, right] = range(0), [top, bottom] = range(1), cross = (p, q, x, y) => ((q[0] - p[0]) * (y - p[1]) - (x - p[0]) * (q[1] - p[1])) * Math.sign(area);
+  for (const [x, y] of corners) visit(Math.floor(x), Math.floor(y));
+  for (let y = top; y <= bottom; ++y)
+    for (let x = left; x <= right; ++x)
+      if (cross(a, b, x + 0.5, y + 0.5) >= 0 && cross(b, c, x + 0.5, y + 0.5) >= 0 && cross(c, a, x + 0.5, y + 0.5) >= 0) visit(x, y);
+}
+
+/** A picture of the ground under a group with the group's soft shadow, the darker the nearer it is. @param bounds of the group */
+function paintGround(canvas, group, {min, max}, width) {
+  const g = canvas.getContext('2d'), n = groundPixels, scale = n / width, meshes = [], p = new THREE.Vector3();
+  let shadow = new Float32Array(n * n);
+  group.traverse(object => { if (object.isMesh && object.geometry.index && !object.userData.item.isHidden) meshes.push(object); });
+  const step = Math.max(1, Math.ceil(meshes.reduce((sum, mesh) => sum + mesh.geometry.index.count / 3, 0) / shadowTriangles));
+  for (const {geometry: {index, attributes}, matrixWorld} of meshes)
+    for (let t = 0; t + 2 < index.count; t += 3 * step) {
+      let low = 1;
+      const corners = [0, 1, 2].map(k => {
+        p.fromBufferAttribute(attributes.position, index.getX(t + k)).applyMatrix4(matrixWorld);
+        low = Math.min(low, (p.y - min.y) / (max.y - min.y || 1));
+        return [n / 2 + scale * (p.x - (min.x + max.x) / 2), n / 2 + scale * (p.z - (min.z + max.z) / 2)];
+      });
+      const dark = 0.1 + 0.4 * Math.pow(1 - low, 4);
+      visitCells(corners, (x, y) => { if (x >= 0 && y >= 0 && x < n && y < n) shadow[y * n + x] = Math.max(shadow[y * n + x], dark); });
+    }
+  for (let pass = 0; pass < 4; ++pass) { // means of five cells, along x and y in turn
+    const stride = pass % 2 ? n : 1, before = shadow;
+    shadow = before.map((_, i) => [-2, -1, 0, 1, 2].reduce((sum, k) => sum + (before[i + k * stride] || 0), 0) / 5);
+  }
+  canvas.width = canvas.height = n;
+  const image = g.createImageData(n, n);
+  for (let i = 0; i < n * n; ++i) {
+    const far = Math.min(1, 2 * Math.hypot(i % n / n - 0.5, Math.floor(i / n) / n - 0.5)), ground = 0.1 * (1 - far * far);
+    const alpha = shadow[i] + ground * (1 - shadow[i]), grey = alpha ? 128 * ground * (1 - shadow[i]) / alpha : 0;
+    image.data.set([grey, grey, grey, 255 * alpha], 4 * i);
+  }
+  g.putImageData(image, 0, 0);
+}
+
+const numberMaterials = new Map();
+
+/** What draws a number as a colour. */
+function numberMaterial(number) {
+  if (!numberMaterials.has(number))
+    numberMaterials.set(number, new THREE.MeshBasicMaterial({color: new THREE.Color((number + 1) / 255, 0, 0), side: THREE.DoubleSide}));
+  return numberMaterials.get(number);
 }
 
 /** A renderer, or null without WebGL. */
@@ -147,8 +206,14 @@ export class Stage {
     box.append(text);
     this.root.append(box);
     const shape = new THREE.Group(), scene = litScene();
-    scene.add(shape);
-    const view = {index: this.views.length, figure: box, caption: text, scene, shape, bounds: new THREE.Box3(), toFit: noPoints,
+    const picture = document.createElement('canvas');
+    const ground = new THREE.Mesh(new THREE.PlaneBufferGeometry(1, 1), new THREE.MeshBasicMaterial(
+        {map: new THREE.CanvasTexture(picture), transparent: true, depthWrite: false}));
+    ground.rotation.x = -Math.PI / 2;
+    ground.renderOrder = -1;
+    ground.visible = false;
+    scene.add(shape, ground);
+    const view = {ground, index: this.views.length, figure: box, caption: text, scene, shape, bounds: new THREE.Box3(), toFit: noPoints,
                   camera: new THREE.PerspectiveCamera()};
     this.views.push(view);
     return view;
@@ -176,6 +241,7 @@ export class Stage {
     }
     this.items = this.items.filter(item => item.view !== view);
     view.toFit = noPoints;
+    view.ground.visible = false;
     view.shape.position.set(0, 0, 0);
     view.shape.scale.set(1, 1, 1);
   }
@@ -190,7 +256,19 @@ export class Stage {
     view.shape.updateMatrixWorld(true);
     view.bounds.setFromObject(view.shape);
     view.toFit = pointsToFit(view.shape);
+    this.layGround(view);
     this.resize();
+  }
+
+  /** Puts ground with a soft shadow below what a view shows. */
+  layGround(view) {
+    const {min, max} = view.bounds, width = 1.7 * Math.max(max.x - min.x, max.z - min.z);
+    view.ground.visible = width > 0 && isFinite(width);
+    if (!view.ground.visible) return;
+    paintGround(view.ground.material.map.image, view.shape, view.bounds, width);
+    view.ground.material.map.needsUpdate = true;
+    view.ground.scale.set(width, width, 1);
+    view.ground.position.set((min.x + max.x) / 2, min.y - 0.001 * width, (min.z + max.z) / 2);
   }
 
   /** Draws shapes of clearly different sizes equally large, and says so. */
@@ -202,6 +280,21 @@ export class Stage {
       this.centre(view, ratio);
       element('small', ` (drawn ${Number(ratio.toPrecision(2))} times larger)`, view.caption);
     }
+  }
+
+  /** Turns the shapes until somebody touches them. */
+  turnSlowly() {
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+    let isTurning = true, last = performance.now();
+    for (const kind of ['pointerdown', 'wheel', 'keydown']) this.root.addEventListener(kind, () => { isTurning = false; }, {once: true, passive: true});
+    const step = now => {
+      if (!isTurning) return;
+      this.pose.yaw += Math.min(0.1, (now - last) / 1000) * radiansPerSecond;
+      last = now;
+      this.redraw();
+      requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
   }
 
   setLayer(layer, isShown) {
@@ -246,6 +339,7 @@ export class Stage {
     material.transparent = opacity < 1;
     material.depthWrite = opacity === 1;
     material.opacity = opacity;
+    if (material.userData.hatch) material.userData.hatch.value = item.hatch || 0;
     if (material.emissive) material.emissive.copy(item.colour).multiplyScalar(this.isLit && !isFaded ? 0.25 : 0);
   }
 
@@ -292,6 +386,49 @@ export class Stage {
     const objects = view.shape.children.filter(o => o.visible && o.userData.item.part >= 0);
     const [hit] = ray.intersectObjects(objects);
     return hit ? hit.object.userData.item : null;
+  }
+
+  /**
+   * Where things are seen in a view: by number, {x, y, area}, a place in the window that is well inside, and pixels.
+   * @param numberOf an item's thing, from 0 to 253, or -1
+   */
+  seenPlaces(view, numberOf) {
+    const box = this.boxOf(view), result = new Map();
+    if (!this.renderer || box.width <= 0 || box.height <= 0) return result;
+    const width = 160, height = Math.max(1, Math.round(width * box.height / box.width)), scale = box.width / width;
+    view.numbers = view.numbers || new THREE.WebGLRenderTarget(width, height);
+    view.numbers.setSize(width, height);
+    const items = this.items.filter(item => item.view === view && item.object.isMesh && item.object.visible), saved = items.map(item => item.object.material);
+    for (const item of items) item.object.material = numberMaterial(numberOf(item));
+    view.ground.material.visible = false;
+    this.renderer.gammaOutput = false; // numbers, no light
+    this.renderer.setRenderTarget(view.numbers);
+    this.renderer.setClearColor(0, 0);
+    this.renderer.clear();
+    this.renderer.render(view.scene, view.camera);
+    const pixels = new Uint8Array(4 * width * height);
+    this.renderer.readRenderTargetPixels(view.numbers, 0, 0, width, height, pixels);
+    this.renderer.setRenderTarget(null);
+    this.renderer.gammaOutput = true;
+    view.ground.material.visible = true;
+    items.forEach((item, i) => { item.object.material = saved[i]; });
+    const cells = new Map(), at = i => pixels[4 * i] - 1;
+    for (let i = width + 1; i < width * (height - 1) - 1; ++i) {
+      const number = at(i);
+      if (number >= 0) cells.has(number) ? cells.get(number).push(i) : cells.set(number, [i]);
+    }
+    for (const [number, list] of cells) { // the deepest inside, and of these the one nearest to the middle
+      const isInside = i => [-width, -1, 1, width].every(step => at(i + step) === number);
+      let inner = list;
+      for (let inside = inner.filter(isInside), kept; inside.length; inside = inner.filter(i => kept.has(i - width) && kept.has(i + width) && kept.has(i - 1) && kept.has(i + 1))) {
+        inner = inside;
+        kept = new Set(inner);
+      }
+      const [mx, my] = [i => i % width, i => Math.floor(i / width)].map(of => list.reduce((sum, i) => sum + of(i), 0) / list.length);
+      const far = i => Math.hypot(i % width - mx, Math.floor(i / width) - my), best = inner.reduce((a, b) => far(b) < far(a) ? b : a);
+      result.set(number, {x: box.left + (best % width + 0.5) * scale, y: box.top + box.height - (Math.floor(best / width) + 0.5) * scale, area: list.length * scale * scale});
+    }
+    return result;
   }
 
   /** Where the middle of a part is in the window. */

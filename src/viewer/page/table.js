@@ -3,7 +3,7 @@
 
 import {element, setBreakable} from './dom.js';
 
-// A table whose rows choose things, can be searched, and may fold the parts that they are about.
+// A table whose rows choose things, can be searched, and may fold further rows.
 
 /** Lets a row, or a cell, choose a key: by pointing, by a click, by Enter and Space. */
 function choosing(box, key, selection) {
@@ -18,90 +18,99 @@ function choosing(box, key, selection) {
   };
 }
 
-/** The rows of the parts of a row, hidden, and the button that shows them. */
-function addParts(row, mark, columns, tr, selection) {
-  const button = element('button', '▸', mark), rows = [];
-  const lists = columns.map((_, k) => row.parts[k] || []);
-  for (let i = 0; i < Math.max(...lists.map(list => list.length)); ++i) {
-    const line = document.createElement('tr');
-    line.className = 'part';
-    line.hidden = true;
-    element('td', '', line);
-    columns.forEach((column, k) => {
-      const cell = element('td', '', line), part = lists[k][i];
-      cell.className = column.kind || '';
-      if (!part) return;
-      setBreakable(part.name, cell);
-      choosing(cell, part.key, selection);
-    });
-    rows.push(line);
-  }
-  tr.after(...rows);
-  const show = isShown => {
-    rows.forEach(line => { line.hidden = !isShown; });
-    button.textContent = isShown ? '▾' : '▸';
-    button.ariaExpanded = isShown;
-    button.ariaLabel = isShown ? 'hide the parts' : 'show the parts';
-  };
-  button.onclick = event => { event.stopPropagation(); show(rows[0].hidden); };
-  show(false);
-  return show;
+/** A cell: a text, or {text, title, span, key, small}, where `small` is a second line. */
+function addCell(tr, cell, column, selection) {
+  const {text, title, span, key, small} = typeof cell === 'string' ? {text: cell} : cell, td = element('td', '', tr);
+  td.className = (column && column.kind) || '';
+  setBreakable(text, td);
+  if (title) td.title = title;
+  if (span) td.colSpan = span;
+  if (small) element('small', small, td);
+  if (key !== undefined) choosing(td, key, selection);
 }
 
 /**
- * @param columns [{text, kind}]; the kind may be `narrow`, or `narrow minor`: not shown in narrow windows
- * @param rows [{key, colour (of a style sheet), cells, parts, words}]; a row is chosen by its key. `parts` may be missing;
- * else for each column whose cell stands for several parts {name, key} of each. `words` are searched, too
+ * @param columns [{text, kind}]; the kind may be `narrow`
+ * @param rows [{key, colour (of a style sheet, or none), cells, rows, words}]; a row is chosen by its key, if it has one, and
+ * folds its `rows`, if it has any. `words` are searched, too
  * @param search the input element whose text rows must contain, or null
- * @returns {light(keys), paint(colours), hide(keys)}: marks the rows of keys, a set or null; sets the colours of rows, a
- * map by key; hides the rows of keys, a set
+ * @returns {light(keys), paint(colours, unsure), hide(keys)}: marks the rows of keys, a set or null; sets the colours of rows, a
+ * map by key, and hatches those of a set; hides the rows of keys, a set
  */
 export function fillTable(table, columns, rows, selection, search) {
   table.replaceChildren();
-  const head = element('tr', '', element('thead', '', table)), body = element('tbody', '', table);
+  const head = element('tr', '', element('thead', '', table)), body = element('tbody', '', table), made = [];
   element('th', '', head).className = 'mark';
   for (const column of columns) {
     const cell = element('th', '', head);
     cell.className = column.kind || '';
     setBreakable(column.text, cell);
   }
-  const made = rows.map(row => {
-    const tr = element('tr', '', body), mark = element('td', '', tr), swatch = element('i', '', mark);
-    swatch.style.background = row.colour;
-    row.cells.forEach((text, k) => {
-      const cell = element('td', '', tr);
-      cell.className = columns[k].kind || '';
-      setBreakable(text, cell);
-    });
-    choosing(tr, row.key, selection);
-    const fold = row.parts ? addParts(row, mark, columns, tr, selection) : () => {};
-    return {tr, swatch, fold, key: row.key, text: row.cells.concat(row.words || []).join('\n').toLowerCase()};
-  });
-  let unsure = new Set(), words = [];
+  /** @returns the keys in a row and all below it */
+  function add(row, depth, parent) {
+    const tr = element('tr', '', body), mark = element('td', '', tr), swatch = row.colour ? element('i', '', mark) : null;
+    if (swatch) swatch.style.backgroundColor = row.colour;
+    tr.className = depth ? 'part' : '';
+    tr.style.setProperty('--depth', depth);
+    let column = 0;
+    for (const cell of row.cells) {
+      addCell(tr, cell, columns[column], selection);
+      column += cell.span || 1;
+    }
+    if (row.key !== undefined) choosing(tr, row.key, selection);
+    const item = {tr, swatch, parent, key: row.key, isOpen: false, button: null, keys: new Set(row.key === undefined ? [] : [row.key])};
+    item.text = row.cells.map(cell => cell.text || cell).concat(row.words || []).join('\n').toLowerCase();
+    for (const cell of row.cells) if (cell.key !== undefined) item.keys.add(cell.key);
+    made.push(item);
+    if (!row.rows || !row.rows.length) return item;
+    item.button = element('button', '', mark);
+    item.button.onclick = event => { event.stopPropagation(); item.isOpen = !item.isOpen; showRows(); };
+    for (const below of row.rows.map(inner => add(inner, depth + 1, item))) {
+      for (const key of below.keys) item.keys.add(key);
+      item.text += '\n' + below.text;
+    }
+    return item;
+  }
+  let hidden = new Set(), words = [];
   const showRows = () => {
     for (const row of made) {
-      row.tr.hidden = unsure.has(row.key) || !words.every(word => row.text.includes(word));
-      if (row.tr.hidden) row.fold(false);
+      const isSought = !row.parent || words.every(word => row.parent.text.includes(word));
+      const isHidden = hidden.has(row.key);
+      row.tr.hidden = isHidden || (row.parent ? row.parent.tr.hidden || !row.parent.isOpen || !isSought : !words.every(word => row.text.includes(word)));
+      if (!row.button) continue;
+      row.button.textContent = row.isOpen ? '▾' : '▸';
+      row.button.ariaExpanded = row.isOpen;
+      row.button.ariaLabel = row.isOpen ? 'hide the parts' : 'show the parts';
     }
-    return made.filter(row => !row.tr.hidden);
+    return made.filter(row => !row.tr.hidden && !row.parent);
   };
+  for (const row of rows) add(row, 0, null);
+  showRows();
   if (search) {
     search.value = '';
     search.oninput = () => {
       words = search.value.toLowerCase().split(/\s+/).filter(word => word);
-      const left = showRows();
+      let left = showRows();
+      const inner = made.filter(row => row.key !== undefined && row.parent === left[0] && words.every(word => row.text.includes(word)));
+      if (left.length === 1 && inner.length === 1) left = inner;
       selection.hover(words.length && left.length === 1 ? left[0].key : null);
     };
   }
   return {
     light(keys) {
       for (const row of made) {
-        const isLit = keys !== null && keys.has(row.key);
+        const isLit = keys !== null && [...row.keys].some(key => keys.has(key));
         row.tr.classList.toggle('lit', isLit);
         row.tr.setAttribute('aria-selected', isLit);
       }
     },
-    paint(colours) { for (const row of made) row.swatch.style.background = colours.get(row.key); },
-    hide(keys) { unsure = keys; showRows(); },
+    paint(colours, unsure = new Set()) {
+      for (const row of made) {
+        if (!row.swatch || !colours.has(row.key)) continue;
+        row.swatch.style.backgroundColor = colours.get(row.key);
+        row.swatch.classList.toggle('unsure', unsure.has(row.key));
+      }
+    },
+    hide(keys) { hidden = keys; showRows(); },
   };
 }

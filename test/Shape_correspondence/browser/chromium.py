@@ -36,7 +36,7 @@ class Browser:
             os.dup2(write_there, 4)
         arguments = [path, "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--use-angle=swiftshader",
                      "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--allow-file-access-from-files",
-                     "--hide-scrollbars", "--user-data-dir=" + self.profile, *options, "about:blank"]
+                     "--hide-scrollbars", "--force-prefers-reduced-motion", "--user-data-dir=" + self.profile, *options, "about:blank"]
         self.process = subprocess.Popen(arguments, preexec_fn=connect, pass_fds=(3, 4), stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL)
         os.close(read_there)
@@ -103,6 +103,10 @@ class Browser:
                 return value
             time.sleep(0.05)
         raise RuntimeError("never true: " + expression)
+
+    def allow_motion(self, is_allowed):
+        """Whether pages may move by themselves; at first they may not."""
+        self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "no-preference" if is_allowed else "reduce"}])
 
     def resize(self, width, height, is_phone=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=is_phone)

@@ -76,6 +76,7 @@ class App(unittest.TestCase):
     def open(self, page):
         browser.open(page)
         browser.wait_for("document.body.dataset.ready")
+        browser.wait_for(f"document.body.dataset.shown === 'match' && {IS_IDLE}")  # the example
 
     def tearDown(self):
         errors, requests = browser.heard()
@@ -97,7 +98,7 @@ class App(unittest.TestCase):
 
     def choose_example(self, side, name):
         browser.evaluate(f"(s => {{ s.value = '{name}'; s.onchange(); }})(document.querySelector('#{side} .choices select'))")
-        browser.wait_for(f"document.querySelector('#{side}').classList.contains('chosen') && {IS_IDLE}")
+        browser.wait_for(f"document.querySelector('#{side} h2').textContent === '{name}' && {IS_IDLE}")
 
     def choose_option(self, title, value):
         browser.evaluate(f"(s => {{ s.value = '{value}'; s.onchange(); }})([...document.querySelectorAll('#options label')]"
@@ -113,7 +114,7 @@ class App(unittest.TestCase):
 
     def drop_two_chairs(self):
         browser.drop(600, 300, [raw("chair_four_legged"), raw("chair_swivel")])
-        browser.wait_for(f"document.querySelector('#target').classList.contains('chosen') && {IS_IDLE} && !document.querySelector('#match').disabled")
+        browser.wait_for(f"document.querySelector('#target h2').textContent === 'chair_swivel.obj' && {IS_IDLE} && !document.querySelector('#match').disabled")
         self.assertEqual(browser.evaluate(ERROR), "")
 
     def place_in_window(self, frame, view, name):
@@ -121,18 +122,26 @@ class App(unittest.TestCase):
         box = browser.evaluate("(({x, y}) => [x, y])(document.querySelector('#shown').getBoundingClientRect())")
         return x + box[0], y + box[1]
 
-    def test_two_dropped_files_are_shown_matched_and_blended(self):
+    def test_it_opens_with_a_matched_pair_that_turns_slowly(self):
+        yaw = "document.querySelector('#stage').stage.pose.yaw"
+        still = browser.evaluate(yaw, self.shown())
+        self.assertEqual(browser.evaluate(yaw, self.shown()), still)  # where motion is unwanted
+        self.assertEqual(browser.evaluate("document.querySelector('.next').id"), "blend")
+        browser.allow_motion(True)
+        try:
+            self.open(arguments.page)
+            frame = self.shown()
+            browser.wait_for(f"{yaw} > {still} + 0.02", frame)
+            browser.click(700, 400)
+            browser.wait_for(f"new Promise(done => {{ const before = {yaw}; setTimeout(() => done({yaw} === before), 300); }})", frame)
+        finally:
+            browser.allow_motion(False)
+
+    def test_two_dropped_files_are_matched_without_a_click_and_blended(self):
         self.picture("before")
-        self.assertIn("two models first", browser.evaluate("document.querySelector('#next').textContent"))
+        self.assertIn("Drop two models", browser.evaluate("document.querySelector('#next').textContent"))
         self.drop_two_chairs()
-        self.assertEqual(browser.evaluate("document.querySelector('#next').textContent + document.querySelector('.next').id"), "match")
-        self.assertEqual(browser.evaluate(TABS), ["First model", "Second model"])
-        self.shown()
-        self.picture("chosen")
-        self.click("#match")
-        browser.wait_for("document.querySelector('#work p').textContent.includes(' of ')")
-        self.picture("during")
-        self.assertEqual(self.wait(), "")
+        self.assertEqual(browser.evaluate("document.querySelector('#next').textContent + document.querySelector('.next').id"), "blend")
         self.assertEqual(browser.evaluate(TABS), ["First model", "Second model", "Match"])
         frame = self.shown()
         self.picture("match")
@@ -153,6 +162,7 @@ class App(unittest.TestCase):
             browser.evaluate(move % t, frame)
             poses.append(browser.evaluate(triangles, frame))
         self.assertEqual(len(set(poses)), 3)
+        self.assertEqual(browser.evaluate("document.querySelector('.next').id"), "save")
         saves = browser.evaluate("[...document.querySelectorAll('#saves button')].map(b => b.textContent)")
         self.assertEqual(saves, ["match.html", "match.json", "match.glb", "blend.html", "blend.json", "blend.glb"])
 
@@ -175,12 +185,11 @@ class App(unittest.TestCase):
         count = "document.querySelector('#source details summary').textContent"
         before = browser.evaluate(count)
         browser.evaluate("document.querySelectorAll('#source .pieces input[type=checkbox]').forEach((b, i) => { b.checked = i < 2; })")
-        browser.evaluate("[...document.querySelectorAll('#source details button')].find(b => b.textContent === 'One part').click()")
+        browser.evaluate("[...document.querySelectorAll('#source details button')].find(b => b.textContent === 'Join').click()")
         self.assertEqual(self.wait(), "")
         parts, pieces = [int(word) for word in before.split() if word.isdigit()]
         self.assertEqual(browser.evaluate(count), f"Parts by hand: {parts - 1} of {pieces} pieces")
         self.choose_example("target", "chair_four_legged")
-        self.click("#match")
         self.assertEqual(self.wait(), "")
         frame = self.shown()
         source = "document.querySelector('#stage').stage.items.filter(i => i.layer === 'surfaces' && i.view.caption.textContent === 'stool').length"
@@ -211,9 +220,8 @@ class App(unittest.TestCase):
 
     def test_a_match_is_cancelled_and_made_again(self):
         self.choose_example("source", "bicycle")
-        self.choose_example("target", "tricycle")
-        self.click("#match")
-        browser.wait_for("document.querySelector('#work p').textContent.includes(' of ')")
+        browser.evaluate("(s => { s.value = 'tricycle'; s.onchange(); })(document.querySelector('#target .choices select'))")
+        browser.wait_for("/^Matching.* of /.test(document.querySelector('#work p').textContent)")
         self.click("#cancel")
         self.assertEqual(self.wait(), "")
         self.assertNotIn("Match", browser.evaluate(TABS))
@@ -227,7 +235,6 @@ class App(unittest.TestCase):
         self.picture("phone_before")
         self.choose_example("source", "chair_four_legged")
         self.choose_example("target", "chair_swivel")
-        self.click("#match")
         self.assertEqual(self.wait(), "")
         self.shown()
         self.assertEqual(browser.evaluate("document.documentElement.scrollWidth"), browser.evaluate("innerWidth"))
@@ -262,7 +269,6 @@ class App(unittest.TestCase):
             self.open(arguments.page)
             for side, chair in zip(("source", "target"), chairs):
                 self.choose_example(side, chair)
-            self.click("#match")
             self.assertEqual(self.wait(), "")
             in_page, memory = browser.evaluate("[Number(document.body.dataset.seconds), Number(document.body.dataset.memory)]")
             with tempfile.TemporaryDirectory() as folder:

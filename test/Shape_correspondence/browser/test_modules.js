@@ -4,9 +4,9 @@
 // Tests of the viewer's modules that need no picture; test_pages.py opens test_modules.html and reads window.failures.
 
 import {shellWord, storedMatch} from '../../../src/viewer/page/collection_page.js';
-import {cssColour} from '../../../src/viewer/page/dom.js';
+import {cssColour, linearColour} from '../../../src/viewer/page/dom.js';
 import {bytesOfBase64, morphed, readGlb, valuesAt} from '../../../src/viewer/page/glb.js';
-import {cellOf, groupNumbers, indexedBlocks, inWords, listed, operationText, percent, withRanges} from '../../../src/viewer/page/matching.js';
+import {countedParts, groupNumbers, indexedBlocks, inWords, listed, nounOf, operationText, percent, readersNote, rowsByRole, sentenceOf, withRanges} from '../../../src/viewer/page/matching.js';
 import {Selection} from '../../../src/viewer/page/selection.js';
 import {walkTree} from '../../../src/viewer/page/tree.js';
 
@@ -70,14 +70,27 @@ function glb(json, numbers) {
   equal(listed(['a', 'b', 'c', 'd'], 3), 'a, b and 2 more');
   equal(withRanges(['leg_1', 'leg_2', 'leg_3', 'leg_5', 'seat', 'a#9', 'a#10', 'a#11']), ['leg_1–3', 'leg_5', 'seat', 'a#9–11']);
   equal([withRanges(['a1', 'b2', 'b3']), withRanges([])], [['a1', 'b2', 'b3'], []]);
-  equal([cellOf(['seat']), cellOf(['x'.repeat(99)]), cellOf(['leg_1', 'leg_2', 'leg_3']), cellOf(['x'.repeat(30), 'y'.repeat(30)])],
-        ['seat', 'x'.repeat(99), 'leg_1–3', '2 parts']);
+  equal(['front_left_leg', 'star_1', 'seat frame 2', 'arm_pad_l', 'wheels#3', '7', 'leg_left'].map(label => nounOf(label)), ['leg', 'star', 'seat frame', 'pad', 'wheels', '7', 'leg']);
+  equal([countedParts(['column', 'star_1', 'star_2'], ''), countedParts(['a_x', 'shelf', 'body', 'box', 'leg'], 'seat_frame'), countedParts(['shelf 1', 'shelf 2'], '')],
+        ['1 column and 2 stars', '5 seat frames', '2 shelves']);
+  equal([sentenceOf([['left_leg', 'right_leg'], ['column', 'star_1', 'star_2']], 'leg'), sentenceOf([['seat'], ['pad']], ''), sentenceOf([['wheels 1', 'wheels 2'], ['wheels 1', 'wheels 2']], '')],
+        ['2 legs become 1 column and 2 stars', 'seat becomes pad', '2 wheels match 2 wheels']);
+  equal([nounOf('seat_frame#2', 'seat_frame'), nounOf('seat_frame 2')], ['seat frame', 'frame']);
+  const roles = ['leg', 'seat', 'leg', '', ''].map(role => ({role, parts: [[0], [0]]}));
+  equal(rowsByRole(roles), [{role: 'leg', blocks: [0, 2]}, {role: 'seat', blocks: [1]}, {role: '', blocks: [3]}, {role: '', blocks: [4]}]);
+  const many = rowsByRole(Array.from({length: 30}, (_, i) => ({role: 'role' + i % 20, parts: [[0], [0]]})));
+  equal([many.length, many[7].role, many[7].blocks.length], [8, 'others', 16]);
+  const files = {'a/b.obj': 'b'};
+  equal([readersNote('a/b.obj: Axes are odd; give --up. `parts a/b.obj` says why.', files), readersNote('--parts file helps.', files), readersNote('a/b.obj: Parts were found by what parts look like, in objects that are none: x. --parts file takes others.', files)],
+        ['b: Axes are odd.', '', 'b: The objects of the file are not its parts; these were found by what parts look like.']);
   const result = {blocks: [{source: ['leg'], target: ['leg'], operation: 'match', confidence: 1},
                            {source: ['back'], target: ['slat 1', 'slat 2'], role: 'back', operation: 'split', confidence: 0.6}],
                   groups: [{source: ['back'], target: ['slat 1', 'slat 2']}]};
   const names = [['leg', 'seat', 'back'], ['slat 1', 'slat 2', 'leg']], blocks = indexedBlocks(result, names);
-  equal(blocks, [{parts: [[0], [2]], role: '', operation: 'match', confidence: 1},
-                 {parts: [[2], [0, 1]], role: 'back', operation: 'split', confidence: 0.6}]);
+  const shown = block => [block.parts, block.role, block.operation, block.confidence, block.least];
+  equal(blocks.map(shown), [[[[0], [2]], '', 'match', 1, 1], [[[2], [0, 1]], 'back', 'split', 0.6, 0.6]]);
+  const [, rated] = indexedBlocks({...result, pairs: [['leg', 'leg'], ['back', 'slat 1'], ['back', 'slat 2']], confidences: [1, 0.4, 0.8]}, names);
+  equal([rated.least, [...rated.sure[0]], [...rated.sure[1]].map(([part, sure]) => [part, Math.round(10 * sure)])], [0.4, [[2, (0.4 + 0.8) / 2]], [[0, 4], [1, 8]]]);
   equal(blocks.map(operationText), ['match', 'split 1:2']);
   equal([0, 1].map(side => inWords(blocks[1], side)), ['splits into 2 parts', 'one part splits into this and 1 other part']);
   equal(inWords(blocks[0], 1), 'one part matches one part');
@@ -89,6 +102,7 @@ function glb(json, numbers) {
 // dom.js, selection.js, tree.js, collection_page.js
 {
   equal([cssColour([0, 1, 0.2140411]), cssColour([2, -1, 0, 1])], ['rgb(0, 255, 127)', 'rgb(255, 0, 0)']);
+  equal(cssColour(linearColour('#3b8ede')), 'rgb(59, 142, 222)');
   const seen = [], selection = new Selection(key => seen.push(key));
   selection.hover('a');
   selection.hover('a');
