@@ -315,10 +315,10 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
 {
   const Role_model_data& model = Role_model_access::data(*options_.roles);
   const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result);
-  if (!votes) {
-    state_confidences(category.nearest < model.categories.size()
-                          ? model.categories[category.nearest].geometric_confidence
-                          : model.geometric_confidence,
+  const std::size_t known_category = votes ? category.index : category.nearest;
+  if (!votes || !uses_roles(model.categories[known_category].weights)) {
+    state_confidences(known_category < model.categories.size() ? model.categories[known_category].geometric_confidence
+                                                               : model.geometric_confidence,
                       matching);
     constrain(constraints(*source_, aligned_target), matching);
     return;

@@ -80,7 +80,7 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
                              const Role_options& options = {});
 
 // The quarter turn with which a shape of a category faces +z. Not 0 only if, at another one, the trees agree more and
-// the parts are nearer to labelled ones by a clear margin, and no other category is nearer.
+// the parts are nearer to labelled ones by a clear margin, than at any other one, and no other category is nearer.
 int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options = {});
 
 // The nearest category of two shapes of unknown front.

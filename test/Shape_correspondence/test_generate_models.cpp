@@ -4,9 +4,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Disjoint_sets.h"
+#include "generator/benchmark/boat_designs.h"
+#include "generator/benchmark/cart_designs.h"
 #include "generator/benchmark/degrade.h"
-#include "generator/benchmark/random_designs.h"
-#include "generator/benchmark/shapes.h"
+#include "generator/grammar/kinds.h"
 #include "generator/models.h"
 #include "generator/surface_distance.h"
 #include "generator/writer.h"
@@ -134,7 +135,7 @@ TEST_CASE("the models in data/raw are what the generator makes", "[generate_mode
 
 TEST_CASE("every part is a closed outward mesh without self-intersections", "[generate_models]")
 {
-  std::vector<gen::Assembly> shapes = gen::training_shapes(); // those of the benchmark, too
+  std::vector<gen::Assembly> shapes;
   for (const gen::Model& model : gen::models())
     shapes.push_back(model.make());
   for (const gen::Assembly& shape : shapes)
@@ -280,77 +281,94 @@ std::size_t number_of_pieces(const gen::Assembly& shape)
   return pieces.number_of_sets();
 }
 
-gen::Assembly benchmark_shape(const std::string& name)
+std::vector<gen::Assembly> gallery_shapes()
 {
-  for (const gen::Assembly& shape : gen::benchmark_shapes())
-    if (shape.name == name) return shape;
-  throw std::logic_error(name);
+  std::vector<gen::Assembly> shapes = gen::boats();
+  for (const gen::Assembly& cart : gen::carts())
+    shapes.push_back(cart);
+  return shapes;
 }
 
-// Names are unique, and no shape has fewer than four parts.
-void check_fifteen_of_each(const std::vector<gen::Assembly>& shapes)
+// Every part has a role and a closed outward mesh, and is of the size of the shape; \return the roles by category.
+std::map<std::string, std::set<std::string>> checked_roles(const std::vector<gen::Assembly>& shapes)
+{
+  std::map<std::string, std::set<std::string>> roles;
+  for (const gen::Assembly& shape : shapes) {
+    std::set<std::string> parts;
+    INFO(shape.name);
+    CHECK(shape.parts.size() >= 2);
+    for (const gen::Part& part : shape.parts) {
+      INFO(part.name);
+      roles[shape.category].insert(part.label.coarse);
+      CHECK(parts.insert(part.name).second);
+      CHECK(is_closed(part.solid.mesh));
+      CHECK(gen::volume(part.solid.mesh) > 0);
+    }
+  }
+  return roles;
+}
+
+} // namespace
+
+TEST_CASE("the grammar draws shapes of ten categories with roles that follow from it", "[grammar]")
+{
+  const auto roles = checked_roles(gen::drawn_shapes(600, 1));
+  CHECK(roles.size() == 10);
+  const auto has = [&](const char* category, std::set<std::string> wanted) {
+    INFO(category);
+    CHECK(std::includes(roles.at(category).begin(), roles.at(category).end(), wanted.begin(), wanted.end()));
+  };
+  has("airplane", {"engine", "fuselage", "gear", "h_stab", "propeller", "v_stab", "wing"});
+  has("bed", {"bedding", "footboard", "headboard", "leg", "mattress", "pillow", "side_rail"});
+  has("car", {"body", "bumper", "light", "mirror", "wheel", "window"});
+  has("chair", {"armrest", "back", "leg", "seat", "seat_frame", "stretcher"});
+  has("lamp", {"arm", "base", "body", "bulb", "chain", "shade"});
+  has("plant", {"leaf", "pot", "soil", "stem"});
+  has("shelf", {"back", "body", "bottom", "divider", "door", "drawer", "handle", "leg", "shelf", "side", "top"});
+  has("sofa", {"armrest", "back", "base", "cushion", "leg", "seat"});
+  has("table", {"apron", "cabinet", "drawer", "leg", "panel", "shelf", "stretcher", "tabletop"});
+  has("velocipede", {"drivetrain", "fork", "frame", "handlebar", "pedal", "saddle", "wheel"});
+}
+
+TEST_CASE("the grammar gives the same bits for a seed and others for another one", "[grammar]")
+{
+  const std::uint64_t hash = hash_of(gen::drawn_shapes(30, 1));
+  CHECK(hash == hash_of(gen::drawn_shapes(30, 1)));
+  CHECK(hash != hash_of(gen::drawn_shapes(30, 2)));
+  CHECK(hash == 0x0);
+}
+
+TEST_CASE("a star base comes in one part and in several", "[grammar]")
+{
+  std::set<bool> found; // whether all legs are one part
+  for (const gen::Assembly& shape : gen::drawn_shapes(1500, 3)) {
+    std::vector<gen::Mesh> legs;
+    for (const gen::Part& part : shape.parts)
+      if (part.label.coarse == "leg" && part.label.fine != "pedestal_post") legs.push_back(part.solid.mesh);
+    const bool has_post = std::any_of(shape.parts.begin(), shape.parts.end(),
+                                      [](const gen::Part& part) { return part.label.fine == "pedestal_post"; });
+    if (shape.category != "chair" || !has_post) continue;
+    if (legs.size() == 1 && component_volumes(legs[0]).size() >= 3) found.insert(true);
+    if (legs.size() >= 3) found.insert(false);
+  }
+  CHECK(found.size() == 2);
+}
+
+TEST_CASE("methods are compared on fifteen shapes of each category", "[grammar]")
 {
   std::map<std::string, int> counts;
   std::set<std::string> names;
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
+  for (const gen::Assembly& shape : gen::compared_shapes()) {
     ++counts[shape.category];
     CHECK(names.insert(shape.name).second);
-    CHECK(shape.parts.size() >= 4);
   }
   CHECK(counts == std::map<std::string, int>{
                       {"airplane", 15}, {"bed", 15}, {"chair", 15}, {"lamp", 15}, {"table", 15}, {"velocipede", 15}});
 }
 
-} // namespace
-
-TEST_CASE("the benchmark has fifteen whole shapes of each category, the same bits every time", "[benchmark_shapes]")
-{
-  const std::vector<gen::Assembly> shapes = gen::benchmark_shapes();
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
-    CHECK(number_of_pieces(shape) == 1);
-    std::set<std::string> coarse, parts;
-    for (const gen::Part& part : shape.parts) {
-      CHECK_FALSE(part.label.coarse.empty());
-      coarse.insert(part.label.coarse);
-      CHECK(parts.insert(part.name).second);
-    }
-    CHECK(coarse.size() >= 2);
-  }
-  check_fifteen_of_each(shapes);
-  CHECK(hash_of(shapes) == 0xf6e58f439869a403);
-}
-
-TEST_CASE("roles are learned from whole shapes of ten categories, the same bits every time", "[benchmark_shapes]")
-{
-  const std::vector<gen::Assembly> shapes = gen::training_shapes();
-  std::map<std::string, int> counts;
-  std::set<std::string> names;
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
-    ++counts[shape.category];
-    CHECK(names.insert(shape.name).second);
-    CHECK(number_of_pieces(shape) == 1);
-    for (const gen::Part& part : shape.parts)
-      CHECK_FALSE(part.label.coarse.empty());
-  }
-  CHECK(counts == std::map<std::string, int>{{"airplane", 15},
-                                             {"bed", 48},
-                                             {"car", 15},
-                                             {"chair", 15},
-                                             {"lamp", 63},
-                                             {"plant", 15},
-                                             {"shelf", 23},
-                                             {"sofa", 35},
-                                             {"table", 30},
-                                             {"velocipede", 36}});
-  CHECK(hash_of(shapes) == 0x97ff5fd0c727bb6d);
-}
-
 TEST_CASE("boats and carts of the gallery are whole, and the same bits every time", "[benchmark_shapes]")
 {
-  const std::vector<gen::Assembly> shapes = gen::gallery_shapes();
+  const std::vector<gen::Assembly> shapes = gallery_shapes();
   std::map<std::string, int> counts;
   for (const gen::Assembly& shape : shapes) {
     INFO(shape.name);
@@ -363,7 +381,7 @@ TEST_CASE("boats and carts of the gallery are whole, and the same bits every tim
     }
   }
   CHECK(counts == std::map<std::string, int>{{"boat", 3}, {"cart", 3}});
-  CHECK(hash_of(shapes) == hash_of(gen::gallery_shapes()));
+  CHECK(hash_of(shapes) == hash_of(gallery_shapes()));
 }
 
 TEST_CASE("raw models have one object for each coarse label, z up, and all faces")
@@ -395,28 +413,9 @@ TEST_CASE("raw models have one object for each coarse label, z up, and all faces
   }
 }
 
-TEST_CASE("drawn shapes are whole, of other styles with every seed, and the same bits for the same one",
-          "[benchmark_shapes]")
-{
-  const std::vector<gen::Assembly> shapes = gen::random_shapes(101);
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
-    CHECK(number_of_pieces(shape) == 1);
-    for (const gen::Part& part : shape.parts) {
-      INFO(part.name);
-      CHECK(is_closed(part.solid.mesh));
-    }
-  }
-  check_fifteen_of_each(shapes);
-  const std::uint64_t hash = hash_of(shapes);
-  CHECK(hash == hash_of(gen::random_shapes(101)));
-  CHECK(hash != hash_of(gen::random_shapes(102)));
-  CHECK(hash == 0xdb37b930598788b6);
-}
-
 TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_shapes]")
 {
-  const gen::Assembly chair = benchmark_shape("chair_slats");
+  const gen::Assembly chair = gen::models().front().make();
   const auto made_worse = [&](bool gen::Degradation::*way, std::uint64_t seed = 7) {
     gen::Degradation ways;
     ways.*way = true;

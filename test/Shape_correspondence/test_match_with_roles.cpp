@@ -203,6 +203,31 @@ TEST_CASE("A shape that clearly faces another side is turned, unless its front i
   }
 }
 
+TEST_CASE("A shape that tells no front keeps the given one")
+{
+  const auto table = [](double width, double depth) {
+    std::vector<Part_abstraction> parts{box("top", {-width, 1, -depth}, {width, 1.1, depth})};
+    std::vector<Part_label> labels{{"tabletop", ""}};
+    for (const double x : {-1., 1.})
+      for (const double z : {-1., 1.}) {
+        const Point middle(x * (width - 0.1), 0, z * (depth - 0.1)), half(0.1, 0, 0.1);
+        parts.push_back(box("leg" + std::to_string(parts.size()), middle - half, middle + half + Point(0, 1, 0)));
+        labels.push_back({"leg", std::string("leg_") + (z > 0 ? "front" : "back") + (x > 0 ? "_left" : "_right")});
+      }
+    return furniture("table", std::move(parts), std::move(labels));
+  };
+  std::deque<Furniture> tables;
+  for (int i = 0; i < 8; ++i)
+    tables.push_back(table(1.5 + 0.2 * i, 0.6 + 0.05 * i));
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(tables)));
+  options.category = "table";
+  const Furniture source = table(1.9, 0.7), target = table(0.7, 1.8); // alike from its left and its right
+  const Correspondence found = find_correspondence(source.graph, target.graph, options);
+  CHECK(found.warnings.empty());
+  CHECK(found.target_quarter_turns == 0);
+}
+
 TEST_CASE("A shape that faces another side is recognised once it is turned, unless its front is said to be right")
 {
   Search_options options;

@@ -112,14 +112,17 @@ struct Labelled_graph
   /// of a role have one; `left` and `right` in them are replaced by the side on which a part lies.
   std::vector<Part_label> labels;
   double weight = 1; ///< in the training, above 0; less for generated shapes than for real ones
+  /// Every tree sees some of the generated shapes only, and if a category has others, its distance is from these alone.
+  bool is_generated = false;
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `train_role_model()`.
 struct Role_training_options
 {
-  int trees = 80;         ///< number of trees in the forest of a category, from 1 to 1000
-  std::uint64_t seed = 0; ///< seed of the random numbers
+  int trees = 80;              ///< number of trees in the forest of a category, from 1 to 1000
+  int generated_per_tree = 40; ///< number of generated shapes of the category that a tree sees at most, from 0
+  std::uint64_t seed = 0;      ///< seed of the random numbers
 };
 
 } // namespace Shape_correspondence

@@ -127,7 +127,7 @@ void draw_sofa(Sketch& s)
   case 0:
     return add_leg_frame(s, carried);
   case 1:
-    return add_sides(s, carried);
+    return add_sides(s, carried, "leg");
   case 2:
     if (s.chance(.4))
       return s.add("base", s.block({0, at.low / 2, 0}, {1.8 * at.outer_x(), at.low, 1.8 * at.z}), "plinth");

@@ -141,7 +141,7 @@ void add_column(Sketch& s, const Carried& at)
   }
 }
 
-void add_sides(Sketch& s, const Carried& at)
+void add_sides(Sketch& s, const Carried& at, const std::string& role_of_bar)
 {
   const double width = at.size() * s.in(.02, .08), x = at.half_width * s.in(.6, 1) - width / 2;
   const int kind = s.count(0, 2);
@@ -157,7 +157,7 @@ void add_sides(Sketch& s, const Carried& at)
       s.add_pair("leg", one, "", Place::corner);
   if (s.chance(.4)) {
     const double y = at.height * s.in(.1, .8);
-    s.add("stretcher", s.stick({-x, y, 0}, {x, y, 0}, width * s.in(.5, 1)));
+    s.add(role_of_bar, s.stick({-x, y, 0}, {x, y, 0}, width * s.in(.5, 1)));
   }
 }
 

@@ -29,8 +29,8 @@ void add_legs(Sketch& s, const Carried& at, bool may_have_stretchers = true);
 /// A column on a disc, a block, or three to six branches with or without casters; in one part or in several.
 void add_column(Sketch& s, const Carried& at);
 
-/// Two sides: panels, loops, sledges, trestles or crossed bars; may be joined by a stretcher.
-void add_sides(Sketch& s, const Carried& at);
+/// Two sides: panels, loops, sledges, trestles or crossed bars; may be joined by a bar.
+void add_sides(Sketch& s, const Carried& at, const std::string& role_of_bar = "stretcher");
 
 /// One frame of bent tubes.
 void add_leg_frame(Sketch& s, const Carried& at);
