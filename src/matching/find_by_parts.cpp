@@ -109,16 +109,14 @@ Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& targ
 {
   const Role_model_data& model = Role_model_access::data(*options_.roles);
   Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
-  const auto by_any_front = [&](const Role_options& options) {
-    return category_of_pair(a.roles(options_.roles), b.roles(options_.roles), model, options);
+  const auto by_any_front = [&] {
+    return category_of_pair(a.roles(options_.roles), b.roles(options_.roles), model, options_.parts);
   };
-  if (options_.alignments != 1) return by_any_front(options_.parts);
+  if (options_.alignments != 1) return by_any_front();
   const Pair_category given =
       category_of_pair(*a.roles(options_.roles)[0], *b.roles(options_.roles)[0], model, options_.parts);
   if (given.index < model.categories.size() || options_.front_is_sure) return given;
-  Role_options clearly_nearest = options_.parts; // the trees are asked for the front already
-  clearly_nearest.category_distance = 0;
-  const Pair_category turned = by_any_front(clearly_nearest);
+  const Pair_category turned = by_any_front();
   const auto turns = [&](Alignments& shape) {
     return likely_front(shape.roles(options_.roles), turned.index, model.trees, options_.parts) != 0;
   };

@@ -160,22 +160,13 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-// In the turn in which it is nearest to a category; the first of equals.
-const Shape_roles& nearest_turn(const Turned_roles& shape, std::size_t category)
-{
-  return **std::min_element(shape.begin(), shape.end(), [&](const auto& a, const auto& b) {
-    return a->distance(category) < b->distance(category);
-  });
-}
-
+// In the turn in which it is nearest to the category.
 double distance_of(const Turned_roles& shape, std::size_t category)
 {
-  return nearest_turn(shape, category).distance(category);
-}
-
-double agreement_of_trees(const Turned_roles& shape, std::size_t category, int trees)
-{
-  return agreement_of_trees(nearest_turn(shape, category), category, trees);
+  double least = shape[0]->distance(category);
+  for (const auto& turned : shape)
+    least = std::min(least, turned->distance(category));
+  return least;
 }
 
 Steps clear_difference(const Role_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
@@ -217,9 +208,11 @@ std::vector<std::pair<double, std::size_t>> by_distance(const Role_model_data& m
   return result;
 }
 
+// Near, and much nearer than the second one.
 bool is_clear(const std::vector<std::pair<double, std::size_t>>& categories, const Role_options& options)
 {
-  return categories.size() > 1 && categories[0].first <= options.category_ratio * categories[1].first;
+  return !categories.empty() && categories[0].first <= options.category_distance &&
+         (categories.size() == 1 || categories[0].first <= options.category_ratio * categories[1].first);
 }
 
 // The category that a shape clearly is of; the number of categories: none.
@@ -237,7 +230,7 @@ Pair_category category_of_both(const Roles& source, const Roles& target, const R
   const std::size_t none = model.categories.size();
   if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone.", none};
   const auto categories = by_distance(
-      model, [&](std::size_t category) { return distance_of(source, category) + distance_of(target, category); });
+      model, [&](std::size_t category) { return (distance_of(source, category) + distance_of(target, category)) / 2; });
   const std::size_t nearest = categories[0].second;
   const std::size_t a = clear_category(source, model, options), b = clear_category(target, model, options);
   if (a != b && a != none && b != none)
@@ -246,13 +239,7 @@ Pair_category category_of_both(const Roles& source, const Roles& target, const R
                 ", those of the other like " + model.categories[std::max(a, b)].name +
                 "; the parts were matched by geometry alone.",
             nearest};
-  const auto trees_agree = [&] {
-    const double both =
-        agreement_of_trees(source, nearest, model.trees) + agreement_of_trees(target, nearest, model.trees);
-    return quantized(std::exp(both / 2)) >= quantized(options.category_agreement);
-  };
-  const bool is_near = categories[0].first <= 2 * options.category_distance;
-  if (is_clear(categories, options) || (is_near && trees_agree())) return {nearest, "", nearest};
+  if (is_clear(categories, options)) return {nearest, "", nearest};
   return {none,
           "The shapes are not clearly of a category that the role model knows (the nearest is " +
               model.categories[nearest].name + "); the parts were matched by geometry alone.",

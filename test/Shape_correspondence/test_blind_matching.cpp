@@ -94,8 +94,7 @@ void check_same(const Named_pairs& a, const Named_pairs& b)
 
 TEST_CASE("Renamed and shuffled parts match as before, by every method")
 {
-  const gen::Assembly source_shape = made("chair_slatted"),
-                      target_shape = made("chair_spindle");
+  const gen::Assembly source_shape = made("chair_slatted"), target_shape = made("chair_spindle");
   const Structural_graph source = build_structural_graph(generated_shapes::shape_of(source_shape)),
                          target = build_structural_graph(generated_shapes::shape_of(target_shape));
   for (std::uint64_t seed : {1, 2}) {

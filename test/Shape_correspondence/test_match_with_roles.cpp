@@ -287,26 +287,24 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
   const Role_model model = train_role_model(twice);
   const Furniture usual = chair(0.17, 1.9),
                   odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
-  CHECK(part_roles(usual.graph, model).category == "chair"); // the first of equals: the trees agree on its roles
-  CHECK(part_roles(odd.graph, model).category.empty());      // it is as far from chairs as from seats
+  CHECK(part_roles(usual.graph, model).category.empty()); // as near to chairs as to seats
   Search_options options;
-  options.roles = std::make_shared<const Role_model>(model);
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(shapes)));
   for (const int alignments : {1, 0}) {
     INFO(alignments);
     options.alignments = alignments;
-    const auto found = [&](const Furniture& shape, double agreement, double distance) {
-      options.parts.category_agreement = agreement;
+    const auto found = [&](const Furniture& shape, double ratio, double distance) {
+      options.parts.category_ratio = ratio;
       options.parts.category_distance = distance;
       return find_correspondence(shape.graph, shape.graph, options);
     };
-    CHECK(found(usual, 0.64, 0.5).category == "chair");
-    const Correspondence refused = found(usual, 1.01, 0.5); // more than all trees
+    CHECK(found(usual, 0.85, 0.35).category == "chair");
+    const Correspondence refused = found(usual, 0.85, 0);
     CHECK(refused.category.empty());
     REQUIRE(refused.warnings.size() == 1);
     CHECK_THAT(refused.warnings[0], Contains("the nearest is chair"));
-    CHECK(found(odd, 0, 0.5).category.empty()); // too far, whatever the trees say
-    CHECK(found(odd, 0, 10).category == "chair");
-    CHECK(found(odd, 0.9, 10).category.empty()); // its trees do not agree so much
+    CHECK(found(odd, 1, 0.35).category.empty()); // too far, whatever else there is
+    CHECK(found(usual, 0, 10).category.empty()); // no shape is so much nearer
   }
 }
 

@@ -217,7 +217,7 @@ private:
   const std::vector<std::size_t>& sources_;
   bool by_category_;
   std::vector<Judged_terms> terms_; // by pair, in its own category
-  // By pair, of the parts that are matched: by roles where its category is found, by geometry alone where none is
+  // By pair, of the parts that are matched by roles, where its category is found, and by geometry alone
   std::vector<Judged_confidences> confidences_, geometric_confidences_;
   std::map<Key, Match_weights> weights_;
 };
@@ -306,7 +306,7 @@ inline Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vect
   });
   for_each_index(pairs.size(), true, [&](std::size_t i) {
     const Unseen_pair& pair = pairs[i];
-    if (pair.found.empty()) geometric_confidences_[i] = judged_confidences(geometric[i].pairs, pair.truth);
+    geometric_confidences_[i] = judged_confidences(geometric[i].pairs, pair.truth);
     if (pair.found != pair.category) return;
     const Pair_weights& by = weights(pair.category, sources_of(pair.shapes)).weights;
     confidences_[i] = judged_confidences(

@@ -69,14 +69,10 @@ private:
 struct Role_options
 {
   /// Ratio. Shapes are of a category if their distance from its labelled parts is at most this much of that from any
-  /// other one.
-  double category_ratio = 0.78;
-  /// Share of the trees. They are also of the nearest category if at least this share of its trees, in the geometric
-  /// mean over their parts, votes for the likeliest role of a part,
-  double category_agreement = 0.64;
-  /// and if the distance is at most this on average, in standard deviations of a feature: the trees of a category of
-  /// few labelled shapes agree on anything.
-  double category_distance = 0.5;
+  /// other one,
+  double category_ratio = 0.85;
+  /// and at most this on average, in standard deviations of a feature.
+  double category_distance = 0.35;
   /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
   double clearly_better = 0.05;
 };
