@@ -21,7 +21,7 @@ from picture import GREY, Picture, colours_of_match, connected_blocks, draw_blen
 DEMO = "chair_four_legged", "chair_swivel"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
 # Generated shapes of different topology; the first pair is the main example of the paper
-GALLERY = [("velocipede", "1", "6"), ("airplane", "13", "14"), ("chair", "7", "8"), ("lamp", "3", "12"), ("table", "7", "14"), ("bed", "7", "15"),
+GALLERY = [("velocipede", "1", "10"), ("airplane", "1", "13"), ("chair", "11", "2"), ("lamp", "1", "5"), ("table", "13", "15"), ("bed", "2", "3"),
            ("boat", "dinghy", "yawl"), ("cart", "handcart", "wagon")]
 WIDTH, HEIGHT = 1000, 520  # of a screenshot
 

@@ -39,7 +39,7 @@ EXPERIMENTS = [  # name, pairs of a category at most (0: all), what it is
     ("reliability", 0, "Confidences: how often pairs of a confidence are right"),
 ]
 ROLES = [("sources", "the training sees no shape of either one's source"), ("category", "the training sees nothing of the category")]
-ROLES_NOTE = ("The category is not given. Real shapes alone are matched. Beside real ones, the training sees 1000 shapes that a grammar draws (`generate_models --training 1000`); no\n"
+ROLES_NOTE = ("The category is not given. Real shapes alone are matched. Beside real ones, the training sees 3000 shapes that a grammar draws (`generate_models --training 3000`); no\n"
               "design follows a labelled shape. The weights of the terms and of confidences are fitted to pairs that share no source with the pair, by roles that were learned\n"
               "without the pair's sources and without generated shapes. Where pairs of other sources of a category gain nothing from roles, geometry alone matches the pair.\n"
               "Geometry is the same method without roles; some of its rules were set on some of these shapes, and others removed by a test on all of them. `stated`: mean\n"
@@ -63,7 +63,7 @@ ROLES_TABLES = [
      [(str(n), ["--leave-out", "category", "--told", "--number-of-examples", str(n)]) for n in (1, 3, 5, 8)] +
      [("all of other sources, and generated ones", ["--leave-out", "sources", "--told"])]),
     ("Generated shapes beside the real ones", "geometry", "generated shapes", CURVE_NOTE,
-     [(str(n), ["--leave-out", "sources", "--generated-shapes", str(n)]) for n in (0, 90, 300, 1000)]),
+     [(str(n), ["--leave-out", "sources", "--generated-shapes", str(n)]) for n in (0, 90, 300, 1000, 3000)]),
     ("Shapes turned about the up axis", "geometry", "shapes", TURNED_NOTE,
      [("as they are, `--front given`", ["--front", "given", "--leave-out", "sources"]), ("as they are, `--front likely`", ["--front", "likely", "--leave-out", "sources"]),
       ("as they are, category left out, `given`", ["--front", "given", "--leave-out", "category"]),
@@ -208,7 +208,7 @@ def main():
     sets += [tuple(further.split("=", 1)) for further in args.further]
 
     gallery = generate(generator, os.path.join(args.work, "gallery"), shapes=("--gallery",))
-    training = generate(generator, os.path.join(args.work, "training"), shapes=("--training", "1000"))
+    training = generate(generator, os.path.join(args.work, "training"), shapes=("--training", "3000"))
 
     sections = []
     for name, pairs, title in EXPERIMENTS:

@@ -164,7 +164,7 @@ void draw_scooter(Sketch& s, Cycle at)
   const double y = at.front_wheel * s.in(.6, 1.4);
   s.add("frame",
         joined({s.block({0, y, -.05}, {.12, .03, at.front.z() - at.rear.z() - .2}),
-                s.stick({0, y, at.front.z() - .2}, at.head_low, .05)}),
+                s.stick({0, y, at.front.z() - .2}, at.head_low, .05), s.stick(at.head_low, at.head, .035)}),
         "deck");
   add_steering(s, at);
   add_wheel(s, at.front, at.front_wheel, "wheel_front");

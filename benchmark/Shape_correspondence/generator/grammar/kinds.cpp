@@ -49,11 +49,11 @@ std::vector<Assembly> drawn_shapes(std::size_t count, std::uint64_t seed)
 
 std::vector<Assembly> compared_shapes(std::uint64_t seed)
 {
-  constexpr std::uint64_t shapes_of_a_category = 15;
+  constexpr std::uint64_t shapes_of_a_category = 15, first_seed = 1000; // far from those of `drawn_shapes()`
   std::vector<Assembly> result;
   for (const char* const category : {"airplane", "bed", "chair", "lamp", "table", "velocipede"})
     for (std::uint64_t i = 1; i <= shapes_of_a_category; ++i)
-      result.push_back(drawn_shape(category, seed * seeds_of_a_set + i));
+      result.push_back(drawn_shape(category, (first_seed + seed) * seeds_of_a_set + i));
   return result;
 }
 
