@@ -93,8 +93,6 @@ TEST_CASE("Generated shapes are drawn for every tree, and no measure of how near
   CHECK(bytes(model) != bytes(train_role_model(labelled(examples()))));
   std::reverse(shapes.begin(), shapes.end());
   CHECK(bytes(train_role_model(shapes, options)) == bytes(model));
-  options.generated_per_tree = 0;
-  CHECK(bytes(train_role_model(shapes, options)) == bytes(train_role_model(labelled(examples()))));
 
   const Role_model of_generated = train_role_model({shapes.begin(), shapes.begin() + 30});
   CHECK(chairs_of(of_generated).examples.size() == 6 * 30); // there are no others
