@@ -415,11 +415,11 @@ TEST_CASE("raw models have one object for each coarse label, z up, and all faces
 
 TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_shapes]")
 {
-  const gen::Assembly chair = gen::models().front().make();
+  const gen::Assembly model = gen::models().front().make();
   const auto made_worse = [&](bool gen::Degradation::*way, std::uint64_t seed = 7) {
     gen::Degradation ways;
     ways.*way = true;
-    return gen::degraded(chair, ways, seed);
+    return gen::degraded(model, ways, seed);
   };
   const auto total = [](const gen::Assembly& shape, const auto& measure) {
     double sum = 0;
@@ -431,15 +431,15 @@ TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_sha
 
   SECTION("in no way")
   {
-    const gen::Assembly same = gen::degraded(chair, {}, 7);
-    for (std::size_t i = 0; i < chair.parts.size(); ++i)
-      CHECK(same.parts[i].solid.mesh.points == chair.parts[i].solid.mesh.points);
+    const gen::Assembly same = gen::degraded(model, {}, 7);
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+      CHECK(same.parts[i].solid.mesh.points == model.parts[i].solid.mesh.points);
   }
   SECTION("segmentation: other parts, the same surface")
   {
     const gen::Assembly other = made_worse(&gen::Degradation::segmentation);
-    CHECK(other.parts.size() != chair.parts.size());
-    CHECK(total(other, faces) == total(chair, faces));
+    CHECK(other.parts.size() != model.parts.size());
+    CHECK(total(other, faces) == total(model, faces));
     std::set<std::string> names;
     for (const gen::Part& part : other.parts) {
       CHECK(names.insert(part.name).second);
@@ -450,25 +450,25 @@ TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_sha
   {
     const gen::Assembly other = made_worse(&gen::Degradation::openings);
     int open = 0;
-    for (std::size_t i = 0; i < chair.parts.size(); ++i) {
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
       const Mesh& mesh = other.parts[i].solid.mesh;
       open += !is_closed(mesh);
-      CHECK(2 * mesh.faces.size() > chair.parts[i].solid.mesh.faces.size());
+      CHECK(2 * mesh.faces.size() > model.parts[i].solid.mesh.faces.size());
     }
     CHECK(open > 3);
-    CHECK(open < int(chair.parts.size()));
+    CHECK(open < int(model.parts.size()));
   }
   SECTION("gaps: parts are smaller and fewer touch")
   {
     const gen::Assembly other = made_worse(&gen::Degradation::gaps);
-    CHECK(total(other, gen::volume) < total(chair, gen::volume));
-    CHECK(other.near_parts(1e-4).size() < chair.near_parts(1e-4).size());
+    CHECK(total(other, gen::volume) < total(model, gen::volume));
+    CHECK(other.near_parts(1e-4).size() < model.near_parts(1e-4).size());
   }
   SECTION("noise: vertices move a little")
   {
     const gen::Assembly other = made_worse(&gen::Degradation::noise);
-    for (std::size_t i = 0; i < chair.parts.size(); ++i) {
-      const Mesh &mesh = other.parts[i].solid.mesh, &before = chair.parts[i].solid.mesh;
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+      const Mesh &mesh = other.parts[i].solid.mesh, &before = model.parts[i].solid.mesh;
       CHECK(mesh.points != before.points);
       for (std::size_t k = 0; k < mesh.points.size(); ++k)
         CHECK((mesh.points[k] - before.points[k]).norm() < .01 * gen::diagonal(before) + gen::grid_step);
@@ -482,7 +482,7 @@ TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_sha
         box.extend(box_of(part.solid.mesh.points));
       return Point(box.diagonal());
     };
-    const Point before = extent(chair), scaled = extent(made_worse(&gen::Degradation::scale)),
+    const Point before = extent(model), scaled = extent(made_worse(&gen::Degradation::scale)),
                 turned = extent(made_worse(&gen::Degradation::rotation));
     for (int k = 0; k < 3; ++k) {
       CHECK(scaled[k] / before[k] > .74);
@@ -496,8 +496,8 @@ TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_sha
   {
     gen::Degradation both;
     both.openings = both.rotation = true;
-    const gen::Assembly one = made_worse(&gen::Degradation::openings), two = gen::degraded(chair, both, 7);
-    for (std::size_t i = 0; i < chair.parts.size(); ++i)
+    const gen::Assembly one = made_worse(&gen::Degradation::openings), two = gen::degraded(model, both, 7);
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
       CHECK(one.parts[i].solid.mesh.faces == two.parts[i].solid.mesh.faces);
     CHECK(hash_of({made_worse(&gen::Degradation::noise, 8)}) != hash_of({made_worse(&gen::Degradation::noise)}));
   }
@@ -505,6 +505,6 @@ TEST_CASE("shapes are made worse as asked, and in no other way", "[benchmark_sha
   {
     gen::Degradation all;
     all.segmentation = all.openings = all.gaps = all.noise = all.scale = all.rotation = true;
-    CHECK(hash_of({gen::degraded(chair, all, 1)}) == 0x29ae6b44ff212f88);
+    CHECK(hash_of({gen::degraded(model, all, 1)}) == 0x29ae6b44ff212f88);
   }
 }
