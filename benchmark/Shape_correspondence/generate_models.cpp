@@ -6,9 +6,10 @@
 // Writes the models of data/, or the shapes of the benchmark, each a folder of parts with labels.
 
 #include "command_line.h"
+#include "generator/benchmark/boat_designs.h"
+#include "generator/benchmark/cart_designs.h"
 #include "generator/benchmark/degrade.h"
-#include "generator/benchmark/random_designs.h"
-#include "generator/benchmark/shapes.h"
+#include "generator/grammar/kinds.h"
 #include "generator/models.h"
 #include "generator/textures.h"
 #include "generator/writer.h"
@@ -33,7 +34,8 @@ constexpr int bad_input = 1, bad_usage = 2;
 struct Options
 {
   bool help = false, list = false, single_file = false, raw = false, textured = false, benchmark = false;
-  bool training = false, gallery = false, degrades = false, random_styles = false;
+  bool gallery = false, degrades = false;
+  std::size_t training = 0; // shapes
   gen::Degradation degradation;
   std::uint64_t seed = 1;
   std::string folder;
@@ -41,8 +43,8 @@ struct Options
 
 const char* const help_text =
     R"(Usage: generate_models [--single-file | --raw | --textured] OUTPUT_FOLDER
-       generate_models --benchmark [--random-styles] [--degrade WAYS] [--seed N] OUTPUT_FOLDER
-       generate_models --training OUTPUT_FOLDER
+       generate_models --benchmark [--degrade WAYS] [--seed N] OUTPUT_FOLDER
+       generate_models --training N [--seed N] OUTPUT_FOLDER
        generate_models --gallery OUTPUT_FOLDER
        generate_models [--benchmark | --training | --gallery] --list
 
@@ -57,15 +59,14 @@ Writes labelled models of man-made shapes; the same bytes every time.
   --textured     write OUTPUT_FOLDER/NAME.obj instead, one `o` a part, with NAME.mtl and a texture on which seams and
                  flips show
   --benchmark    make the shapes that methods are compared on instead, fifteen of each of six categories, in
-                 OUTPUT_FOLDER/CATEGORY/NAME
-  --training     make the shapes that roles are learned from instead: those of --benchmark and further ones, of ten
-                 categories in all, in OUTPUT_FOLDER/CATEGORY/NAME
+                 OUTPUT_FOLDER/CATEGORY/NAME. They are drawn by a grammar
+  --training     make N shapes that roles are learned from instead, of ten categories of the same grammar, in
+                 OUTPUT_FOLDER/CATEGORY/NAME. They have no structure.json
   --gallery      make boats and carts, three of each, in OUTPUT_FOLDER/CATEGORY/NAME
-  --random-styles  draw their styles, too: shapes that no method was set on
   --degrade      make them worse; WAYS are any of segmentation, open, gaps, noise, scale, rotation, with commas
                  in between: parts cut and joined, surfaces with holes, parts that do not meet, vertices off
                  their places, other proportions, turned about the up axis
-  --seed         of the styles, and of what is drawn to make them worse; 1 if not given
+  --seed         of what is drawn; 1 if not given
   --list         print the names of the models
   --help         print this
 )";
@@ -106,15 +107,13 @@ Options parsed(int argc, char** argv)
     else if (word == "--benchmark")
       options.benchmark = true;
     else if (word == "--training")
-      options.training = true;
+      options.training = whole_number(line.value(), "a number of shapes");
     else if (word == "--gallery")
       options.gallery = true;
     else if (word == "--degrade") {
       options.degrades = true;
       options.degradation = parsed_ways(line.value());
-    } else if (word == "--random-styles")
-      options.random_styles = true;
-    else if (word == "--seed")
+    } else if (word == "--seed")
       options.seed = whole_number(line.value(), "a seed");
     else {
       refuse_option(word);
@@ -124,10 +123,9 @@ Options parsed(int argc, char** argv)
   }
   if (options.raw + options.single_file + options.textured > 1)
     throw std::invalid_argument("of --raw, --single-file and --textured, only one may be given");
-  if (options.benchmark + options.training + options.gallery > 1)
+  if (options.benchmark + (options.training > 0) + options.gallery > 1)
     throw std::invalid_argument("of --benchmark, --training and --gallery, only one may be given");
   if (options.degrades && !options.benchmark) throw std::invalid_argument("--degrade is of --benchmark");
-  if (options.random_styles && !options.benchmark) throw std::invalid_argument("--random-styles is of --benchmark");
   if (!options.help && !options.list && options.folder.empty()) throw std::invalid_argument("no output folder");
   return options;
 }
@@ -143,11 +141,15 @@ void write(const fs::path& path, const std::string& content)
 
 std::vector<gen::Assembly> shapes(const Options& options)
 {
-  if (options.random_styles) return gen::random_shapes(options.seed);
-  if (options.benchmark) return gen::benchmark_shapes();
-  if (options.gallery) return gen::gallery_shapes();
-  if (options.training) return gen::training_shapes();
+  if (options.benchmark) return gen::compared_shapes(options.seed);
+  if (options.training > 0) return gen::drawn_shapes(options.training, options.seed);
   std::vector<gen::Assembly> result;
+  if (options.gallery) {
+    result = gen::boats();
+    for (gen::Assembly& cart : gen::carts())
+      result.push_back(std::move(cart));
+    return result;
+  }
   for (const gen::Model& model : gen::models())
     result.push_back(model.make());
   return result;
@@ -165,7 +167,7 @@ void write_models(const Options& options)
   for (gen::Assembly shape : shapes(options)) {
     if (options.degrades) shape = gen::degraded(std::move(shape), options.degradation, seed);
     seed += 100;
-    const fs::path folder = options.benchmark || options.training || options.gallery
+    const fs::path folder = options.benchmark || options.training > 0 || options.gallery
                                 ? fs::path(options.folder) / shape.category
                                 : fs::path(options.folder);
     for (const auto& [path, content] : files_of(shape, options))

@@ -39,6 +39,8 @@ of the training.
 
   --generated FOLDER       further labelled shapes that are generated; they have a third of the weight of real ones and are
                            never left out. Can be repeated
+  --generated-shapes N     use N of the generated shapes, of every category alike. Default: all
+  --generated-per-tree N   a tree sees at most N generated shapes of its category (40)
   --leave-out WHAT         what is left out of the training for a pair of shapes: shapes (the two; the default), sources (all
                            shapes with their `source` in labels.json) or category (all shapes of their category)
   --number-of-examples N   the training sees at most N shapes of the pair's category that are not generated, drawn for every
@@ -63,6 +65,7 @@ struct Options
   std::vector<std::string> folders, generated;
   std::string json, model, left_out = "shapes";
   std::size_t pairs = 45;
+  std::optional<std::size_t> generated_shapes;
   Validation_options validation;
   Role_training_options training;
   cli::Common_options common;
@@ -100,6 +103,12 @@ Options parsed(int argc, char** argv)
        }},
       {"--role-weight", [&](const std::string& word) { options.validation.role_weight = std::stod(word); }},
       {"--pairs", [&](const std::string& word) { options.pairs = whole_number(word, "--pairs"); }},
+      {"--generated-shapes",
+       [&](const std::string& word) { options.generated_shapes = whole_number(word, "--generated-shapes"); }},
+      {"--generated-per-tree",
+       [&](const std::string& word) {
+         options.training.generated_per_tree = int(whole_number(word, "--generated-per-tree"));
+       }},
       {"--trees", [&](const std::string& word) { options.training.trees = int(whole_number(word, "--trees")); }},
       {"--seed", [&](const std::string& word) { options.training.seed = whole_number(word, "--seed"); }},
       {"--cache", [&](const std::string& word) { options.common.cache = word; }},
@@ -184,16 +193,17 @@ struct Validated_shapes
 
   explicit Validated_shapes(const Options& options)
   {
-    add(options.folders, options);
+    cli::append(models, cli::load_labelled_models(options.folders, options.common));
     const std::size_t number_of_real = models.size();
     const std::vector<Shape_pair> pairs = listed_pairs(models, options.pairs);
     if (pairs.empty()) throw Invalid_input(options.folders[0] + ": it takes two shapes of a category to match any");
-    add(options.generated, options);
+    cli::append(models, cli::load_generated_models(options.generated, options.common));
+    if (options.generated_shapes) keep_generated(number_of_real, *options.generated_shapes);
     for (const cli::Labelled_model& model : models) {
       const bool is_real = shapes.size() < number_of_real;
-      shapes.push_back({{&model.graph, model.labels.category, model.part_labels, is_real ? weight_of_real_shapes : 1},
-                        is_real ? model.labels.source : "generated",
-                        !is_real});
+      shapes.push_back(
+          {{&model.graph, model.labels.category, model.part_labels, is_real ? weight_of_real_shapes : 1, !is_real},
+           is_real ? model.labels.source : "generated"});
     }
     validation = std::make_unique<Role_validation>(shapes, pairs, options.validation, options.training);
   }
@@ -227,9 +237,18 @@ struct Validated_shapes
   }
 
 private:
-  void add(const std::vector<std::string>& folders, const Options& options)
+  // Some of every category alike, by their order.
+  void keep_generated(std::size_t number_of_real, std::size_t count)
   {
-    cli::append(models, cli::load_labelled_models(folders, options.common));
+    std::map<std::string, std::size_t> counts;
+    for (std::size_t i = number_of_real; i < models.size(); ++i)
+      counts[models[i].labels.category] = 0;
+    const std::size_t of_category = counts.empty() ? 0 : count / counts.size();
+    const auto is_surplus = [&](const cli::Labelled_model& model) {
+      return ++counts[model.labels.category] > of_category;
+    };
+    models.erase(std::remove_if(models.begin() + std::ptrdiff_t(number_of_real), models.end(), is_surplus),
+                 models.end());
   }
 };
 
@@ -243,6 +262,7 @@ struct Calibration
   double auc = 0;               // how often a pair that is right has more confidence than one that is wrong
   double sure_precision = 0;    // share that is right of those of a confidence of `sure` or more
   double sure_share = 0;        // and how many of all they are
+  double error = 0;             // mean difference of confidence and share that is right, in ten classes of confidence
 };
 constexpr double sure = 0.7;
 
@@ -268,14 +288,19 @@ Calibration calibration_of(const Validated_shapes& set, const std::string& categ
   Calibration result;
   result.has_confidences = !all.empty();
   double wrong = 0, ordered = 0, sure_right = 0;
+  std::array<double, 10> excess{}; // of confidence, by class
   for (const Weighted_pair& pair : all) {
     result.stated += pair.weight * pair.confidence;
+    excess[std::min(std::size_t(pair.confidence * 10), excess.size() - 1)] +=
+        pair.weight * (pair.confidence - pair.is_right);
     (pair.is_right ? result.right : wrong) += pair.weight;
     if (pair.is_right) ordered += pair.weight * wrong;
     if (pair.confidence < sure) continue;
     result.sure_share += pair.weight;
     if (pair.is_right) sure_right += pair.weight;
   }
+  for (double of_class : excess)
+    result.error += std::abs(of_class);
   if (result.right * wrong > 0) result.auc = ordered / (result.right * wrong);
   if (result.sure_share > 0) result.sure_precision = sure_right / result.sure_share;
   return result;
@@ -306,10 +331,10 @@ std::vector<Row> rows_of(const Validated_shapes& set, std::uint64_t seed)
 
 void write_table(const Validated_shapes& set, const std::vector<Row>& rows)
 {
-  std::vector<std::vector<std::string>> table{{"category",     "pairs",  "geometry P", "R",      "F1",
-                                               "with roles P", "R",      "F1",         "95 %",   "gain",
-                                               "95 %",         "stated", "right",      "AUC",    "P sure",
-                                               "share",        "front",  "sure front", "labels", "with roles"}};
+  std::vector<std::vector<std::string>> table{{"category",   "pairs",  "geometry P", "R",     "F1",    "with roles P",
+                                               "R",          "F1",     "95 %",       "gain",  "95 %",  "stated",
+                                               "right",      "AUC",    "P sure",     "share", "error", "front",
+                                               "sure front", "labels", "with roles"}};
   const auto interval = [](const Estimate& e) { return decimals(e.low) + ".." + decimals(e.high); };
   const auto text = [](const std::optional<double>& number) { return number ? decimals(*number) : "-"; };
   for (const Row& row : rows) {
@@ -319,7 +344,7 @@ void write_table(const Validated_shapes& set, const std::vector<Row>& rows)
         cells.push_back(decimals(estimate->mean));
     cells.insert(cells.end(), {interval(row.joined.f1), decimals(row.gain.f1.mean), interval(row.gain.f1)});
     const Calibration found = calibration_of(set, row.category);
-    for (double value : {found.stated, found.right, found.auc, found.sure_precision, found.sure_share})
+    for (double value : {found.stated, found.right, found.auc, found.sure_precision, found.sure_share, found.error})
       cells.push_back(found.has_confidences ? decimals(value) : "-");
     for (const auto fronts : {&Front_count::possible, &Front_count::sure})
       cells.push_back(text(set.share(
@@ -379,6 +404,7 @@ Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const st
                {"category_found", pair.category},
                {"geometry", pair.geometric.f1()},
                {"with_roles", pair.joined.f1()},
+               {"distances", pair.distances},
                {"confidences", Json::array()}};
     for (const Judged_pair& judged : pair.judged)
       entry["confidences"].push_back(Json::array({judged.confidence, judged.is_right, judged.has_one_role}));

@@ -235,7 +235,7 @@ def match(
         parts (``overlap``, ``extent``, ``ground``, ``place``, ``orientation``, ``chamfer``), other costs (``whole``,
         ``excess``, ``confident_excess``), lengths in the unit box (``tolerance``, ``warp_width``,
         ``side_depth``, ``wall_width``), shares (``anchor``, ``main_surface``, ``clearly_better``,
-        ``category_ratio``, ``category_agreement``), a distance (``category_distance``), the size of a regular arrangement
+        ``category_ratio``), a distance (``category_distance``), the size of a regular arrangement
         (``repetition``), and which sets of parts are matched as a whole (``panels``, ``support``); see
         `Part_matching_options` of the library
     :param roles: role model for ``"parts"``, and for a `role_weight`; shapes must be upright and face +z: ``"auto"`` (the

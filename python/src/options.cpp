@@ -132,7 +132,6 @@ struct Part_matching_keywords : Keywords
     add("wall_width", options.wall_width);
     add("repetition", options.repetition);
     add("category_ratio", options.category_ratio);
-    add("category_agreement", options.category_agreement);
     add("category_distance", options.category_distance);
     add("clearly_better", options.clearly_better);
     add("panels", options.panels);

@@ -47,8 +47,9 @@ std::vector<Labelled_graph> labelled_graphs(const std::vector<Labelled_model>& m
 {
   std::vector<Labelled_graph> result;
   for (const Labelled_model& model : models) {
-    const double weight = result.size() < number_of_real ? internal::weight_of_real_shapes : 1;
-    result.push_back({&model.graph, model.labels.category, model.part_labels, weight});
+    const bool is_real = result.size() < number_of_real;
+    result.push_back({&model.graph, model.labels.category, model.part_labels,
+                      is_real ? internal::weight_of_real_shapes : 1, !is_real});
   }
   return result;
 }
@@ -93,6 +94,15 @@ std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>&
   return result;
 }
 
+std::vector<Labelled_model> load_generated_models(const std::vector<std::string>& folders,
+                                                  const Common_options& options)
+{
+  Common_options quick = options; // features of parts are the same without curves, sheets and symmetries
+  quick.structure.abstraction.abstractor = Bounding_box_abstraction();
+  quick.structure.symmetry.enabled = false;
+  return load_labelled_models(folders, quick);
+}
+
 std::shared_ptr<const Role_model> role_model_of(const std::string& file)
 {
   return file.empty() ? IO::shipped_role_model() : std::make_shared<const Role_model>(IO::read_role_model(file));
@@ -133,7 +143,7 @@ Trained_roles train_roles(const Role_training& training, const Common_options& o
   if (const std::string left_out = unlabelled_shapes(folders); !left_out.empty()) warn(options, left_out);
   result.models = load_labelled_models(training.folders, options);
   result.number_of_real = result.models.size();
-  append(result.models, load_labelled_models(training.generated, options));
+  append(result.models, load_generated_models(training.generated, options));
   result.model = train_role_model(labelled_graphs(result.models, result.number_of_real), training.options);
   return result;
 }

@@ -31,6 +31,10 @@ struct Labelled_model
 std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>& folders,
                                                  const Common_options& options);
 
+/// The same of generated shapes, which only features of parts are wanted of.
+std::vector<Labelled_model> load_generated_models(const std::vector<std::string>& folders,
+                                                  const Common_options& options);
+
 /// The role model in a file; empty: the one that comes with the program.
 std::shared_ptr<const Role_model> role_model_of(const std::string& file);
 

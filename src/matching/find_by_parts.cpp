@@ -109,16 +109,14 @@ Pair_category Correspondence_finder::Impl::recognised(const Prepared_shape& targ
 {
   const Role_model_data& model = Role_model_access::data(*options_.roles);
   Alignments &a = *prepared_source_.alignments_, &b = *target.alignments_;
-  const auto by_any_front = [&](const Role_options& options) {
-    return category_of_pair(a.roles(options_.roles), b.roles(options_.roles), model, options);
+  const auto by_any_front = [&] {
+    return category_of_pair(a.roles(options_.roles), b.roles(options_.roles), model, options_.parts);
   };
-  if (options_.alignments != 1) return by_any_front(options_.parts);
+  if (options_.alignments != 1) return by_any_front();
   const Pair_category given =
       category_of_pair(*a.roles(options_.roles)[0], *b.roles(options_.roles)[0], model, options_.parts);
   if (given.index < model.categories.size() || options_.front_is_sure) return given;
-  Role_options clearly_nearest = options_.parts; // the front is decided by the trees below
-  clearly_nearest.category_distance = 0;
-  const Pair_category turned = by_any_front(clearly_nearest);
+  const Pair_category turned = by_any_front();
   const auto turns = [&](Alignments& shape) {
     return likely_front(shape.roles(options_.roles), turned.index, model.trees, options_.parts) != 0;
   };
@@ -315,10 +313,10 @@ void Correspondence_finder::Impl::join_roles(const Prepared_shape& target, const
 {
   const Role_model_data& model = Role_model_access::data(*options_.roles);
   const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result);
-  if (!votes) {
-    state_confidences(category.nearest < model.categories.size()
-                          ? model.categories[category.nearest].geometric_confidence
-                          : model.geometric_confidence,
+  const std::size_t known_category = votes ? category.index : category.nearest;
+  if (!votes || !uses_roles(model.categories[known_category].weights)) {
+    state_confidences(known_category < model.categories.size() ? model.categories[known_category].geometric_confidence
+                                                               : model.geometric_confidence,
                       matching);
     constrain(constraints(*source_, aligned_target), matching);
     return;

@@ -24,10 +24,9 @@ namespace {
 void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
-  for (double value :
-       {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole, options.excess,
-        options.confident_excess, options.main_surface, options.side_depth, options.wall_width, options.category_ratio,
-        options.category_agreement, options.category_distance, options.clearly_better})
+  for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole, options.excess,
+                       options.confident_excess, options.main_surface, options.side_depth, options.wall_width,
+                       options.category_ratio, options.category_distance, options.clearly_better})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
   if (options.clearly_better >= 1)

@@ -126,14 +126,32 @@ private:
   std::vector<double> left_, right_; // weights of roles
 };
 
-Role_forest::Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed) : Role_forest()
+std::vector<Role_example> Role_forest::seen(std::vector<Role_example> examples,
+                                            const std::vector<std::vector<Role_example>>& drawn, std::size_t count,
+                                            std::uint64_t seed)
 {
-  int roles = 0;
-  for (const Role_example& example : examples)
-    roles = std::max(roles, example.role + 1);
-  for (int tree = 0; tree < trees; ++tree) {
+  std::vector<std::size_t> order(drawn.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  Random random(seed);
+  for (std::size_t i = 0; i < std::min(count, order.size()); ++i) {
+    std::swap(order[i], order[i + random_below(order.size() - i, random)]);
+    examples.insert(examples.end(), drawn[order[i]].begin(), drawn[order[i]].end());
+  }
+  std::sort(examples.begin(), examples.end());
+  return examples;
+}
+
+Role_forest::Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed,
+                         const std::vector<std::vector<Role_example>>& drawn, std::size_t drawn_per_tree)
+    : Role_forest()
+{
+  for (std::uint64_t tree = 0; tree < std::uint64_t(trees); ++tree) {
+    const std::vector<Role_example> all = seen(examples, drawn, drawn_per_tree, seed + tree);
+    int roles = 0;
+    for (const Role_example& example : all)
+      roles = std::max(roles, example.role + 1);
     trees_->roots.push_back(std::uint32_t(trees_->nodes.size()));
-    Builder(examples, roles, seed + std::uint64_t(tree), trees_->nodes);
+    Builder(all, roles, seed + tree, trees_->nodes);
   }
 }
 

@@ -38,8 +38,10 @@ class Role_forest
 {
 public:
   Role_forest() : trees_(std::make_shared<Trees>()) {}
-  // \pre the examples are sorted, and there are some
-  Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed);
+  // \param drawn sets of further examples, of which each tree sees so many, others than the other trees
+  // \pre examples and sets are sorted, and there are some
+  Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed,
+              const std::vector<std::vector<Role_example>>& drawn = {}, std::size_t drawn_per_tree = 0);
 
   // How many trees vote for each role: part × role.
   Eigen::MatrixXi votes(const Role_features& parts, int roles) const;
@@ -71,6 +73,10 @@ private:
 
   class Builder;
 
+  // The examples that a tree sees.
+  static std::vector<Role_example> seen(std::vector<Role_example> examples,
+                                        const std::vector<std::vector<Role_example>>& drawn, std::size_t count,
+                                        std::uint64_t seed);
   // Takes the first node of the bytes; none if they end before.
   static std::optional<Node> taken_node(Stored_bytes& bytes);
   static void make_trees(Trees& trees);

@@ -25,6 +25,8 @@ void check(const std::vector<Labelled_graph>& shapes, const Role_training_option
 {
   if (options.trees < 1 || options.trees > maximum_trees)
     throw Invalid_input("train_role_model: the number of trees must be between 1 and " + std::to_string(maximum_trees));
+  if (options.generated_per_tree < 0)
+    throw Invalid_input("train_role_model: the number of generated shapes of a tree must be 0 or more");
   for (const Labelled_graph& shape : shapes) {
     if (!shape.graph) throw Invalid_input("train_role_model: a labelled shape has no graph; build one");
     const std::string name = "train_role_model: the shape '" + structure(*shape.graph).name + "' ";
@@ -118,6 +120,25 @@ std::vector<Labelled_part> labelled_parts(const Labelled_graph& shape, const Rol
   return result;
 }
 
+std::vector<Example_label> labels_of(const std::vector<Labelled_part>& parts)
+{
+  std::vector<Example_label> result;
+  for (const Labelled_part& part : parts)
+    result.push_back(part.label);
+  return result;
+}
+
+std::vector<Role_example> examples_of(const std::vector<Labelled_part>& parts, const Category_roles& category)
+{
+  std::vector<Role_example> result;
+  for (const auto& [label, example] : parts) {
+    result.push_back(example);
+    result.back().role = class_of(label, category);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 std::vector<Labelled_part> known_parts(const Category_roles& category)
 {
   std::vector<Labelled_part> result;
@@ -149,28 +170,38 @@ Category_roles Role_trainer::category(const std::string& name, const std::vector
     parts = known_parts(known_.categories[known]);
   }
   result.name = name;
+  std::vector<std::vector<Labelled_part>> generated;
   std::size_t count = 0;
   for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
     if (shapes_[shape].category != name || is_left_out[shape]) continue;
     ++count;
-    for (Labelled_part& part : labelled_parts(shapes_[shape], evidence_[shape].features))
-      parts.push_back(std::move(part));
+    std::vector<Labelled_part> of_shape = labelled_parts(shapes_[shape], evidence_[shape].features);
+    if (shapes_[shape].is_generated)
+      generated.push_back(std::move(of_shape));
+    else
+      parts.insert(parts.end(), of_shape.begin(), of_shape.end());
   }
-  if (parts.empty()) return result;
+  if (parts.empty() && generated.empty()) return result;
   if (known == known_.categories.size()) {
     result.weights = usual_pair_weights(count);
     result.geometric_confidence = known_.geometric_confidence;
   }
-  std::vector<Example_label> labels;
-  for (const Labelled_part& part : parts)
-    labels.push_back(part.label);
+  std::vector<Example_label> labels = labels_of(parts);
+  for (const std::vector<Labelled_part>& of_shape : generated)
+    for (Example_label& label : labels_of(of_shape))
+      labels.push_back(std::move(label));
   set_classes(labels, result);
-  for (const auto& [label, example] : parts) {
-    result.examples.push_back(example);
-    result.examples.back().role = class_of(label, result);
-  }
+  result.examples = examples_of(parts, result);
+  std::vector<std::vector<Role_example>> drawn;
+  for (const std::vector<Labelled_part>& of_shape : generated)
+    drawn.push_back(examples_of(of_shape, result));
+  std::sort(drawn.begin(), drawn.end());
+  result.forest =
+      Role_forest(result.examples, options_.trees, options_.seed, drawn, std::size_t(options_.generated_per_tree));
+  if (parts.empty()) // nothing else tells how near a shape is
+    for (const std::vector<Role_example>& examples : drawn)
+      result.examples.insert(result.examples.end(), examples.begin(), examples.end());
   std::sort(result.examples.begin(), result.examples.end());
-  result.forest = Role_forest(result.examples, options_.trees, options_.seed);
   return result;
 }
 
@@ -193,15 +224,6 @@ Role_model_data Role_trainer::model() const
             [](const Category_roles& a, const Category_roles& b) { return a.name < b.name; });
   result.categories = std::move(categories);
   return result;
-}
-
-Role_model_data Role_trainer::model_without(Role_model_data model, const std::string& name,
-                                            const std::vector<char>& is_left_out) const
-{
-  const std::size_t index = model.index(name);
-  model.categories[index] = category(name, is_left_out);
-  if (model.categories[index].roles.empty()) model.categories.erase(model.categories.begin() + std::ptrdiff_t(index));
-  return model;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -27,13 +27,10 @@ public:
   const Role_evidence& evidence(std::size_t shape) const { return evidence_[shape]; }
   // Learned from all shapes, with the categories that were known before.
   Role_model_data model() const;
-  // The model with a category learned anew from the shapes that are not left out; without it if none is left.
-  Role_model_data model_without(Role_model_data model, const std::string& category,
-                                const std::vector<char>& is_left_out) const;
-
-private:
+  // A category learned from the shapes that are not left out; without roles if none is left.
   Category_roles category(const std::string& name, const std::vector<char>& is_left_out) const;
 
+private:
   const std::vector<Labelled_graph>& shapes_;
   Role_training_options options_;
   Role_model_data known_;

@@ -32,6 +32,38 @@ void drop_repeated_fine_labels(std::vector<Part_label>& labels)
   }
 }
 
+// What labelled parts say of the ground: by role, how many parts there are, and how many stand on it.
+Eigen::MatrixX2i parts_of_roles(const Category_roles& category)
+{
+  Eigen::MatrixX2i result = Eigen::MatrixX2i::Zero(Eigen::Index(category.roles.size()), 2);
+  for (const Role_example& example : category.examples) {
+    const Eigen::Index role = category.classes[example.role].role;
+    ++result(role, 0);
+    result(role, 1) += example.features[ON_GROUND] > 0;
+  }
+  return result;
+}
+
+// Of a part on the ground: votes for roles of which hardly a labelled part stands there, such as the seat of a chair,
+// go to the likeliest other role.
+void move_votes_on_ground(const Eigen::MatrixX2i& known, Eigen::Ref<Eigen::RowVectorXi, 0, Eigen::InnerStride<>> votes)
+{
+  constexpr int least_parts = 20, most_rarely = 50; // one of so many
+  const auto never_stands = [&](Eigen::Index role) {
+    return known(role, 0) >= least_parts && known(role, 1) * most_rarely <= known(role, 0);
+  };
+  Eigen::Index best = -1;
+  for (Eigen::Index role = 0; role < votes.size(); ++role)
+    if (!never_stands(role) &&
+        (best < 0 || std::make_pair(votes[role], known(role, 1)) > std::make_pair(votes[best], known(best, 1))))
+      best = role;
+  for (Eigen::Index role = 0; role < votes.size() && best >= 0; ++role)
+    if (never_stands(role)) {
+      votes[best] += votes[role];
+      votes[role] = 0;
+    }
+}
+
 Role_votes counted(const Role_evidence& evidence, const Category_roles& category)
 {
   const Eigen::MatrixXi of_classes = category.forest.votes(evidence.features, int(category.classes.size()));
@@ -39,7 +71,9 @@ Role_votes counted(const Role_evidence& evidence, const Category_roles& category
   result.roles = Eigen::MatrixXi::Zero(of_classes.rows(), Eigen::Index(category.roles.size()));
   for (Eigen::Index k = 0; k < of_classes.cols(); ++k)
     result.roles.col(category.classes[std::size_t(k)].role) += of_classes.col(k);
+  const Eigen::MatrixX2i known = parts_of_roles(category);
   for (Eigen::Index part = 0; part < of_classes.rows(); ++part) {
+    if (evidence.features(part, ON_GROUND) > 0) move_votes_on_ground(known, result.roles.row(part));
     Eigen::Index role = 0;
     result.roles.row(part).maxCoeff(&role);
     const Role_class* best = nullptr;
@@ -126,22 +160,13 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-// In the turn in which it is nearest to a category; the first of equals.
-const Shape_roles& nearest_turn(const Turned_roles& shape, std::size_t category)
-{
-  return **std::min_element(shape.begin(), shape.end(), [&](const auto& a, const auto& b) {
-    return a->distance(category) < b->distance(category);
-  });
-}
-
+// In the turn in which it is nearest to the category.
 double distance_of(const Turned_roles& shape, std::size_t category)
 {
-  return nearest_turn(shape, category).distance(category);
-}
-
-double agreement_of_trees(const Turned_roles& shape, std::size_t category, int trees)
-{
-  return agreement_of_trees(nearest_turn(shape, category), category, trees);
+  double least = shape[0]->distance(category);
+  for (const auto& turned : shape)
+    least = std::min(least, turned->distance(category));
+  return least;
 }
 
 Steps clear_difference(const Role_options& options) { return -quantized(std::log(1 - options.clearly_better)); }
@@ -163,7 +188,11 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
     const Steps found = likeness(turn, agreed);
     if (found > most) most = found, best = turn;
   }
-  return best != 0 && shape[std::size_t(best)]->is_nearest(category) ? best : 0;
+  if (best == 0 || !shape[std::size_t(best)]->is_nearest(category)) return 0;
+  // A shape that looks nearly as likely from another side, as a table does from behind, tells no front
+  for (int turn = 1; turn < 4; ++turn)
+    if (turn != best && likeness(turn, agreement(turn)) > most - clear_difference(options)) return 0;
+  return best;
 }
 
 namespace {
@@ -179,9 +208,11 @@ std::vector<std::pair<double, std::size_t>> by_distance(const Role_model_data& m
   return result;
 }
 
+// Near, and much nearer than the second one.
 bool is_clear(const std::vector<std::pair<double, std::size_t>>& categories, const Role_options& options)
 {
-  return categories.size() > 1 && categories[0].first <= options.category_ratio * categories[1].first;
+  return !categories.empty() && categories[0].first <= options.category_distance &&
+         (categories.size() == 1 || categories[0].first <= options.category_ratio * categories[1].first);
 }
 
 // The category that a shape clearly is of; the number of categories: none.
@@ -199,7 +230,7 @@ Pair_category category_of_both(const Roles& source, const Roles& target, const R
   const std::size_t none = model.categories.size();
   if (none == 0) return {none, "The role model knows no category; the parts were matched by geometry alone.", none};
   const auto categories = by_distance(
-      model, [&](std::size_t category) { return distance_of(source, category) + distance_of(target, category); });
+      model, [&](std::size_t category) { return (distance_of(source, category) + distance_of(target, category)) / 2; });
   const std::size_t nearest = categories[0].second;
   const std::size_t a = clear_category(source, model, options), b = clear_category(target, model, options);
   if (a != b && a != none && b != none)
@@ -208,13 +239,7 @@ Pair_category category_of_both(const Roles& source, const Roles& target, const R
                 ", those of the other like " + model.categories[std::max(a, b)].name +
                 "; the parts were matched by geometry alone.",
             nearest};
-  const auto trees_agree = [&] {
-    const double both =
-        agreement_of_trees(source, nearest, model.trees) + agreement_of_trees(target, nearest, model.trees);
-    return quantized(std::exp(both / 2)) >= quantized(options.category_agreement);
-  };
-  const bool is_near = categories[0].first <= 2 * options.category_distance;
-  if (is_clear(categories, options) || (is_near && trees_agree())) return {nearest, "", nearest};
+  if (is_clear(categories, options)) return {nearest, "", nearest};
   return {none,
           "The shapes are not clearly of a category that the role model knows (the nearest is " +
               model.categories[nearest].name + "); the parts were matched by geometry alone.",

@@ -66,8 +66,8 @@ struct Pair_category
   std::size_t nearest = 0; // even if it is not clear; the number of categories: there are none
 };
 
-// The nearest category. None where the shapes are not much nearer to its labelled parts than to those of others and its
-// trees do not agree on their roles, or where each of them clearly is of a category of its own.
+// The nearest category. None where the shapes are far from its labelled parts or not much nearer to them than to those
+// of others, or where each of them clearly is of a category of its own.
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
                                const Role_options& options = {});
 
@@ -80,7 +80,7 @@ std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, in
                              const Role_options& options = {});
 
 // The quarter turn with which a shape of a category faces +z. Not 0 only if, at another one, the trees agree more and
-// the parts are nearer to labelled ones by a clear margin, and no other category is nearer.
+// the parts are nearer to labelled ones by a clear margin, than at any other one, and no other category is nearer.
 int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options = {});
 
 // The nearest category of two shapes of unknown front.

@@ -26,6 +26,9 @@ using Pair_terms = Eigen::Matrix<double, Eigen::Dynamic, PAIR_TERM_COUNT>;
 // Weights of the terms in the logit of the probability that a pair is right.
 using Pair_weights = Eigen::Matrix<double, PAIR_TERM_COUNT, 1>;
 
+// Whether labels and votes count; if not, shapes of the category are matched by geometry alone.
+inline bool uses_roles(const Pair_weights& weights) { return weights.head<GEOMETRIC_PAIR>().any(); }
+
 // Fitted to the labelled shapes that the role model of the package was learned from, each pair of shapes matched with
 // neither in the training (`weights` in data/roles/manifest.json); where there are too few pairs to fit weights to.
 Pair_weights usual_pair_weights();

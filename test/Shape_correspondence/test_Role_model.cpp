@@ -56,6 +56,50 @@ TEST_CASE("Roles of shapes that the training did not see")
   CHECK_THROWS_WITH(part_roles(unknown.graph, model, "boat"), Contains("'boat'") && Contains("chair, shelf"));
 }
 
+TEST_CASE("What stands on the ground is no seat, such as a star base in one piece")
+{
+  std::deque<Furniture> chairs;
+  for (int i = 0; i < 24; ++i)
+    chairs.push_back(chair(0.1 + 0.01 * i, 1.4 + 0.02 * i));
+  const Role_model model = train_role_model(labelled(chairs));
+  const Furniture swivel =
+      furniture("chair",
+                {box("star", {-0.9, 0, -0.9}, {0.9, 0.2, 0.9}), box("column", {-0.1, 0.2, -0.1}, {0.1, 1.6, 0.1}),
+                 box("seat", {-1, 1.6, -1}, {1, 1.8, 1}), box("back", {-1, 1.8, -1}, {1, 3.6, -0.8})},
+                {});
+  const Part_roles roles = part_roles(swivel.graph, model, "chair");
+  CHECK(likeliest(roles)[0] == "leg");
+  CHECK(roles.labels[0].coarse == "leg");
+  CHECK(likeliest(roles)[2] == "seat");
+  for (Eigen::Index part = 0; part < roles.probabilities.rows(); ++part)
+    CHECK(roles.probabilities.row(part).sum() == Approx(1));
+}
+
+TEST_CASE("Generated shapes are drawn for every tree, and no measure of how near a shape is")
+{
+  std::deque<Furniture> drawn;
+  for (int i = 0; i < 30; ++i)
+    drawn.push_back(chair(0.1 + 0.01 * i, 1 + 0.07 * i));
+  std::vector<Labelled_graph> shapes = labelled(examples());
+  for (const Labelled_graph& shape : labelled(drawn)) {
+    shapes.push_back(shape);
+    shapes.back().is_generated = true;
+  }
+  const auto chairs_of = [](const Role_model& model) { return Role_model_access::data(model).categories[0]; };
+  Role_training_options options;
+  options.generated_per_tree = 3;
+  const Role_model model = train_role_model(shapes, options);
+  CHECK(chairs_of(model).examples.size() == chairs_of(train_role_model(labelled(examples()))).examples.size());
+  CHECK(bytes(model) != bytes(train_role_model(labelled(examples()))));
+  std::reverse(shapes.begin(), shapes.end());
+  CHECK(bytes(train_role_model(shapes, options)) == bytes(model));
+
+  const Role_model of_generated = train_role_model({shapes.begin(), shapes.begin() + 30});
+  CHECK(chairs_of(of_generated).examples.size() == 6 * 30); // there are no others
+  options.generated_per_tree = -1;
+  CHECK_THROWS_WITH(train_role_model(shapes, options), Contains("generated shapes of a tree"));
+}
+
 TEST_CASE("Roles heed neither the order of parts nor a motion of the shape")
 {
   const Role_model model = train_role_model(labelled(examples()));

@@ -5,7 +5,7 @@
 
 #include "generated_shapes.h"
 #include "generator/benchmark/random.h"
-#include "generator/benchmark/shapes.h"
+#include "generator/models.h"
 #include "generator/writer.h"
 #include "program.h"
 
@@ -28,10 +28,10 @@ namespace {
 
 using Named_pairs = std::map<std::pair<std::string, std::string>, double>; // with confidences
 
-gen::Assembly benchmark_shape(const std::string& name)
+gen::Assembly made(const std::string& name)
 {
-  for (const gen::Assembly& shape : gen::benchmark_shapes())
-    if (shape.name == name) return shape;
+  for (const gen::Model& model : gen::models())
+    if (model.name == name) return model.make();
   throw std::logic_error(name);
 }
 
@@ -94,8 +94,7 @@ void check_same(const Named_pairs& a, const Named_pairs& b)
 
 TEST_CASE("Renamed and shuffled parts match as before, by every method")
 {
-  const gen::Assembly source_shape = benchmark_shape("chair_ladder_arms"),
-                      target_shape = benchmark_shape("chair_windsor");
+  const gen::Assembly source_shape = made("chair_slatted"), target_shape = made("chair_spindle");
   const Structural_graph source = build_structural_graph(generated_shapes::shape_of(source_shape)),
                          target = build_structural_graph(generated_shapes::shape_of(target_shape));
   for (std::uint64_t seed : {1, 2}) {
@@ -120,7 +119,7 @@ TEST_CASE("Renamed and shuffled parts match as before, by every method")
 TEST_CASE("The program finds the same pairs whatever files are called, and beside wrong labels")
 {
   const Temporary_folder folder;
-  const gen::Assembly source = benchmark_shape("table_round"), target = benchmark_shape("table_coffee");
+  const gen::Assembly source = made("chair_spindle"), target = made("chair_slatted");
   std::map<std::string, std::string> source_names, target_names;
   const gen::Assembly other_source = disguised(source, 3, source_names),
                       other_target = disguised(target, 4, target_names);

@@ -4,9 +4,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Disjoint_sets.h"
+#include "generator/benchmark/boat_designs.h"
+#include "generator/benchmark/cart_designs.h"
 #include "generator/benchmark/degrade.h"
-#include "generator/benchmark/random_designs.h"
-#include "generator/benchmark/shapes.h"
+#include "generator/grammar/kinds.h"
 #include "generator/models.h"
 #include "generator/surface_distance.h"
 #include "generator/writer.h"
@@ -132,7 +133,7 @@ TEST_CASE("the models in data/raw are what the generator makes", "[generate_mode
 
 TEST_CASE("every part is a closed outward mesh without self-intersections", "[generate_models]")
 {
-  std::vector<gen::Assembly> shapes = gen::training_shapes(); // includes those of the benchmark
+  std::vector<gen::Assembly> shapes;
   for (const gen::Model& model : gen::models())
     shapes.push_back(model.make());
   for (const gen::Assembly& shape : shapes)
@@ -278,77 +279,94 @@ std::size_t number_of_pieces(const gen::Assembly& shape)
   return pieces.number_of_sets();
 }
 
-gen::Assembly benchmark_shape(const std::string& name)
+std::vector<gen::Assembly> gallery_shapes()
 {
-  for (const gen::Assembly& shape : gen::benchmark_shapes())
-    if (shape.name == name) return shape;
-  throw std::logic_error(name);
+  std::vector<gen::Assembly> shapes = gen::boats();
+  for (const gen::Assembly& cart : gen::carts())
+    shapes.push_back(cart);
+  return shapes;
 }
 
-// Checks numbers and names: names are unique, and every shape has at least four parts.
-void check_fifteen_of_each(const std::vector<gen::Assembly>& shapes)
+// Every part has a role and a closed outward mesh, and is of the size of the shape; \return the roles by category.
+std::map<std::string, std::set<std::string>> checked_roles(const std::vector<gen::Assembly>& shapes)
+{
+  std::map<std::string, std::set<std::string>> roles;
+  for (const gen::Assembly& shape : shapes) {
+    std::set<std::string> parts;
+    INFO(shape.name);
+    CHECK(shape.parts.size() >= 2);
+    for (const gen::Part& part : shape.parts) {
+      INFO(part.name);
+      roles[shape.category].insert(part.label.coarse);
+      CHECK(parts.insert(part.name).second);
+      CHECK(is_closed(part.solid.mesh));
+      CHECK(gen::volume(part.solid.mesh) > 0);
+    }
+  }
+  return roles;
+}
+
+} // namespace
+
+TEST_CASE("the grammar draws shapes of ten categories with roles that follow from it", "[grammar]")
+{
+  const auto roles = checked_roles(gen::drawn_shapes(600, 1));
+  CHECK(roles.size() == 10);
+  const auto has = [&](const char* category, std::set<std::string> wanted) {
+    INFO(category);
+    CHECK(std::includes(roles.at(category).begin(), roles.at(category).end(), wanted.begin(), wanted.end()));
+  };
+  has("airplane", {"engine", "fuselage", "gear", "h_stab", "propeller", "v_stab", "wing"});
+  has("bed", {"bedding", "footboard", "headboard", "leg", "mattress", "pillow", "side_rail"});
+  has("car", {"body", "bumper", "light", "mirror", "wheel", "window"});
+  has("chair", {"armrest", "back", "leg", "seat", "seat_frame", "stretcher"});
+  has("lamp", {"arm", "base", "body", "bulb", "chain", "shade"});
+  has("plant", {"leaf", "pot", "soil", "stem"});
+  has("shelf", {"back", "body", "bottom", "divider", "door", "drawer", "handle", "leg", "shelf", "side", "top"});
+  has("sofa", {"armrest", "back", "base", "cushion", "leg", "seat"});
+  has("table", {"apron", "cabinet", "drawer", "leg", "panel", "shelf", "stretcher", "tabletop"});
+  has("velocipede", {"drivetrain", "fork", "frame", "handlebar", "pedal", "saddle", "wheel"});
+}
+
+TEST_CASE("the grammar gives the same bits for a seed and others for another one", "[grammar]")
+{
+  const std::uint64_t hash = hash_of(gen::drawn_shapes(30, 1));
+  CHECK(hash == hash_of(gen::drawn_shapes(30, 1)));
+  CHECK(hash != hash_of(gen::drawn_shapes(30, 2)));
+  CHECK(hash == 0xae56c0d51601a1b5);
+}
+
+TEST_CASE("a star base comes in one part and in several", "[grammar]")
+{
+  std::set<bool> found; // whether all legs are one part
+  for (const gen::Assembly& shape : gen::drawn_shapes(1500, 3)) {
+    std::vector<gen::Mesh> legs;
+    for (const gen::Part& part : shape.parts)
+      if (part.label.coarse == "leg" && part.label.fine != "pedestal_post") legs.push_back(part.solid.mesh);
+    const bool has_post = std::any_of(shape.parts.begin(), shape.parts.end(),
+                                      [](const gen::Part& part) { return part.label.fine == "pedestal_post"; });
+    if (shape.category != "chair" || !has_post) continue;
+    if (legs.size() == 1 && component_volumes(legs[0]).size() >= 3) found.insert(true);
+    if (legs.size() >= 3) found.insert(false);
+  }
+  CHECK(found.size() == 2);
+}
+
+TEST_CASE("methods are compared on fifteen shapes of each category", "[grammar]")
 {
   std::map<std::string, int> counts;
   std::set<std::string> names;
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
+  for (const gen::Assembly& shape : gen::compared_shapes()) {
     ++counts[shape.category];
     CHECK(names.insert(shape.name).second);
-    CHECK(shape.parts.size() >= 4);
   }
   CHECK(counts == std::map<std::string, int>{
                       {"airplane", 15}, {"bed", 15}, {"chair", 15}, {"lamp", 15}, {"table", 15}, {"velocipede", 15}});
 }
 
-} // namespace
-
-TEST_CASE("the benchmark has fifteen whole shapes of each category, the same bits every time", "[benchmark_shapes]")
-{
-  const std::vector<gen::Assembly> shapes = gen::benchmark_shapes();
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
-    CHECK(number_of_pieces(shape) == 1);
-    std::set<std::string> coarse, parts;
-    for (const gen::Part& part : shape.parts) {
-      CHECK_FALSE(part.label.coarse.empty());
-      coarse.insert(part.label.coarse);
-      CHECK(parts.insert(part.name).second);
-    }
-    CHECK(coarse.size() >= 2);
-  }
-  check_fifteen_of_each(shapes);
-  CHECK(hash_of(shapes) == 0xf6e58f439869a403);
-}
-
-TEST_CASE("roles are learned from whole shapes of ten categories, the same bits every time", "[benchmark_shapes]")
-{
-  const std::vector<gen::Assembly> shapes = gen::training_shapes();
-  std::map<std::string, int> counts;
-  std::set<std::string> names;
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
-    ++counts[shape.category];
-    CHECK(names.insert(shape.name).second);
-    CHECK(number_of_pieces(shape) == 1);
-    for (const gen::Part& part : shape.parts)
-      CHECK_FALSE(part.label.coarse.empty());
-  }
-  CHECK(counts == std::map<std::string, int>{{"airplane", 15},
-                                             {"bed", 48},
-                                             {"car", 15},
-                                             {"chair", 15},
-                                             {"lamp", 63},
-                                             {"plant", 15},
-                                             {"shelf", 23},
-                                             {"sofa", 35},
-                                             {"table", 30},
-                                             {"velocipede", 36}});
-  CHECK(hash_of(shapes) == 0x97ff5fd0c727bb6d);
-}
-
 TEST_CASE("boats and carts of the gallery are whole, and the same bits every time", "[benchmark_shapes]")
 {
-  const std::vector<gen::Assembly> shapes = gen::gallery_shapes();
+  const std::vector<gen::Assembly> shapes = gallery_shapes();
   std::map<std::string, int> counts;
   for (const gen::Assembly& shape : shapes) {
     INFO(shape.name);
@@ -361,7 +379,7 @@ TEST_CASE("boats and carts of the gallery are whole, and the same bits every tim
     }
   }
   CHECK(counts == std::map<std::string, int>{{"boat", 3}, {"cart", 3}});
-  CHECK(hash_of(shapes) == hash_of(gen::gallery_shapes()));
+  CHECK(hash_of(shapes) == hash_of(gallery_shapes()));
 }
 
 TEST_CASE("raw models have one object for each coarse label, z up, and all faces")
@@ -393,32 +411,13 @@ TEST_CASE("raw models have one object for each coarse label, z up, and all faces
   }
 }
 
-TEST_CASE("drawn shapes are whole, of other styles with every seed, and the same bits for the same one",
-          "[benchmark_shapes]")
-{
-  const std::vector<gen::Assembly> shapes = gen::random_shapes(101);
-  for (const gen::Assembly& shape : shapes) {
-    INFO(shape.name);
-    CHECK(number_of_pieces(shape) == 1);
-    for (const gen::Part& part : shape.parts) {
-      INFO(part.name);
-      CHECK(is_closed(part.solid.mesh));
-    }
-  }
-  check_fifteen_of_each(shapes);
-  const std::uint64_t hash = hash_of(shapes);
-  CHECK(hash == hash_of(gen::random_shapes(101)));
-  CHECK(hash != hash_of(gen::random_shapes(102)));
-  CHECK(hash == 0xdb37b930598788b6);
-}
-
 TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_shapes]")
 {
-  const gen::Assembly chair = benchmark_shape("chair_slats");
+  const gen::Assembly model = gen::models().front().make();
   const auto made_worse = [&](bool gen::Degradation::*way, std::uint64_t seed = 7) {
     gen::Degradation ways;
     ways.*way = true;
-    return gen::degraded(chair, ways, seed);
+    return gen::degraded(model, ways, seed);
   };
   const auto total = [](const gen::Assembly& shape, const auto& measure) {
     double sum = 0;
@@ -430,15 +429,15 @@ TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_s
 
   SECTION("in no way")
   {
-    const gen::Assembly same = gen::degraded(chair, {}, 7);
-    for (std::size_t i = 0; i < chair.parts.size(); ++i)
-      CHECK(same.parts[i].solid.mesh.points == chair.parts[i].solid.mesh.points);
+    const gen::Assembly same = gen::degraded(model, {}, 7);
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+      CHECK(same.parts[i].solid.mesh.points == model.parts[i].solid.mesh.points);
   }
   SECTION("segmentation: other parts, the same surface")
   {
     const gen::Assembly other = made_worse(&gen::Degradation::segmentation);
-    CHECK(other.parts.size() != chair.parts.size());
-    CHECK(total(other, faces) == total(chair, faces));
+    CHECK(other.parts.size() != model.parts.size());
+    CHECK(total(other, faces) == total(model, faces));
     std::set<std::string> names;
     for (const gen::Part& part : other.parts) {
       CHECK(names.insert(part.name).second);
@@ -449,25 +448,25 @@ TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_s
   {
     const gen::Assembly other = made_worse(&gen::Degradation::openings);
     int open = 0;
-    for (std::size_t i = 0; i < chair.parts.size(); ++i) {
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
       const Mesh& mesh = other.parts[i].solid.mesh;
       open += !is_closed(mesh);
-      CHECK(2 * mesh.faces.size() > chair.parts[i].solid.mesh.faces.size());
+      CHECK(2 * mesh.faces.size() > model.parts[i].solid.mesh.faces.size());
     }
     CHECK(open > 3);
-    CHECK(open < int(chair.parts.size()));
+    CHECK(open < int(model.parts.size()));
   }
   SECTION("gaps: parts are smaller and fewer touch")
   {
     const gen::Assembly other = made_worse(&gen::Degradation::gaps);
-    CHECK(total(other, gen::volume) < total(chair, gen::volume));
-    CHECK(other.near_parts(1e-4).size() < chair.near_parts(1e-4).size());
+    CHECK(total(other, gen::volume) < total(model, gen::volume));
+    CHECK(other.near_parts(1e-4).size() < model.near_parts(1e-4).size());
   }
   SECTION("noise: vertices move a little")
   {
     const gen::Assembly other = made_worse(&gen::Degradation::noise);
-    for (std::size_t i = 0; i < chair.parts.size(); ++i) {
-      const Mesh &mesh = other.parts[i].solid.mesh, &before = chair.parts[i].solid.mesh;
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+      const Mesh &mesh = other.parts[i].solid.mesh, &before = model.parts[i].solid.mesh;
       CHECK(mesh.points != before.points);
       for (std::size_t k = 0; k < mesh.points.size(); ++k)
         CHECK((mesh.points[k] - before.points[k]).norm() < .01 * gen::diagonal(before) + gen::grid_step);
@@ -481,7 +480,7 @@ TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_s
         box.extend(box_of(part.solid.mesh.points));
       return Point(box.diagonal());
     };
-    const Point before = extent(chair), scaled = extent(made_worse(&gen::Degradation::scale)),
+    const Point before = extent(model), scaled = extent(made_worse(&gen::Degradation::scale)),
                 turned = extent(made_worse(&gen::Degradation::rotation));
     for (int k = 0; k < 3; ++k) {
       CHECK(scaled[k] / before[k] > .74);
@@ -495,8 +494,8 @@ TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_s
   {
     gen::Degradation both;
     both.openings = both.rotation = true;
-    const gen::Assembly one = made_worse(&gen::Degradation::openings), two = gen::degraded(chair, both, 7);
-    for (std::size_t i = 0; i < chair.parts.size(); ++i)
+    const gen::Assembly one = made_worse(&gen::Degradation::openings), two = gen::degraded(model, both, 7);
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
       CHECK(one.parts[i].solid.mesh.faces == two.parts[i].solid.mesh.faces);
     CHECK(hash_of({made_worse(&gen::Degradation::noise, 8)}) != hash_of({made_worse(&gen::Degradation::noise)}));
   }
@@ -504,6 +503,6 @@ TEST_CASE("shapes are degraded as requested, and in no other way", "[benchmark_s
   {
     gen::Degradation all;
     all.segmentation = all.openings = all.gaps = all.noise = all.scale = all.rotation = true;
-    CHECK(hash_of({gen::degraded(chair, all, 1)}) == 0x78c4b7ceb4a6f774);
+    CHECK(hash_of({gen::degraded(model, all, 1)}) == 0x29ae6b44ff212f88);
   }
 }

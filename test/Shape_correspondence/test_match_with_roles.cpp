@@ -203,6 +203,31 @@ TEST_CASE("A shape that clearly faces another side is turned, unless its front i
   }
 }
 
+TEST_CASE("A shape that tells no front keeps the given one")
+{
+  const auto table = [](double width, double depth) {
+    std::vector<Part_abstraction> parts{box("top", {-width, 1, -depth}, {width, 1.1, depth})};
+    std::vector<Part_label> labels{{"tabletop", ""}};
+    for (const double x : {-1., 1.})
+      for (const double z : {-1., 1.}) {
+        const Point middle(x * (width - 0.1), 0, z * (depth - 0.1)), half(0.1, 0, 0.1);
+        parts.push_back(box("leg" + std::to_string(parts.size()), middle - half, middle + half + Point(0, 1, 0)));
+        labels.push_back({"leg", std::string("leg_") + (z > 0 ? "front" : "back") + (x > 0 ? "_left" : "_right")});
+      }
+    return furniture("table", std::move(parts), std::move(labels));
+  };
+  std::deque<Furniture> tables;
+  for (int i = 0; i < 8; ++i)
+    tables.push_back(table(1.5 + 0.2 * i, 0.6 + 0.05 * i));
+  Search_options options;
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(tables)));
+  options.category = "table";
+  const Furniture source = table(1.9, 0.7), target = table(0.7, 1.8); // alike from its left and its right
+  const Correspondence found = find_correspondence(source.graph, target.graph, options);
+  CHECK(found.warnings.empty());
+  CHECK(found.target_quarter_turns == 0);
+}
+
 TEST_CASE("A shape that faces another side is recognised once it is turned, unless its front is said to be right")
 {
   Search_options options;
@@ -262,27 +287,24 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
   const Role_model model = train_role_model(twice);
   const Furniture usual = chair(0.17, 1.9),
                   odd = furniture("odd", {box("a", {-9, 0, 0}, {9, 0.1, 0.1}), box("b", {-9, 6, 0}, {-3, 6.1, 9})}, {});
-  // The first of two equally near categories: the trees agree on its roles
-  CHECK(part_roles(usual.graph, model).category == "chair");
-  CHECK(part_roles(odd.graph, model).category.empty()); // it is equally far from chairs and from seats
+  CHECK(part_roles(usual.graph, model).category.empty()); // as near to chairs as to seats
   Search_options options;
-  options.roles = std::make_shared<const Role_model>(model);
+  options.roles = std::make_shared<const Role_model>(train_role_model(labelled(shapes)));
   for (const int alignments : {1, 0}) {
     INFO(alignments);
     options.alignments = alignments;
-    const auto found = [&](const Furniture& shape, double agreement, double distance) {
-      options.parts.category_agreement = agreement;
+    const auto found = [&](const Furniture& shape, double ratio, double distance) {
+      options.parts.category_ratio = ratio;
       options.parts.category_distance = distance;
       return find_correspondence(shape.graph, shape.graph, options);
     };
-    CHECK(found(usual, 0.64, 0.5).category == "chair");
-    const Correspondence refused = found(usual, 1.01, 0.5); // more agreement than possible
+    CHECK(found(usual, 0.85, 0.35).category == "chair");
+    const Correspondence refused = found(usual, 0.85, 0);
     CHECK(refused.category.empty());
     REQUIRE(refused.warnings.size() == 1);
     CHECK_THAT(refused.warnings[0], Contains("the nearest is chair"));
-    CHECK(found(odd, 0, 0.5).category.empty()); // too far, regardless of the trees
-    CHECK(found(odd, 0, 10).category == "chair");
-    CHECK(found(odd, 0.9, 10).category.empty()); // less agreement of its trees than required
+    CHECK(found(odd, 1, 0.35).category.empty()); // too far, whatever else there is
+    CHECK(found(usual, 0, 10).category.empty()); // no shape is so much nearer
   }
 }
 

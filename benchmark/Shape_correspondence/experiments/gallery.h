@@ -23,7 +23,7 @@ namespace Shape_correspondence {
 namespace experiments {
 
 /// The paper's main example: a bicycle and a tricycle.
-constexpr const char* main_example[] = {"velocipede_city", "velocipede_adult_tricycle"};
+constexpr const char* main_example[] = {"velocipede_1", "velocipede_10"};
 
 /// The pairs of a category that are shown: the main example, where it is one of them, and the smallest, the middle and
 /// the largest one by numbers of groups.

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <set>
@@ -129,12 +130,13 @@ using Shape_pair = std::array<std::size_t, 2>;
 struct Unseen_pair
 {
   Shape_pair shapes{};
-  std::string category;   // of both shapes
-  Ground_truth truth;     // by their labels
-  Pair_terms own_terms;   // in their category; empty if the model does not have it
-  std::string found;      // the category that the model finds; empty: none
-  Pair_terms found_terms; // in the category found
-  std::string nearest;    // the nearest category, clear or not
+  std::string category;              // of both shapes
+  Ground_truth truth;                // by their labels
+  Pair_terms own_terms;              // in their category; empty if the model does not have it
+  std::string found;                 // the category that the model finds; empty: none
+  Pair_terms found_terms;            // in the category found
+  std::string nearest;               // the nearest category, clear or not
+  std::array<double, 2> distances{}; // of the nearest category and of the second one, mean of both shapes
 };
 
 // \param source, target the roles of the shapes of the pair by `model` \param category_known as if it were given
@@ -143,11 +145,16 @@ inline Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const 
                                bool category_known = false)
 {
   const Labelled_graph &a = shapes[pair[0]], &b = shapes[pair[1]];
-  Unseen_pair result{pair, a.category, ground_truth(a.labels, b.labels), {}, {}, {}, {}};
+  Unseen_pair result{pair, a.category, ground_truth(a.labels, b.labels), {}, {}, {}, {}, {}};
   const std::size_t own = model.index(a.category), none = model.categories.size();
   const Pair_category of_pair = category_of_pair(source, target, model);
   const std::size_t found = category_known ? own : of_pair.index;
   if (of_pair.nearest < none) result.nearest = model.categories[of_pair.nearest].name;
+  std::vector<double> distances(2, 1e9); // as good as infinite
+  for (std::size_t category = 0; category < none; ++category)
+    distances.push_back((source.distance(category) + target.distance(category)) / 2);
+  std::partial_sort(distances.begin(), distances.begin() + 2, distances.end());
+  result.distances = {distances[0], distances[1]};
   if (own < none) result.own_terms = role_terms_of_all(source.votes(own), target.votes(own));
   if (found == none) return result;
   result.found = model.categories[found].name;
@@ -164,53 +171,59 @@ inline Part_matching geometric_match(const Structural_graph& source, const Struc
   return renumbered(match_parts(a, b, options), a.original, b.original);
 }
 
+// Sources of shapes, by number.
+using Sources = std::set<std::size_t>;
+
 // The weights of matching with roles, fitted to pairs of shapes that the models had not seen.
 class Role_fit
 {
 public:
   // \param pairs, geometric the pairs, which are kept as a reference, and their geometric matches
+  // \param sources of every shape, kept as a reference
   // \param by_category whether the weights of a category may differ from those of all others
   Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
-           const Part_matching_options& options = {}, bool by_category = true);
+           const std::vector<std::size_t>& sources, const Part_matching_options& options = {}, bool by_category = true);
 
-  // Fitted to the pairs of all categories but one; of all if it is empty. Every category weighs the same, and every
-  // pair within it. The usual weights where there are few pairs.
-  Match_weights of_others(const std::string& category) const;
+  // Fitted to the pairs of a category without the sources left out; the fewer there are, the nearer to the weights that
+  // are fitted to all other categories, where every category weighs the same, and every pair within it. The usual
+  // weights where there are few pairs.
+  const Match_weights& weights(const std::string& category, const Sources& left_out) const;
 
-  // Fitted to the pairs of a category that have none of the shapes left out; the fewer there are, the nearer to the
-  // weights of the others.
-  Pair_weights weights(const std::string& category, const std::vector<std::size_t>& left_out) const;
-  Confidence_weights confidence(const std::string& category, const std::vector<std::size_t>& left_out) const;
-  // The same of what geometry alone matches, fitted to the pairs with this nearest category.
-  Confidence_weights geometric_confidence(const std::string& nearest, const std::string& category,
-                                          const std::vector<std::size_t>& left_out) const;
-
-  // `weights()` without the shapes of a pair.
-  const Pair_weights& weights_of_pair(std::size_t pair) const { return weights_of_pair_[pair]; }
+  Sources sources_of(const Shape_pair& pair) const { return {sources_[pair[0]], sources_[pair[1]]}; }
+  // Whether a pair has a shape of these sources.
+  bool has(const Shape_pair& pair, const Sources& sources) const
+  {
+    return sources.count(sources_[pair[0]]) > 0 || sources.count(sources_[pair[1]]) > 0;
+  }
 
   // Sets the weights of all categories of a model, and those for shapes without a category.
   void apply(Role_model_data& model) const;
 
 private:
+  using Key = std::pair<std::string, Sources>;
+
   // \param examples by pair
   template <typename Examples>
-  auto fitted_without(const std::string& category, const Examples& examples) const;
+  auto fitted_without(const Key& key, const Examples& examples) const;
   // \param group category that a pair counts for
   template <typename Examples, typename Weights>
-  Weights fitted_of(const std::string& category, std::string Unseen_pair::*group, const Examples& examples,
-                    const Weights& expected, const Weights& penalties, const std::vector<std::size_t>& left_out) const;
+  Weights fitted_of(const Key& key, std::string Unseen_pair::*group, const Examples& examples, const Weights& expected,
+                    const Weights& penalties) const;
+  // Of all keys, in parallel.
+  template <typename Set>
+  void for_each_key(const Set& set);
 
   const std::vector<Unseen_pair>& pairs_;
+  const std::vector<std::size_t>& sources_;
   bool by_category_;
   std::vector<Judged_terms> terms_; // by pair, in its own category
-  std::vector<Pair_weights> weights_of_pair_;
-  // By pair, of the parts that are matched: by roles where its category is found, by geometry alone where none is
+  // By pair, of the parts that are matched by roles, where its category is found, and by geometry alone
   std::vector<Judged_confidences> confidences_, geometric_confidences_;
-  std::map<std::string, Match_weights> of_others_; // by category of a pair
+  std::map<Key, Match_weights> weights_;
 };
 
 template <typename Examples>
-auto Role_fit::fitted_without(const std::string& left_out, const Examples& examples) const
+auto Role_fit::fitted_without(const Key& key, const Examples& examples) const
 {
   using Example = typename Examples::value_type;
   constexpr int term_count = decltype(Example::terms)::ColsAtCompileTime;
@@ -218,7 +231,7 @@ auto Role_fit::fitted_without(const std::string& left_out, const Examples& examp
   std::map<std::string, std::vector<const Example*>> by_category;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    if (pairs_[i].category == left_out || examples[i].terms.rows() == 0) continue;
+    if (pairs_[i].category == key.first || examples[i].terms.rows() == 0 || has(pairs_[i].shapes, key.second)) continue;
     by_category[pairs_[i].category].push_back(&examples[i]);
     ++count;
   }
@@ -237,21 +250,16 @@ auto Role_fit::fitted_without(const std::string& left_out, const Examples& examp
 
 // Every shape weighs 1.
 template <typename Examples, typename Weights>
-Weights Role_fit::fitted_of(const std::string& category, std::string Unseen_pair::*group, const Examples& examples,
-                            const Weights& expected, const Weights& penalties,
-                            const std::vector<std::size_t>& left_out) const
+Weights Role_fit::fitted_of(const Key& key, std::string Unseen_pair::*group, const Examples& examples,
+                            const Weights& expected, const Weights& penalties) const
 {
-  if (!by_category_) return expected;
+  if (!by_category_ || key.first.empty()) return expected;
   constexpr int term_count = Weights::RowsAtCompileTime;
-  const auto is_left_out = [&](std::size_t shape) {
-    return std::find(left_out.begin(), left_out.end(), shape) != left_out.end();
-  };
   std::vector<const typename Examples::value_type*> of_category;
   std::set<std::size_t> seen;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Shape_pair& pair = pairs_[i].shapes;
-    if (pairs_[i].*group != category || examples[i].terms.rows() == 0 || is_left_out(pair[0]) || is_left_out(pair[1]))
-      continue;
+    if (pairs_[i].*group != key.first || examples[i].terms.rows() == 0 || has(pair, key.second)) continue;
     of_category.push_back(&examples[i]);
     seen.insert(pair.begin(), pair.end());
   }
@@ -261,15 +269,30 @@ Weights Role_fit::fitted_of(const std::string& category, std::string Unseen_pair
   return fitted_weights<term_count>(chosen, expected, penalties);
 }
 
+template <typename Set>
+void Role_fit::for_each_key(const Set& set)
+{
+  std::vector<std::pair<const Key, Match_weights>*> all;
+  for (auto& entry : weights_)
+    all.push_back(&entry);
+  for_each_index(all.size(), true, [&](std::size_t i) { set(all[i]->first, all[i]->second); });
+}
+
 inline Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
-                          const Part_matching_options& options, bool by_category)
+                          const std::vector<std::size_t>& sources, const Part_matching_options& options,
+                          bool by_category)
     : pairs_(pairs),
+      sources_(sources),
       by_category_(by_category),
       terms_(pairs.size()),
-      weights_of_pair_(pairs.size()),
       confidences_(pairs.size()),
       geometric_confidences_(pairs.size())
 {
+  weights_[{"", {}}];
+  for (const Unseen_pair& pair : pairs)
+    for (const std::string& category : {pair.category, pair.nearest})
+      for (const Sources& left_out : {Sources(), sources_of(pair.shapes)})
+        weights_[{category, left_out}];
   const auto with_geometry = [&](const Pair_terms& terms, std::size_t i) {
     return with_geometric_terms(terms, geometric[i].costs, geometric[i].pairs);
   };
@@ -277,59 +300,38 @@ inline Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vect
     if (pairs[i].own_terms.rows() > 0)
       terms_[i] = judged_terms(with_geometry(pairs[i].own_terms, i), pairs[i].truth, geometric[i].costs.cols());
   });
-  for (const Unseen_pair& pair : pairs)
-    if (of_others_.count(pair.category) == 0) of_others_[pair.category].weights = fitted_without(pair.category, terms_);
+  for_each_key([&](const Key& key, Match_weights& result) {
+    result.weights = fitted_of(key, &Unseen_pair::category, terms_, Pair_weights(fitted_without(key, terms_)),
+                               Pair_weights(Pair_weights::Constant(category_penalty)));
+  });
   for_each_index(pairs.size(), true, [&](std::size_t i) {
     const Unseen_pair& pair = pairs[i];
-    weights_of_pair_[i] = weights(pair.category, {pair.shapes.begin(), pair.shapes.end()});
-    if (pair.found.empty()) geometric_confidences_[i] = judged_confidences(geometric[i].pairs, pair.truth);
+    geometric_confidences_[i] = judged_confidences(geometric[i].pairs, pair.truth);
     if (pair.found != pair.category) return;
-    const Pair_terms terms = with_geometry(pair.found_terms, i);
-    confidences_[i] =
-        judged_confidences(match_by_terms(terms, weights_of_pair_[i], geometric[i], {}, options).pairs, pair.truth);
+    const Pair_weights& by = weights(pair.category, sources_of(pair.shapes)).weights;
+    confidences_[i] = judged_confidences(
+        match_by_terms(with_geometry(pair.found_terms, i), by, geometric[i], {}, options).pairs, pair.truth);
   });
-  for (auto& [category, weights] : of_others_) {
-    weights.confidence = fitted_without(category, confidences_);
-    weights.geometric_confidence = fitted_without(category, geometric_confidences_);
-  }
+  for_each_key([&](const Key& key, Match_weights& result) {
+    const Confidence_weights usual = fitted_without(key, confidences_),
+                             geometric_usual = fitted_without(key, geometric_confidences_);
+    result.confidence = fitted_of(key, &Unseen_pair::category, confidences_, usual, confidence_penalties());
+    result.geometric_confidence =
+        fitted_of(key, &Unseen_pair::nearest, geometric_confidences_, geometric_usual, confidence_penalties());
+  });
 }
 
-inline Match_weights Role_fit::of_others(const std::string& category) const
+inline const Match_weights& Role_fit::weights(const std::string& category, const Sources& left_out) const
 {
-  const auto known = of_others_.find(category);
-  if (known != of_others_.end()) return known->second;
-  return {fitted_without(category, terms_), fitted_without(category, confidences_),
-          fitted_without(category, geometric_confidences_)};
-}
-
-inline Pair_weights Role_fit::weights(const std::string& category, const std::vector<std::size_t>& left_out) const
-{
-  return fitted_of(category, &Unseen_pair::category, terms_, of_others(category).weights,
-                   Pair_weights(Pair_weights::Constant(category_penalty)), left_out);
-}
-
-inline Confidence_weights Role_fit::confidence(const std::string& category,
-                                               const std::vector<std::size_t>& left_out) const
-{
-  return fitted_of(category, &Unseen_pair::category, confidences_, of_others(category).confidence,
-                   confidence_penalties(), left_out);
-}
-
-inline Confidence_weights Role_fit::geometric_confidence(const std::string& nearest, const std::string& category,
-                                                         const std::vector<std::size_t>& left_out) const
-{
-  return fitted_of(nearest, &Unseen_pair::nearest, geometric_confidences_, of_others(category).geometric_confidence,
-                   confidence_penalties(), left_out);
+  const auto found = weights_.find({category, left_out});
+  return found != weights_.end() ? found->second : weights_.at({"", {}});
 }
 
 inline void Role_fit::apply(Role_model_data& model) const
 {
-  for (Category_roles& category : model.categories) {
-    const std::string& name = category.name;
-    static_cast<Match_weights&>(category) = {weights(name, {}), confidence(name, {}),
-                                             geometric_confidence(name, name, {})};
-  }
-  model.geometric_confidence = of_others("").geometric_confidence;
+  for (Category_roles& category : model.categories)
+    static_cast<Match_weights&>(category) = weights(category.name, {});
+  model.geometric_confidence = weights("", {}).geometric_confidence;
 }
 
 } // namespace experiments

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -37,7 +38,6 @@ struct Validation_shape
 {
   Labelled_graph labelled;
   std::string source; ///< where it is from
-  bool is_generated = false;
 };
 
 /// What the training does not see of a pair's category.
@@ -59,6 +59,7 @@ struct Validation_options
   /// How many shapes of the category that are not generated the training sees at most, drawn for every pair; with
   /// `Left_out::CATEGORY` it sees these of all the category.
   std::optional<std::size_t> examples;
+  bool with_generated = true;  ///< the training sees generated shapes
   bool category_known = false; ///< to the matcher
   Validation_turns turns = Validation_turns::NONE;
   /// What the matcher does about fronts. Where it finds them, the confidences of pairs are of what it finds.
@@ -90,8 +91,9 @@ struct Validated_pair
   Correspondence_score geometric, joined; ///< by geometry alone, and as the matcher does it
   /// The share of the target's parts that get their coarse label from the source.
   double labels_by_geometry = 0, labels_joined = 0;
-  Front_count fronts;              ///< of the two shapes, with the category known
-  std::vector<Judged_pair> judged; ///< of the matcher's pairs; none of least energy, which have no confidence
+  std::array<double, 2> distances{}; ///< of the nearest category and of the second one
+  Front_count fronts;                ///< of the two shapes, with the category known
+  std::vector<Judged_pair> judged;   ///< of the matcher's pairs; none of least energy, which have no confidence
 };
 
 /// The graph turned about the up axis, as if its meshes had been.
@@ -114,8 +116,9 @@ inline Structural_graph turned(Structural_graph graph, double angle)
 }
 
 /// Matches of pairs of shapes that the training did not see. The weights of the terms, and of confidences, follow from
-/// pairs of other categories and from those of their own category that share no shape with the one at hand; where
-/// examples are limited, from pairs of other categories that were matched with as few.
+/// pairs that share no source with the one at hand, by roles that were learned from neither their sources nor generated
+/// shapes; where examples are limited, from pairs of other categories that were matched with as few. A category of
+/// which these pairs gain nothing from roles is matched by geometry alone.
 class Role_validation
 {
 public:
@@ -129,8 +132,10 @@ public:
         all_(trainer_.model()),
         turned_(shapes.size()),
         least_energy_(pairs.size()),
-        pairs_(pairs.size())
+        pairs_(pairs.size()),
+        with_roles_(pairs.size())
   {
+    number_sources();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       pairs_[i].shapes = pairs[i];
       for (std::size_t shape : pairs[i])
@@ -138,8 +143,14 @@ public:
           turned_[shape].push_back(role_evidence(*labelled_[shape].graph, turn));
     }
     unseen_ = predicted(options_, true);
-    // What was learned with much left out tells nothing of how good what is learned of others is
-    fitted_to_ = options.left_out != Left_out::SHAPES && !options.examples ? predicted({}, false) : unseen_;
+    if (options.examples) {
+      fitted_to_ = unseen_;
+    } else {
+      Validation_options of_fit;
+      of_fit.left_out = options.left_out == Left_out::SHAPES ? Left_out::SHAPES : Left_out::SOURCES;
+      of_fit.with_generated = false;
+      fitted_to_ = predicted(of_fit, false);
+    }
     match({});
   }
 
@@ -151,20 +162,30 @@ public:
       const auto& [source, target] = pairs_[i].shapes;
       geometric[i] = geometric_match(*labelled_[source].graph, *labelled_[target].graph, parts);
     });
-    fit_ = std::make_unique<Role_fit>(fitted_to_, geometric, parts, !options_.examples);
-    for_each_index(pairs_.size(), true, [&](std::size_t i) { match(i, geometric[i], parts); });
+    fit_ = std::make_unique<Role_fit>(fitted_to_, geometric, sources_, parts, !options_.examples);
+    for_each_index(pairs_.size(), true, [&](std::size_t i) { match(i, geometric[i], parts, true); });
+    if (options_.role_weight > 0 || options_.orients_shapes()) return;
+    std::vector<std::size_t> by_geometry;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      if (!pairs_[i].category.empty() && gain(pairs_[i].category, fit_->sources_of(pairs_[i].shapes)) <= 0)
+        by_geometry.push_back(i);
+    gains_.clear();
+    for_each_index(by_geometry.size(), true,
+                   [&](std::size_t i) { match(by_geometry[i], geometric[by_geometry[i]], parts, false); });
   }
 
   const std::vector<Validated_pair>& pairs() const { return pairs_; }
 
   /// Fitted to all pairs; the usual ones where they are few.
-  Pair_weights weights() const { return fit_->of_others("").weights; }
+  Pair_weights weights() const { return fit_->weights("", {}).weights; }
 
   /// The model that is learned from all shapes, with the weights that are fitted to the pairs.
   Role_model fitted_model() const
   {
     Role_model_data result = all_;
     fit_->apply(result);
+    for (Category_roles& category : result.categories)
+      if (gain(category.name, {}) <= 0) category.weights.head<GEOMETRIC_PAIR>().setZero();
     return Role_model_access::model(std::move(result));
   }
 
@@ -179,9 +200,34 @@ private:
     return result;
   }
 
+  // Numbers of the sources of shapes; those that are left out of the training alone have each their own.
+  void number_sources()
+  {
+    std::map<std::string, std::size_t> numbers;
+    for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
+      sources_.push_back(options_.left_out == Left_out::SHAPES
+                             ? shape
+                             : numbers.emplace(shapes_[shape].source, numbers.size()).first->second);
+  }
+
   bool is_of_same_source(std::size_t shape, const Shape_pair& pair) const
   {
-    return shapes_[shape].source == shapes_[pair[0]].source || shapes_[shape].source == shapes_[pair[1]].source;
+    return sources_[shape] == sources_[pair[0]] || sources_[shape] == sources_[pair[1]];
+  }
+
+  // By how much roles raise F1 of the pairs of a category without these sources; above 0 where there are none.
+  double gain(const std::string& category, const Sources& left_out) const
+  {
+    const auto known = gains_.find({category, left_out});
+    if (known != gains_.end()) return known->second;
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      if (unseen_[i].category == category && !fit_->has(pairs_[i].shapes, left_out)) {
+        sum += with_roles_[i] - pairs_[i].geometric.f1();
+        ++count;
+      }
+    return gains_[{category, left_out}] = count > 0 ? sum / double(count) : 1;
   }
 
   /// The shapes of the category of a pair that may be examples, in an order drawn by its number.
@@ -190,7 +236,7 @@ private:
     const Shape_pair& pair = pairs_[number].shapes;
     std::vector<std::size_t> result;
     for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
-      if (labelled_[shape].category == labelled_[pair[0]].category && !shapes_[shape].is_generated &&
+      if (labelled_[shape].category == labelled_[pair[0]].category && !labelled_[shape].is_generated &&
           shape != pair[0] && shape != pair[1] && !(left_out == Left_out::SOURCES && is_of_same_source(shape, pair)))
         result.push_back(shape);
     std::mt19937_64 random(number); // the same numbers on all machines
@@ -206,7 +252,7 @@ private:
     std::vector<char> result(shapes_.size(), 0);
     for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
       result[shape] =
-          shape == pair[0] || shape == pair[1] ||
+          (!options.with_generated && labelled_[shape].is_generated) || shape == pair[0] || shape == pair[1] ||
           (options.left_out == Left_out::SOURCES && is_of_same_source(shape, pair)) ||
           (options.left_out == Left_out::CATEGORY && labelled_[shape].category == labelled_[pair[0]].category);
     if (!options.examples) return result;
@@ -216,15 +262,53 @@ private:
     return result;
   }
 
+  /// What is left out of a category, by index of the shape.
+  using Left_out_of_category = std::pair<std::string, std::vector<std::size_t>>;
+
+  std::vector<Left_out_of_category> left_out_by_category(const std::vector<char>& is_left_out) const
+  {
+    std::map<std::string, std::vector<std::size_t>> result;
+    for (std::size_t shape = 0; shape < shapes_.size(); ++shape)
+      if (is_left_out[shape]) result[labelled_[shape].category].push_back(shape);
+    return {result.begin(), result.end()};
+  }
+
+  /// Learns what is needed without what is left out; many pairs share it.
+  void learn(const Validation_options& options)
+  {
+    std::map<Left_out_of_category, Category_roles> learned;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      for (Left_out_of_category& left_out : left_out_by_category(left_out_shapes(i, options)))
+        learned[std::move(left_out)];
+    std::vector<std::pair<const Left_out_of_category, Category_roles>*> all;
+    for (auto& entry : learned)
+      all.push_back(&entry);
+    for_each_index(all.size(), true, [&](std::size_t i) {
+      std::vector<char> is_left_out(shapes_.size(), 0);
+      for (std::size_t shape : all[i]->first.second)
+        is_left_out[shape] = 1;
+      all[i]->second = trainer_.category(all[i]->first.first, is_left_out);
+    });
+    learned_ = std::move(learned);
+  }
+
+  /// What was learned with a pair's shapes left out.
   Role_model_data left_out_model(std::size_t number, const Validation_options& options) const
   {
-    return trainer_.model_without(all_, labelled_[pairs_[number].shapes[0]].category, left_out_shapes(number, options));
+    Role_model_data result = all_;
+    for (const Left_out_of_category& left_out : left_out_by_category(left_out_shapes(number, options)))
+      result.categories[result.index(left_out.first)] = learned_.at(left_out);
+    const auto is_empty = [](const Category_roles& category) { return category.roles.empty(); };
+    result.categories.erase(std::remove_if(result.categories.begin(), result.categories.end(), is_empty),
+                            result.categories.end());
+    return result;
   }
 
   /// What roles predict for all pairs. \param is_reported also counts fronts and searches for least energies
   std::vector<Unseen_pair> predicted(const Validation_options& options, bool is_reported)
   {
     std::vector<Unseen_pair> result(pairs_.size());
+    learn(options);
     for_each_index(pairs_.size(), true, [&](std::size_t i) {
       const Shape_pair& pair = pairs_[i].shapes;
       const Role_model_data data = left_out_model(i, options);
@@ -266,29 +350,25 @@ private:
     return find_correspondence(*labelled_[pair[0]].graph, *labelled_[pair[1]].graph, options).pairs;
   }
 
-  void match(std::size_t i, const Part_matching& geometric, const Part_matching_options& parts)
+  void match(std::size_t i, const Part_matching& geometric, const Part_matching_options& parts, bool by_roles)
   {
     Validated_pair& result = pairs_[i];
     const auto& [source, target] = result.shapes;
     const Unseen_pair& pair = unseen_[i];
-    const std::vector<std::size_t> shapes{source, target};
+    const Sources sources = fit_->sources_of(result.shapes);
     Part_matching matched = geometric;
     Pairs without = geometric.pairs;
     result.category = pair.found;
-    Match_weights weights = fit_->of_others(pair.category);
-    if (pair.own_terms.rows() > 0 && (pair.found == pair.category || options_.orients_shapes()))
-      weights = {fit_->weights_of_pair(i), fit_->confidence(pair.category, shapes), weights.geometric_confidence};
+    const bool has_weights = pair.own_terms.rows() > 0 && (pair.found == pair.category || options_.orients_shapes());
+    const Match_weights& weights = has_weights ? fit_->weights(pair.category, sources) : fit_->weights("", {});
     if (options_.orients_shapes()) {
       match_turned(i, parts, weights, without, matched.pairs);
-    } else if (!pair.found.empty()) {
+    } else if (!pair.found.empty() && by_roles) {
       const Pair_terms terms = with_geometric_terms(pair.found_terms, geometric.costs, geometric.pairs);
       matched = match_by_terms(terms, weights.weights, geometric, {}, parts);
       state_confidences(weights.confidence, matched);
     } else {
-      const bool sees_category = options_.left_out != Left_out::CATEGORY;
-      state_confidences(
-          fit_->geometric_confidence(pair.nearest, pair.category, sees_category ? shapes : shapes_of(pair.category)),
-          matched);
+      state_confidences(fit_->weights(pair.nearest, sources).geometric_confidence, matched);
     }
     if (options_.role_weight > 0) {
       without = least_energy_[i][0];
@@ -296,6 +376,8 @@ private:
     }
     result.geometric = evaluate_correspondence(part_pairs(without), pair.truth);
     result.joined = evaluate_correspondence(part_pairs(matched.pairs), pair.truth);
+    result.distances = pair.distances;
+    if (by_roles) with_roles_[i] = result.joined.f1();
     result.labels_by_geometry = transferred_share(geometric, source, target);
     result.labels_joined = transferred_share(matched, source, target);
     result.judged.clear();
@@ -303,7 +385,7 @@ private:
       return std::binary_search(known.begin(), known.end(), std::make_pair(found.source, found.target));
     };
     for (const Part_correspondence& found : matched.pairs)
-      if (options_.role_weight == 0)
+      if (options_.role_weight == 0 && options_.left_out != Left_out::CATEGORY)
         result.judged.push_back({found.confidence, has(pair.truth.pairs, found), has(pair.truth.coarse_pairs, found)});
   }
 
@@ -338,14 +420,6 @@ private:
     result.category = found.category;
   }
 
-  std::vector<std::size_t> shapes_of(const std::string& category) const
-  {
-    std::vector<std::size_t> result;
-    for (std::size_t shape = 0; shape < labelled_.size(); ++shape)
-      if (labelled_[shape].category == category) result.push_back(shape);
-    return result;
-  }
-
   /// The share of the target's parts that get their coarse label from the source.
   double transferred_share(const Part_matching& matching, std::size_t source, std::size_t target) const
   {
@@ -362,10 +436,14 @@ private:
   Role_trainer trainer_;
   Role_model_data all_;                            // learned from all shapes
   std::vector<std::vector<Role_evidence>> turned_; // by shape, by quarter turns; of those that are in a pair
-  std::vector<Unseen_pair> unseen_, fitted_to_;    // by pair; the latter with no more left out than its shapes
+  std::vector<Unseen_pair> unseen_, fitted_to_;    // by pair
   std::vector<std::array<Pairs, 2>> least_energy_; // by pair; without and with roles
   std::vector<Validated_pair> pairs_;
   std::unique_ptr<Role_fit> fit_;
+  std::vector<std::size_t> sources_;                       // by shape
+  std::map<Left_out_of_category, Category_roles> learned_; // of the last prediction
+  std::vector<double> with_roles_;                         // F1 by pair, if roles are used
+  mutable std::map<std::pair<std::string, Sources>, double> gains_;
 };
 
 } // namespace experiments

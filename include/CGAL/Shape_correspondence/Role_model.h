@@ -69,14 +69,11 @@ private:
 struct Role_options
 {
   /// Limit for the distance from a category's labelled parts over that from any other's for a shape to belong to it.
-  double category_ratio = 0.78;
-  /// Shapes also belong to the nearest category if at least this share of its trees, in the geometric mean over their
-  /// parts, votes for the likeliest role of a part, and the distance is at most `category_distance`.
-  double category_agreement = 0.64;
-  /// Largest mean distance for `category_agreement`, in standard deviations of a feature: the trees of a category with
-  /// few labelled shapes agree on anything.
-  double category_distance = 0.5;
-  /// Share, less than 1, by which another front or alignment must be better to be preferred to the given one.
+  double category_ratio = 0.85;
+  /// Largest mean distance from a category's labelled parts of a shape that belongs to it, in standard deviations of a
+  /// feature.
+  double category_distance = 0.35;
+  /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
   double clearly_better = 0.05;
 };
 
@@ -111,14 +108,18 @@ struct Labelled_graph
   /// parts of a role have one; `left` and `right` in them are replaced by the side of the part.
   std::vector<Part_label> labels;
   double weight = 1; ///< weight in the training, above 0; smaller for generated shapes than for real ones
+  /// Whether the shape is generated. Every tree is trained on a sample of the generated shapes; the distance from a
+  /// category that has others is measured to the others alone.
+  bool is_generated = false;
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `train_role_model()`.
 struct Role_training_options
 {
-  int trees = 80;         ///< number of trees in the forest of a category, from 1 to 1000
-  std::uint64_t seed = 0; ///< seed of the random numbers
+  int trees = 80;              ///< number of trees in the forest of a category, from 1 to 1000
+  int generated_per_tree = 40; ///< number of generated shapes of the category that a tree sees at most, from 0
+  std::uint64_t seed = 0;      ///< seed of the random numbers
 };
 
 } // namespace Shape_correspondence

@@ -10,6 +10,28 @@ namespace Shape_correspondence {
 namespace generator {
 namespace {
 
+// A wheel with spokes, or a pair of them.
+void add_wheel(Assembly& shape, const std::string& where, const Point& axle, double radius, double tyre_radius, int n)
+{
+  shape.add("tyre_" + where, {"wheel", "wheel_" + where}, tyre(axle, radius, tyre_radius));
+  shape.add("spokes_" + where, {"spokes", "spokes_" + where}, spokes(axle, .02, radius - .4 * tyre_radius, .025, n));
+  shape.add("hub_" + where, {"hub", "hub_" + where}, along_x(hub_profile(.058, .024, .025), axle));
+}
+
+void add_wheel_pair(Assembly& shape, const std::string& where, const Point& axle, double radius, double tyre_radius,
+                    int n)
+{
+  const auto add = [&](const std::string& role, const Solid& solid) {
+    const Label label{role, role + "_" + where};
+    shape.add_pair({(role == "wheel" ? "tyre" : role) + "_" + where + "_l",
+                    (role == "wheel" ? "tyre" : role) + "_" + where + "_r"},
+                   label, label, solid);
+  };
+  add("wheel", tyre(axle, radius, tyre_radius));
+  add("spokes", spokes(axle, .02, radius - .4 * tyre_radius, .02, n));
+  add("hub", along_x(hub_profile(.045, .022, .02), axle));
+}
+
 /// What carries the load: its floor at `height`, its middle at `z`.
 struct Box_design
 {
@@ -67,7 +89,7 @@ void add_axle(Assembly& cart, const std::string& where, const Box_design& box, d
   const Point axle(0, radius + tyre_radius, z);
   cart.add("axle_" + where, {"axle", "axle_" + where},
            beam(axle - Point(x, 0, 0), axle + Point(x, 0, 0), round_section(.018), 8));
-  add_wheel_pair(cart, where, where, axle + Point(x, 0, 0), radius, tyre_radius, spokes);
+  add_wheel_pair(cart, where, axle + Point(x, 0, 0), radius, tyre_radius, spokes);
   cart.add_pair({"hanger_" + where + "_l", "hanger_" + where + "_r"}, {"axle", "hanger"},
                 beam(axle + Point(.7 * box.half_width, 0, 0), {.7 * box.half_width, box.height, z}, bar(.05, .03)));
 }
@@ -80,7 +102,7 @@ Assembly wheelbarrow()
   add_floor(cart, box);
   add_boarded_sides(cart, box, .08);
   cart.add("back_wall", {"box", "back_wall"}, cross_board(box, box.back(), -.05));
-  add_wheel(cart, "front", "front", axle, .178, .022, 12);
+  add_wheel(cart, "front", axle, .178, .022, 12);
   cart.add("axle_front", {"axle", "axle_front"},
            beam(axle - Point(.09, 0, 0), axle + Point(.09, 0, 0), round_section(.012)));
   cart.add_pair({"shaft_l", "shaft_r"}, {"handle", "shaft"},

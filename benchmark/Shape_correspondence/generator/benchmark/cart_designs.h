@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_CART_DESIGNS_H
 #define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_CART_DESIGNS_H
 
-#include "velocipede_designs.h"
+#include "../velocipedes.h"
 
 namespace CGAL {
 namespace Shape_correspondence {

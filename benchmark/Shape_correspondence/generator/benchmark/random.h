@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <random>
-#include <vector>
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -33,16 +32,6 @@ public:
 private:
   std::mt19937_64 engine_;
 };
-
-/// The shapes of designs, each made with a seed of its own.
-template <typename Designs, typename Make>
-auto shapes_of(const Designs& designs, std::uint64_t seed, Make make)
-{
-  std::vector<decltype(make(*designs.begin(), seed))> result;
-  for (const auto& design : designs)
-    result.push_back(make(design, seed++));
-  return result;
-}
 
 } // namespace generator
 } // namespace Shape_correspondence

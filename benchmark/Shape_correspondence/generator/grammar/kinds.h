@@ -1,0 +1,44 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_KINDS_H
+#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_KINDS_H
+
+#include "Sketch.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_correspondence {
+namespace generator {
+
+// Each adds the parts of a shape to an empty sketch.
+void draw_aeroplane(Sketch& s);
+void draw_bed(Sketch& s);
+void draw_car(Sketch& s);
+void draw_chair(Sketch& s);
+void draw_lamp(Sketch& s);
+void draw_plant(Sketch& s);
+void draw_shelf(Sketch& s);
+void draw_sofa(Sketch& s);
+void draw_table(Sketch& s);
+void draw_velocipede(Sketch& s);
+
+/// A shape of a category of the grammar, drawn by a seed.
+Assembly drawn_shape(const std::string& category, std::uint64_t seed);
+
+/// The categories in turn, each shape by a seed of its own.
+std::vector<Assembly> drawn_shapes(std::size_t count, std::uint64_t seed);
+
+/// The shapes that methods are compared on: fifteen of each of six categories.
+std::vector<Assembly> compared_shapes(std::uint64_t seed = 1);
+
+} // namespace generator
+} // namespace Shape_correspondence
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_KINDS_H
