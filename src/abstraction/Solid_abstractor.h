@@ -53,6 +53,7 @@ protected:
   /// Edge length of the remeshed solid
   double edge_length() const { return edge_length_; }
   Abstraction_report& report() { return result_.report; }
+  const Abstraction_report& report() const { return result_.report; }
   /// Milliseconds since the last call
   double lap() { return watch_.lap(); }
 
