@@ -17,9 +17,16 @@ class ShapeCorrespondence < Formula
   depends_on "libpng"
   depends_on "tbb"
 
+  resource "three" do # web pages contain it
+    url "https://registry.npmjs.org/three/-/three-0.111.0.tgz"
+    sha256 "c0f06a76cad7d725a8a21d11d1de145e1f574d68cb130ab2f153e0c1c289bf41"
+  end
+
   def install
+    resource("three").stage buildpath/"three"
     system "cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DBUILD_TESTING=OFF",
-           "-DSHAPE_CORRESPONDENCE_EXAMPLES=OFF", *std_cmake_args
+           "-DSHAPE_CORRESPONDENCE_EXAMPLES=OFF",
+           "-DSHAPE_CORRESPONDENCE_THREE_JS=#{buildpath}/three/build/three.min.js", *std_cmake_args
     system "cmake", "--build", "build"
     system "cmake", "--install", "build"
   end

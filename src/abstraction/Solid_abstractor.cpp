@@ -3,6 +3,7 @@
 
 #include "abstraction/Solid_abstractor.h"
 #include "abstraction/bounding_box.h"
+#include "abstraction/fit_sheet.h"
 #include "abstraction/inside_test.h"
 #include "abstraction/remesh.h"
 #include "abstraction/repair.h"
@@ -25,6 +26,15 @@ double target_edge_length(const Part_mesh& solid, const Abstraction_options& opt
 {
   const double triangle_area = surface_area(solid) / options.triangles;
   return std::max(options.edge_length * diagonal(solid.points), std::sqrt(triangle_area * 4 / std::sqrt(3.)));
+}
+
+/// Whether points lie on a line but for rounding noise: what is made of such a surface differs with the version of
+/// CGAL.
+bool are_in_line(const Points& points)
+{
+  const double thinnest = 5e-7; // over the length
+  const Eigen::Vector3d variances = principal_variances(points);
+  return variances[1] < thinnest * thinnest * variances[0];
 }
 
 } // namespace
@@ -59,6 +69,7 @@ void Solid_abstractor::try_to_run()
   watch_.lap();
   if (mesh().points.cwiseAbs().maxCoeff() > farthest * diagonal_)
     throw Flow_failure("it is far from the origin for its size");
+  if (are_in_line(mesh().points)) throw Flow_failure("it is as thin as a line");
   const Repaired_part repaired = repair_part(mesh(), deadline_);
   report().repair = repaired.repair;
   report().several_components = repaired.several_components;

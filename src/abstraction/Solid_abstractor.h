@@ -51,6 +51,7 @@ protected:
   double volume() const { return result_.volume; }
   double edge_length() const { return edge_length_; }
   Abstraction_report& report() { return result_.report; }
+  const Abstraction_report& report() const { return result_.report; }
   /// Milliseconds since the last call.
   double lap() { return watch_.lap(); }
 

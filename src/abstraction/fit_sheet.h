@@ -290,13 +290,12 @@ inline double sheet_residual(const Sheet& sheet, const Points& points)
 
 constexpr Eigen::Index most_fitted_points = 600;
 
-/// Fits a sheet to a medial axis as a height field over its principal plane: the boundary is the outline of the part in
-/// this plane, the heights those of the axis.
+/// Fits a sheet to a medial axis as a height field over a plane: the boundary is the outline of the part in this plane,
+/// the heights those of the axis.
 /// \param surface points of the part's surface that span its hull
-inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
+inline Fitted_sheet fit_sheet(Sheet_plane plane, const Points& axis, const Points& surface, int n)
 {
   const Points medial = thin_out(axis, most_fitted_points);
-  Sheet_plane plane = principal_plane(medial);
   turn_to_rectangle(plane, surface);
   const Points in_plane = plane.to_plane(medial);
   Fitted_sheet result;
@@ -305,6 +304,12 @@ inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
   result.sheet.points = plane.to_space(result.sheet.points);
   result.residual = sheet_residual(result.sheet, medial);
   return result;
+}
+
+/// The same over the principal plane of the axis.
+inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
+{
+  return fit_sheet(principal_plane(thin_out(axis, most_fitted_points)), axis, surface, n);
 }
 
 /// A flat sheet in a given plane, bounded by the outline of the part in this plane.

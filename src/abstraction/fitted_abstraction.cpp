@@ -124,10 +124,10 @@ class Fitter : public Solid_abstractor
         measured == Intrinsic_kind::COMPACT && is_carcass(layout, thickness) && is_flat(box.extents);
     const Intrinsic_kind kind = is_disc || is_flat_carcass ? Intrinsic_kind::FLAT : measured;
     const auto sheet = [&] {
-      return is_disc ? fit_sheet(axis.points, mesh().points, options().sheet_points)
+      return is_disc ? sheet_seen_across(axis.points, box)
              : is_flat_carcass
                  ? fit_flat_sheet({box.centre, box.axes}, axis.points, mesh().points, options().sheet_points)
-                 : fitted_sheet(axis.points, layout, thickness);
+                 : fitted_sheet(axis.points, layout, thickness, box);
     };
     if (wanted_kind() == Abstraction_kind::SHEET) {
       use_sheet(sheet(), Method::MEDIAL_AXIS);
@@ -206,11 +206,21 @@ private:
     return revolution_axis(solid.points, edge_length());
   }
 
+  /// The medial axis of a wrap differs with the version of CGAL, and spokes look alike when they are turned: there, the
+  /// part's box says how the sheet lies.
+  Fitted_sheet sheet_seen_across(const Points& axis, const Oriented_box& box) const
+  {
+    return report().repair == Abstraction_report::Repair::WRAP
+               ? fit_sheet({box.centre, box.axes}, axis, mesh().points, options().sheet_points)
+               : fit_sheet(axis, mesh().points, options().sheet_points);
+  }
+
   /// A sheet as a height field or, if the part is bent too much for that, along the part itself.
-  Fitted_sheet fitted_sheet(const Points& axis, const Intrinsic_layout& layout, double thickness) const
+  Fitted_sheet fitted_sheet(const Points& axis, const Intrinsic_layout& layout, double thickness,
+                            const Oriented_box& box) const
   {
     const double bent = 0.4; // depth over width
-    const Fitted_sheet seen = fit_sheet(axis, mesh().points, options().sheet_points);
+    const Fitted_sheet seen = sheet_seen_across(axis, box);
     const Eigen::Vector3d extents = principal_variances(axis).cwiseSqrt();
     if (extents[2] < bent * extents[1]) return seen;
     const Fitted_sheet along =

@@ -5,11 +5,9 @@
 #define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
 
 #include "abstraction/repair.h"
-#include "abstraction/Wrap_oracle.h"
 #include "abstraction/bounding_box.h"
 #include "abstraction/holes.h"
 #include "base/library_call.h"
-#include "shape/alpha_wrap.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -18,6 +16,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,16 +167,30 @@ bool is_solid(Halfedge_mesh& mesh)
 // Limit for points that a wrap inserts at existing points, which its rounded distances can make it do forever.
 constexpr int most_repeated_points = 1000;
 
-/// Throws if a wrap takes too long or does not terminate.
-struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
+/// Throws if a wrap takes too long or does not terminate. CGAL calls all of its functions.
+struct Wrap_watch
 {
   explicit Wrap_watch(const Deadline& deadline) : deadline(&deadline) {}
 
-  template <typename Wrapper, typename Gate>
-  void before_facet_treatment(const Wrapper&, const Gate&)
+  template <typename... Given>
+  void on_alpha_wrapping_begin(const Given&...)
+  {}
+  template <typename... Given>
+  void on_flood_fill_begin(const Given&...)
+  {}
+  template <typename... Given>
+  bool go_further(const Given&...)
+  {
+    return true;
+  }
+  template <typename... Given>
+  void before_facet_treatment(const Given&...)
   {
     deadline->check();
   }
+  template <typename... Given>
+  void before_Steiner_point_insertion(const Given&...)
+  {}
 
   template <typename Wrapper, typename Vertex>
   void after_Steiner_point_insertion(const Wrapper& wrapper, const Vertex&)
@@ -186,24 +199,24 @@ struct Wrap_watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visit
     if (now == vertices && ++repeated == most_repeated_points) throw Flow_failure("a surface around it is not found");
     vertices = now;
   }
+  template <typename... Given>
+  void on_flood_fill_end(const Given&...)
+  {}
+  template <typename... Given>
+  void on_alpha_wrapping_end(const Given&...)
+  {}
 
   const Deadline* deadline;
   std::size_t vertices = 0;
   int repeated = 0;
 };
 
-#ifdef CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE
-/// The triangles that are not degenerate.
-std::vector<contacts::Triangle> proper_triangles(const Part_mesh& part)
+bool is_degenerate(const Triangle_soup& soup)
 {
-  std::vector<contacts::Triangle> result;
-  for (const auto& t : part.triangles.colwise()) {
-    const Point a = part.points.col(t[0]), b = part.points.col(t[1]), c = part.points.col(t[2]);
-    if (!CGAL::collinear(to_mesh_point(a), to_mesh_point(b), to_mesh_point(c))) result.push_back({a, b, c});
-  }
-  return result;
+  return std::all_of(soup.triangles.begin(), soup.triangles.end(), [&](const auto& t) {
+    return CGAL::collinear(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+  });
 }
-#endif
 
 /// A closed surface around the part at a small distance. \throw Out_of_time, Flow_failure
 Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
@@ -212,18 +225,11 @@ Halfedge_mesh wrap(const Part_mesh& part, const Deadline& deadline)
   const double alpha = size / 20, offset = size / 600;
   Halfedge_mesh result;
   Wrap_watch watch(deadline);
-#ifdef CGAL_SHAPE_CORRESPONDENCE_HAS_WRAP_ORACLE
-  std::vector<contacts::Triangle> triangles = proper_triangles(part);
-  if (triangles.empty()) throw Flow_failure("its surface is too degenerate for the flow");
-  const Wrap_oracle oracle(std::move(triangles));
-  CGAL::Alpha_wraps_3::internal::Alpha_wrap_3<Wrap_oracle> wrapper(oracle);
-  wrapper(alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)));
-#else
   const Triangle_soup soup = to_soup(part);
+  if (is_degenerate(soup)) throw Flow_failure("its surface is too degenerate for the flow");
   // CGAL 5 takes the visitor from the parameters of the output, CGAL 6 from those of the input
   CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, result, CGAL::parameters::visitor(std::ref(watch)),
                      CGAL::parameters::visitor(std::ref(watch)));
-#endif
   turn_outwards(result);
   return result;
 }

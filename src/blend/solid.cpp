@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/library_call.h"
-#include "shape/alpha_wrap.h"
 #include "shape/meshes.h"
 #include "shape/oriented_box.h"
 
@@ -10,6 +9,7 @@
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/alpha_wrap_3.h>
 
 #include <vector>
 

@@ -174,7 +174,7 @@ private:
     for (const Part_node* node : {&s_, &b_}) {
       row_.share(node->box.min().y() / height);
       row_.share(node->box.max().y() / height);
-      const auto [near, far] = std::minmax(off_middle(*node, 0), off_middle(*node, 2));
+      const auto [near, far] = std::minmax({off_middle(*node, 0), off_middle(*node, 2)});
       row_.share(near);
       row_.share(far);
       const Eigen::Array3d side = thickened_sides(node->box);

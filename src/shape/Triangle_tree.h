@@ -120,13 +120,6 @@ public:
                         squared);
   }
 
-  /// Whether a triangle passes a test. \param may_hold whether one in a box may do so
-  template <typename Box_test, typename Test>
-  bool any_triangle_of(const Box_test& may_hold, const Test& test) const
-  {
-    return any_triangle([&](const Box& box) { return may_hold(box) ? 0. : 1.; }, test, 0.);
-  }
-
   /// For every triangle, whether it is within the root of `squared` of a triangle of the other tree.
   std::vector<char> near_triangles(const Triangle_tree& other, double squared) const
   {

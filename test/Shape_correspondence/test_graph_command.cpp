@@ -178,10 +178,9 @@ TEST_CASE("A model of one file through the program")
   CHECK(json::parse(self.out)["pairs"].size() == 5);
 }
 
-TEST_CASE("A part whose wrap would insert the same point for ever gets a box")
+TEST_CASE("A part that is open above and below has a graph whatever its thickness")
 {
   const Temporary_folder folder;
-  std::size_t boxes = 0;
   for (double thickness = 0.04; thickness < 0.1; thickness += 0.0025) {
     INFO(thickness);
     std::string top = obj_box("o top", 0, -0.5, 0, -0.5, 1, thickness, 1);
@@ -192,7 +191,6 @@ TEST_CASE("A part whose wrap would insert the same point for ever gets a box")
     const std::string table = top + obj_box("o leg", 1, -0.05, -0.5, -0.05, 0.1, 0.5, 0.1);
     const Run open = run("graph " + quoted(folder.write("open.obj", table)) + " --json -");
     CHECK(open.status == 0);
-    boxes += open.out.find("a surface around it is not found") != std::string::npos;
+    CHECK(json::parse(open.out)["parts"].size() == 2);
   }
-  CHECK(boxes > 0); // the repeated point depends on the last bits
 }
