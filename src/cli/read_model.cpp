@@ -96,10 +96,7 @@ void warn_of_changes(const std::string& path, Read_model& model)
                               ? "Objects that are not one part each were divided by the shape of their pieces: "
                               : "Objects of loose pieces were split into parts: ";
   const std::string what = number > 0 ? how + listed(names) + more : "Objects joined the parts that they belong to";
-  // Of what category and roles they are, which the first decision ends with
-  const std::size_t colon =
-      split.is_found && !split.decisions.empty() ? split.decisions[0].rfind(": ") : std::string::npos;
-  const std::string found = colon == std::string::npos ? "" : " (" + split.decisions[0].substr(colon + 2) + ")";
+  const std::string found = split.found_roles.empty() ? "" : " (" + split.found_roles + ")";
   model.warnings.push_back(what + found + ". --parts file takes the objects as they are; `shape_correspondence parts " +
                            path + "` says why.");
 }

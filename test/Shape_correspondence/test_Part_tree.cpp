@@ -282,6 +282,6 @@ TEST_CASE("What is found is said in words: the parts of each role, and their pie
   const Part_split split = IO::split_parts_by_roles(table, {}, roles.get());
   REQUIRE(split.is_found);
   CHECK(split.shape.parts().size() == 5);
-  CHECK(split.decisions == std::vector<std::string>{"5 pieces, split into 5 parts: table, with 4 × leg from 4 pieces, "
-                                                    "1 × tabletop from 1 piece"});
+  CHECK(split.decisions == std::vector<std::string>{"5 pieces, split into 5 parts"});
+  CHECK(split.found_roles == "table, with 4 × leg from 4 pieces, 1 × tabletop from 1 piece");
 }

@@ -81,7 +81,9 @@ public:
 
   /// Transfers the labels of the source's parts to the parts of a target. Each gets the label of the source part to
   /// which it corresponds most probably: by roles and geometry if `Search_options::roles` knows the category, otherwise
-  /// by geometry.\n\param labels labels by part of the source \param target the shape whose parts get labels
+  /// by geometry.
+  /// \param labels labels by part of the source
+  /// \param target the shape whose parts get labels
   /// \throw Invalid_input if there is not one label for every part, or the method is not `Search_method::PARTS`
   std::vector<Transferred_label> transfer_labels(const std::vector<Part_label>& labels,
                                                  const Prepared_shape& target) const;
@@ -92,7 +94,9 @@ public:
 
   /// A lower bound of the `distance_energy()` of the correspondence, without a search: the sum of the least values of
   /// the terms of one and of two groups or, for `Search_method::PARTS`, with all pairs of parts allowed, of one and of
-  /// two parts; 0 if no bound is known. \param unmatched_energy see `distance_energy()`
+  /// two parts; 0 if no bound is known.
+  /// \param target the other shape
+  /// \param unmatched_energy see `distance_energy()`
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:

@@ -71,6 +71,8 @@ struct Part_split
   std::vector<std::string> decisions;            ///< for every object: the result, and its reason
   bool by_segments = false;                      ///< whether pieces are segments
   bool is_found = false;                         ///< whether parts were found by their similarity to labelled parts
+  /// The category and the number of parts of each role, in words, if parts were found and are clearly of a category.
+  std::string found_roles = {};
   std::vector<std::string> patched_objects = {}; ///< objects whose pieces are patches between creases
   bool by_materials = false;                     ///< whether pieces also end at changes of the material
   std::size_t pieces_left_out = 0;               ///< number of pieces without area

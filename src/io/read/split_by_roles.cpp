@@ -134,8 +134,7 @@ std::optional<Part_split> find_parts(const Segmented_shape& objects, const std::
   if (!may_be_matched(split)) return std::nullopt;
   if (likest.index < data.categories.size()) { // clearly
     const internal::Shape_roles of_cut(graph_of_cut(surface, nodes, cut), roles);
-    split.decisions[0] +=
-        ": " + in_words(data.categories[likest.index].name, of_cut.votes(likest.index).labels, nodes, cut);
+    split.found_roles = in_words(data.categories[likest.index].name, of_cut.votes(likest.index).labels, nodes, cut);
   }
   return split;
 }
