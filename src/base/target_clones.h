@@ -17,9 +17,3 @@
 #else
 #define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline
 #endif
-
-#ifdef __clang__ // clang finds too little gain in some loops
-#define CGAL_SHAPE_CORRESPONDENCE_VECTORIZED _Pragma("clang loop vectorize(enable)")
-#else
-#define CGAL_SHAPE_CORRESPONDENCE_VECTORIZED
-#endif

@@ -24,7 +24,6 @@ void find_nearest_squared(const Point_lanes& p, const Point_lanes& q, double* p_
     double least[at_once][lanes];
     std::fill_n(&least[0][0], at_once * lanes, infinity);
     for (Eigen::Index block = 0; block < padded; block += lanes) {
-      CGAL_SHAPE_CORRESPONDENCE_VECTORIZED
       for (int k = 0; k < lanes; ++k) {
         const double x = qx[block + k], y = qy[block + k], z = qz[block + k];
         double nearest = q_from_p[block + k];
