@@ -42,7 +42,7 @@ This table has the categories, with all shapes of their sources left out:
 This table has F1 by the number of generated shapes in the training:
 
 {curve}
-The number of the model of the package, 3000, was chosen by this table. Plants and velocipedes have too few pairs to tell more.
+The model of the package has learned from 3000. Differences below .03 are noise. Plants and velocipedes have too few pairs to tell more.
 
 Until November 2026 this page said .815 and .798. Both were too high: the training had generated shapes that had been designed with the labelled ones in view,
 and for the first figure also shapes of the same pack and artist.
