@@ -20,8 +20,8 @@ namespace Shape_correspondence {
 /// Options of `exact_search()`.
 struct Exact_options
 {
-  /// Initial limit for the entries of a table of the bound; larger tables are split. A long search restarts with larger
-  /// tables, up to a million entries.
+  /// Initial limit for the number of entries of a table of the bound; larger tables are split. A long search restarts
+  /// with larger tables, up to a million entries.
   std::size_t table_limit = 1u << 12;
   std::size_t node_limit =
       2'000'000; ///< limit for the nodes of the search tree; if reached, the best solution so far is returned

@@ -28,9 +28,9 @@ struct Part_cost_weights
 {
   /// Share of the smaller bounding box that lies outside of the other one.
   double overlap = 2;
-  /// Absolute log ratio of the sides of the bounding boxes, summed over the axes.
+  /// Cost: absolute log ratio of the sides of the bounding boxes, summed over the axes.
   double extent = 0.7;
-  /// Whether only one of the parts stands on the ground; half for upright boards.
+  /// Cost if only one of the parts stands on the ground; half of it for upright boards.
   double ground = 1.5;
   /// Horizontal distance of the centres of the bounding boxes, summed over the two axes.
   double place = 3.2;
@@ -58,7 +58,7 @@ struct Part_matching_options : Role_options
   /// Cost by which a matched pair may exceed the least costs of its two parts in sum; it must be the least one of
   /// either part. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
-  /// The same bound for pairs that decide which sets of parts correspond.
+  /// The same bound on the difference of costs, for pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;
   /// Share of the top view that a seat or table top covers at least, and its largest thickness over its shorter side.
   double main_surface = 0.3;

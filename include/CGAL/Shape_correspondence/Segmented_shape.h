@@ -91,7 +91,7 @@ public:
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            std::string name = "shape", const Point& up = Point(0, 1, 0),
                                            const NamedParameters& np = NamedParameters());
-  /// Builds a shape from a segmented mesh, with the name "shape" and the y axis up.
+  /// The same with the name "shape" and the y axis up.
   template <typename TriangleMesh, typename SegmentIdMap, typename T, typename Tag, typename Base>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            const CGAL::Named_function_parameters<T, Tag, Base>& np)

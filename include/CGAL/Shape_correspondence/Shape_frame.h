@@ -29,9 +29,9 @@ struct Shape_frame
   bool mirror_x = false;                                 ///< whether x = 0 is a mirror plane of the shape
   bool mirror_z = false;                                 ///< whether z = 0 is a mirror plane of the shape
 
-  /// Converts points from world coordinates to coordinates of the frame.
+  /// Converts the points `world` from world coordinates to coordinates of the frame.
   Points to_frame(const Points& world) const;
-  /// Converts points from coordinates of the frame to world coordinates.
+  /// Converts the points `local` from coordinates of the frame to world coordinates.
   Points to_world(const Points& local) const;
 };
 

@@ -52,7 +52,7 @@ std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::ve
                                      std::vector<std::string>& warnings);
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Finds the contacts of parts without meshes, whose surfaces are estimated from their abstractions and volumes.
+/// The same for parts without meshes, whose surfaces are estimated from their abstractions and volumes.
 std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                      const Contact_options& options, std::vector<std::string>& warnings);
 

@@ -63,7 +63,7 @@ Nearest_shapes nearest_shapes(const Structural_graph& query, std::size_t number_
                               const Energy_matrix_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceSets
-/// The `k` nearest of shapes in memory.
+/// The same for shapes in memory.
 template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Nearest_shapes nearest_shapes(const Structural_graph& query, const std::vector<Structural_graph>& shapes, std::size_t k,
                               const Energy_matrix_options& options = {})

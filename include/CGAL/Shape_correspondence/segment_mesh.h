@@ -25,7 +25,7 @@ struct Segmentation_options
 {
   std::size_t patches = 256; ///< number of surface patches that segments are composed of, at least 1
   double probability = 0.5;  ///< probability, in (0, 1), of belonging to one part from which on neighbours are merged
-  double least_area = 0.01;  ///< area below which a segment joins a neighbour, over the area of its component
+  double least_area = 0.01;  ///< share of the area of its component below which a segment joins a neighbour
 };
 
 /// \ingroup PkgShapeCorrespondenceShapes

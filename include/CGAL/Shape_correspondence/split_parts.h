@@ -37,7 +37,7 @@ struct Part_splitting_options
 {
   Part_splitting mode = Part_splitting::AUTO; ///< how parts are made
   double layer_distance = 0.015;     ///< largest distance of all points of a piece from another piece that it lies on
-  double small_size = 0.04;          ///< size below which pieces join a piece in contact
+  double small_size = 0.04;          ///< largest size of pieces that join a piece in contact
   double touching_distance = 0.005;  ///< largest gap of pieces in contact
   std::size_t most_parts = 100;      ///< largest number of parts of an object; an object with more stays whole
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
@@ -66,11 +66,11 @@ struct Model_piece
 /// The result of `split_parts()`.
 struct Part_split
 {
-  Segmented_shape shape;                         ///< the parts
-  std::vector<Model_piece> pieces;               ///< sorted by object, then by their first triangles
-  std::vector<std::string> decisions;            ///< for every object: the result, and its reason
-  bool by_segments = false;                      ///< whether pieces are segments
-  bool is_found = false;                         ///< whether parts were found by their similarity to labelled parts
+  Segmented_shape shape;              ///< the parts
+  std::vector<Model_piece> pieces;    ///< sorted by object, then by their first triangles
+  std::vector<std::string> decisions; ///< for every object: the result, and its reason
+  bool by_segments = false;           ///< whether pieces are segments
+  bool is_found = false;              ///< whether parts were found by their similarity to labelled parts
   /// The category and the number of parts of each role, in words, if parts were found and are clearly of a category.
   std::string found_roles = {};
   std::vector<std::string> patched_objects = {}; ///< objects whose pieces are patches between creases

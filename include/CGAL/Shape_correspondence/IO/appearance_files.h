@@ -64,8 +64,8 @@ void write_transferred_shape(const std::string& path, const Segmented_shape& sha
 void write_segmented_shape_glb(std::ostream& out, const Segmented_shape& shape, const Shape_appearance& appearance);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes the picture of `write_correspondence_glb()` without appearance, plus a scene named `materials` that shows the
-/// shapes with their own materials and textures.
+/// The same as `write_correspondence_glb()` without appearance, plus a scene named `materials` that shows the shapes
+/// with their own materials and textures.
 void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                               const Structural_graph& target, const Segmented_shape* source_shape,
                               const Segmented_shape* target_shape, const Shape_appearance& source_appearance,
