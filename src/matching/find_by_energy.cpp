@@ -30,7 +30,7 @@ std::size_t number_of_counted_pairs(const Aligned_shape& shape)
   return std::max<std::size_t>(1, shape.contacts.size() + alone);
 }
 
-constexpr int automatic_coarse_parts = 50; // that are matched first where not all can be at once
+constexpr int automatic_coarse_parts = 50; // number of largest parts, matched first if not all can be matched at once
 
 // Whether a shape has more groups than a method can deform at once.
 bool has_too_many_groups(const Aligned_shape& deformed, Search_method method)
@@ -126,12 +126,12 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
   const Deadline limit = deadline();
   Correspondence known;
   Search_options options = with_role_costs(target, known);
-  const bool is_coarse = options.coarse_to_fine > 0;
-  if (!is_coarse && (has_too_many_groups(*source_, options.method) ||
-                     (options_.both_directions && has_too_many_groups(*aligned(target, 0), options.method))))
+  if (options.coarse_to_fine == 0 &&
+      (has_too_many_groups(*source_, options.method) ||
+       (options.both_directions && has_too_many_groups(*aligned(target, 0), options.method))))
     options.coarse_to_fine = automatic_coarse_parts;
   Search_runs searched = runs(target, options, limit);
-  if (!is_coarse && !searched.best && !searched.too_large.empty()) {
+  if (options.coarse_to_fine == 0 && !searched.best && searched.end.empty()) { // there was too little memory
     options.coarse_to_fine = automatic_coarse_parts;
     searched = runs(target, options, limit);
   }

@@ -5,6 +5,10 @@
 
 #include "structure/Symmetry_candidate.h"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
