@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks and times the command collection on a folder of shapes, graphs best.
 
-  benchmark_collection.py PROGRAM FOLDER [--kills 20] [--threads 1,2] [--ranks 2,4] [--options "--roles none"]
+  benchmark_collection.py PROGRAM FOLDER [--kills 20] [--threads 1,2] [--ranks 2,4] [--rank-kills 1] [--options "--roles none"]
 
 Every run must write the same bytes. Kills: a run is killed (SIGKILL) at random moments and started again until it ends; no finished
-row may be done again, so that a kill costs at most the rows that were being done. Ranks need PROGRAM_mpi, built with MPI, beside it. Prints
-seconds on the wall and of CPU. Ends with exit status 1 if a run differs.
+row may be done again, so that a kill costs at most the rows that were being done. Ranks need PROGRAM_mpi, built with MPI, beside it;
+rank kills: one of them is killed, and all are started again. Prints seconds on the wall and of CPU. Ends with exit status 1 if a run
+differs.
 """
 import argparse
 import os
@@ -66,12 +67,39 @@ class Runs:
         self.failed |= redone > 0
         print(f"{len(moments)} kills, {survived} too late; {len(found)} rows, {redone} finished ones done again; {self.verdict()}")
 
+    def on_ranks(self, n, store):
+        mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(n)]
+        return mpirun + self.command("--store", store, "--threads", "1", program="_mpi")
+
+    def kill_rank(self, n, moment):
+        store = os.path.join(self.scratch, f"rank_killed{n}_{moment:.2f}")
+        run = subprocess.Popen(self.on_ranks(n, store), stderr=subprocess.DEVNULL)
+        time.sleep(moment)
+        ranks = [pid for pid, words in commands() if words[0].endswith("_mpi") and store in words]
+        if ranks:
+            os.kill(max(ranks), signal.SIGKILL)
+        stopped = run.wait() != 0
+        subprocess.run(self.on_ranks(n, store), check=True)
+        print(f"one of {n} ranks killed{'' if stopped else ', too late'}; {self.verdict()}")
+
     @staticmethod
     def rows(store):
         folder = os.path.join(store, "pairs")
         names = [n for n in os.listdir(folder) if n.endswith(".row")] if os.path.isdir(folder) else []
         stats = {n: os.stat(os.path.join(folder, n)) for n in names}
         return {n: (s.st_ino, s.st_mtime_ns) for n, s in stats.items()}
+
+
+def commands():
+    """The processes of this machine and their command lines."""
+    for entry in os.listdir("/proc"):
+        if not entry.isdigit():
+            continue
+        try:
+            with open(f"/proc/{entry}/cmdline", encoding="utf-8", errors="replace") as file:
+                yield int(entry), file.read().split("\0")
+        except OSError:  # it has ended
+            continue
 
 
 def numbers(text):
@@ -85,15 +113,16 @@ def main():
     parser.add_argument("--kills", type=int, default=20)
     parser.add_argument("--threads", default="1,2")
     parser.add_argument("--ranks", default="")
+    parser.add_argument("--rank-kills", type=int, default=0)
     parser.add_argument("--options", default="")
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         runs = Runs(args, scratch)
         seconds = [runs.timed(f"{n} threads", runs.command("--threads", str(n))) for n in numbers(args.threads)]
         for n in numbers(args.ranks):
-            mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(n)]
-            store = os.path.join(scratch, f"ranks{n}")
-            runs.timed(f"{n} ranks", mpirun + runs.command("--store", store, "--threads", "1", program="_mpi"))
+            wall = runs.timed(f"{n} ranks", runs.on_ranks(n, os.path.join(scratch, f"ranks{n}")))
+            for k in range(args.rank_kills):
+                runs.kill_rank(n, (k + 1) / (args.rank_kills + 1) * wall)
         if args.kills:
             chance = random.Random(1)
             runs.kill([chance.uniform(0, 1) / 5 for _ in range(args.kills)], max(seconds, default=1))

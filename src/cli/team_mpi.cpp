@@ -9,6 +9,9 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <chrono>
+#include <thread>
+
 namespace CGAL::Shape_correspondence::cli {
 namespace {
 
@@ -17,6 +20,27 @@ namespace mpi = boost::mpi;
 enum Tag { request, reply };
 
 using Work = std::function<void(std::size_t)>;
+
+// MPI's own waiting keeps a processor busy, which another process of the machine could use
+constexpr std::chrono::microseconds time_between_looks(200);
+
+/// Waits for a message without using the processor.
+mpi::status awaited(const mpi::communicator& world, int source, Tag tag)
+{
+  for (;; std::this_thread::sleep_for(time_between_looks))
+    if (const auto message = world.iprobe(source, tag)) return *message;
+}
+
+/// Waits without using the processor until all processes are here.
+void await_all(const mpi::communicator& world)
+{
+  MPI_Request all = MPI_REQUEST_NULL;
+  MPI_Ibarrier(world, &all);
+  for (int are_here = 0;; std::this_thread::sleep_for(time_between_looks)) {
+    MPI_Test(&all, &are_here, MPI_STATUS_IGNORE);
+    if (are_here) return;
+  }
+}
 
 /// The first process answers requests between its own work items.
 void lead(const mpi::communicator& world, std::size_t n, const Work& work)
@@ -34,7 +58,7 @@ void lead(const mpi::communicator& world, std::size_t n, const Work& work)
       serve(*asked);
   }
   while (dismissed < world.size() - 1)
-    serve(world.probe(mpi::any_source, request));
+    serve(awaited(world, mpi::any_source, request));
 }
 
 /// The others request the next number before they start on one, so that they need not wait for it.
@@ -42,6 +66,7 @@ void follow(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   const auto received = [&] {
     std::size_t i = n;
+    awaited(world, 0, reply);
     world.recv(0, reply, i);
     return i;
   };
@@ -55,6 +80,8 @@ void follow(const mpi::communicator& world, std::size_t n, const Work& work)
 class Mpi_team : public Team
 {
 public:
+  ~Mpi_team() override { await_all(world_); }
+
   std::size_t size() const override { return std::size_t(world_.size()); }
   bool is_first() const override { return world_.rank() == 0; }
 
@@ -85,6 +112,7 @@ public:
 
   std::vector<std::string> gathered(const std::string& text) override
   {
+    await_all(world_);
     std::vector<std::string> result;
     mpi::all_gather(world_, text, result);
     return result;
@@ -92,6 +120,7 @@ public:
 
   std::vector<std::size_t> from_first(std::vector<std::size_t> numbers) override
   {
+    await_all(world_);
     mpi::broadcast(world_, numbers, 0);
     return numbers;
   }
