@@ -120,21 +120,30 @@ private:
 
   Mirror_plane scored(Mirror_plane plane, double limit = std::numeric_limits<double>::infinity()) const
   {
-    const Point normal(plane.normal.x(), 0, plane.normal.y());
-    const double count = double(queries_.size());
-    double sum = 0;
-    for (Eigen::Index i = 0; i < queries_.size(); ++i) {
-      const Point p = points_.col(queries_[i]);
-      sum += nearest_.distance(p - 2 * (normal.dot(p) - plane.offset) * normal);
-      if (sum / count >= limit) { // most candidates end here, early
-        plane.residual = std::numeric_limits<double>::infinity();
-        return plane;
-      }
-    }
+    constexpr Eigen::Index few = 50;
+    constexpr double hopeless = 1.5; // relative to the limit: mean of few queries that needs no look at all of them
+    const Eigen::Index n = queries_.size() / few;
+    plane.residual = std::numeric_limits<double>::infinity();
+    if (n > 1 && mean_distance(plane, n, hopeless * limit) >= hopeless * limit) return plane;
+    const double residual = mean_distance(plane, 1, limit);
+    if (residual >= limit) return plane;
     // Exact symmetry up to rounding noise is no better than exact symmetry.
     const double noise = 0.02;
-    plane.residual = std::max(sum / count, noise * spacing_);
+    plane.residual = std::max(residual, noise * spacing_);
     return plane;
+  }
+
+  /// The mean distance of the mirror images of every n-th query from the points; less if it is not below the limit.
+  double mean_distance(const Mirror_plane& plane, Eigen::Index n, double limit) const
+  {
+    const Point normal(plane.normal.x(), 0, plane.normal.y());
+    const double count = double((queries_.size() + n - 1) / n);
+    double sum = 0;
+    for (Eigen::Index i = 0; i < queries_.size() && sum / count < limit; i += n) {
+      const Point p = points_.col(queries_[i]);
+      sum += nearest_.distance(p - 2 * (normal.dot(p) - plane.offset) * normal);
+    }
+    return sum / count;
   }
 
   /// Directions that come from the points only, so that they turn with them: the least rectangle around the footprint,
