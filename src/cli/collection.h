@@ -12,6 +12,7 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
 #include <CGAL/Shape_correspondence/energy_matrix.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <cstddef>
 #include <functional>
@@ -129,6 +130,8 @@ private:
   const std::string& content(std::size_t shape) const { return shapes_.shapes()[shape].content; }
   /// The shapes after `row` whose pairs are not in the row's bytes.
   std::vector<std::size_t> missing(std::size_t row, const std::string& bytes) const;
+  /// The prepared shapes, of which those of the last calls are kept.
+  std::vector<Prepared_shape> prepared(const std::vector<std::size_t>& shapes);
   /// Matches and stores the missing pairs of some rows. \param progress called with the number of pairs matched so far
   void match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress);
 
@@ -137,6 +140,7 @@ private:
   const Energy_matrix_options& matching_;
   const Common_options& common_;
   std::vector<std::string> names_; // file names of rows, indexed by shape
+  std::map<std::size_t, std::pair<std::unique_ptr<Structural_graph>, Prepared_shape>> kept_;
 };
 
 struct Shape_distances

@@ -16,7 +16,9 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -29,7 +31,7 @@ constexpr int matching_version = 9;
 
 // Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t usual_blocks = 8; // number of blocks in a collection
+constexpr std::size_t blocks_of_process = 8; // of a small collection, for each process
 
 constexpr const char* extension = ".row";
 constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";
@@ -185,7 +187,8 @@ void Collection_work::run(Team& team)
     if (team.is_first() && store_.is_damaged(names_[row])) warn(common_, damaged);
   }
   rows = team.from_first(std::move(rows)); // other processes may have started storing rows
-  const std::size_t size = std::clamp((shapes_.size() + usual_blocks - 1) / usual_blocks, least_block, largest_block);
+  const std::size_t blocks = blocks_of_process * team.size();
+  const std::size_t size = std::clamp((shapes_.size() + blocks - 1) / blocks, least_block, largest_block);
   std::vector<std::vector<std::size_t>> bands;
   std::vector<std::size_t> before{0}; // cumulative number of pairs, by band
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -218,29 +221,44 @@ void Collection_work::for_each_pair(const std::function<void(std::size_t, std::s
   }
 }
 
+std::vector<Prepared_shape> Collection_work::prepared(const std::vector<std::size_t>& shapes)
+{
+  const std::set<std::size_t> wanted(shapes.begin(), shapes.end());
+  if (shapes_.size() > 2 * largest_block)
+    for (auto kept = kept_.begin(); kept != kept_.end();)
+      kept = wanted.count(kept->first) > 0 ? std::next(kept) : kept_.erase(kept);
+  std::vector<Prepared_shape> result;
+  for (std::size_t shape : shapes) {
+    auto kept = kept_.find(shape);
+    if (kept == kept_.end()) {
+      auto graph = std::make_unique<Structural_graph>(shapes_.graph(shape));
+      const Prepared_shape of_graph(*graph);
+      kept = kept_.emplace(shape, std::pair(std::move(graph), of_graph)).first;
+    }
+    result.push_back(kept->second.second);
+  }
+  return result;
+}
+
 void Collection_work::match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress)
 {
   std::vector<std::string> bytes;
   std::vector<std::vector<std::size_t>> missing_in; // indexed by row
-  std::vector<Structural_graph> graphs;             // graphs of the rows
   std::set<std::size_t> columns;
   for (std::size_t row : rows) {
     bytes.push_back(store_.find(names_[row]));
     if (pairs_in(bytes.back()).empty()) bytes.back().clear();
     missing_in.push_back(missing(row, bytes.back()));
     columns.insert(missing_in.back().begin(), missing_in.back().end());
-    graphs.push_back(shapes_.graph(row));
   }
-  const std::vector<Prepared_shape> prepared(graphs.begin(), graphs.end());
   std::size_t done = 0;
   for (auto column = columns.begin(); column != columns.end();) {
     std::vector<std::size_t> block;
     for (; column != columns.end() && block.size() < largest_block; ++column)
       block.push_back(*column);
-    const std::vector<Structural_graph> others = mapped(block, [&](std::size_t shape) { return shapes_.graph(shape); });
-    std::vector<Prepared_shape> shapes = prepared;
-    for (const Structural_graph& other : others)
-      shapes.emplace_back(other);
+    std::vector<std::size_t> of_block = rows;
+    append(of_block, block);
+    const std::vector<Prepared_shape> shapes = prepared(of_block);
     std::vector<std::pair<std::size_t, std::size_t>> pairs, places; // indices into `shapes`; (index into `rows`, shape)
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (std::size_t c = 0; c < block.size(); ++c)
