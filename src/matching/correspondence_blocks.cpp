@@ -9,11 +9,14 @@
 
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <map>
-#include <queue>
+#include <numeric>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence {
 namespace {
@@ -22,132 +25,145 @@ constexpr double other_role_weight = .5; // weight of a pair whose parts have di
 // Mean weight of the pairs between two sets, over that inside them, below which they stay apart
 constexpr double weak_bridge = .5;
 
-/// Parts of both shapes; indices of target parts follow those of the source.
+/// Two parts, and the weight of all pairs of their segments; indices of target parts follow those of the source.
+struct Weighted_pair
+{
+  std::size_t source, target;
+  double weight;
+};
+
+std::vector<Weighted_pair> weighted_pairs(const Correspondence& c, std::size_t sources)
+{
+  std::vector<Weighted_pair> pairs;
+  for (const Part_correspondence& pair : c.pairs) {
+    const bool differ = !c.source_roles.empty() && c.source_roles[pair.source] != c.target_roles[pair.target];
+    const double confidence = pair.has_confidence() ? pair.confidence : 1;
+    pairs.push_back({pair.source, sources + pair.target, (differ ? other_role_weight : 1) * confidence});
+  }
+  const auto parts = [](const Weighted_pair& pair) { return std::pair(pair.source, pair.target); };
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const Weighted_pair& a, const Weighted_pair& b) { return parts(a) < parts(b); });
+  std::vector<Weighted_pair> result;
+  for (const Weighted_pair& pair : pairs)
+    if (!result.empty() && parts(result.back()) == parts(pair))
+      result.back().weight += pair.weight;
+    else
+      result.push_back(pair);
+  return result;
+}
+
+/// A set of parts of both shapes.
 struct Part_set
 {
   std::size_t sources = 0, targets = 0;
-  double inside = 0;                     ///< total weight of the pairs within the set
-  std::size_t changes = 0;               ///< number of times that it was united with others
-  std::map<std::size_t, double> between; ///< weight of the pairs with each other set
+  double inside = 0; ///< total weight of the pairs within the set
 
   bool has_both() const { return sources > 0 && targets > 0; }
   double mean() const { return inside / double(sources * targets); }
 };
 
-/// A partition of the parts, initially into single parts, and the weights of the pairs between its sets.
-class Part_sets
+/// Sets that pairs connect, and the weights of the pairs between them. O(n²) memory for n sets.
+class Connected_sets
 {
 public:
-  Part_sets(const Correspondence& c, std::size_t sources, std::size_t targets)
-      : set_of_(sources + targets), sets_(sources + targets)
+  explicit Connected_sets(std::vector<Part_set> sets) : sets_(std::move(sets)), set_of_(sets_.size())
   {
-    std::vector<Weighted_pair> pairs = weighted_pairs(c, sources);
-    internal::Steps greatest = -1;
-    for (const Weighted_pair& pair : pairs)
-      greatest = std::max(greatest, internal::quantized(pair.weight));
-    for (const Weighted_pair& pair : pairs) // the closest sets of one part, before anything is kept of each pair
-      if (internal::quantized(pair.weight) == greatest) set_of_.unite(pair.source, pair.target);
-    for (std::size_t part = 0; part < sets_.size(); ++part) {
-      Part_set& set = sets_[set_of_[part]];
-      ++(part < sources ? set.sources : set.targets);
-    }
-    for (const Weighted_pair& pair : pairs) {
-      const std::size_t a = set_of_[pair.source], b = set_of_[pair.target];
-      if (a == b)
-        sets_[a].inside += pair.weight;
-      else
-        add_between(a, b, pair.weight);
-    }
-    for (std::size_t set = 0; set < sets_.size(); ++set)
-      push_bridges(set);
+    const auto n = Eigen::Index(sets_.size());
+    between_ = Eigen::MatrixXd::Constant(n, n, no_pairs);
+    present_.resize(sets_.size());
+    std::iota(present_.begin(), present_.end(), std::size_t(0));
   }
 
-  /// Unites the sets with the greatest mean weight between them, all if tied. \return whether there were any
-  bool unite_closest()
+  void add_pair(std::size_t a, std::size_t b, double weight)
   {
-    std::vector<Bridge> closest;
-    while (!bridges_.empty() && (closest.empty() || bridges_.top().mean == closest[0].mean)) {
-      if (is_present(bridges_.top())) closest.push_back(bridges_.top());
-      bridges_.pop();
-    }
-    std::set<std::size_t> changed;
-    for (const Bridge& bridge : closest)
-      unite(set_of_[bridge.a], set_of_[bridge.b]);
-    for (const Bridge& bridge : closest)
-      if (const std::size_t set = set_of_[bridge.a]; changed.insert(set).second) ++sets_[set].changes;
-    for (std::size_t set : changed)
-      push_bridges(set);
-    return !closest.empty();
+    if (a == b)
+      sets_[a].inside += weight;
+    else
+      add_between(a, b, weight);
   }
 
-  std::size_t operator[](std::size_t part) const { return set_of_[part]; }
+  /// Unites the sets with the greatest mean weight between them, all if tied, until only weak bridges are left.
+  void unite()
+  {
+    best_.resize(sets_.size());
+    for (std::size_t set : present_)
+      find_best(set);
+    while (unite_closest()) {
+    }
+  }
+
+  std::size_t operator[](std::size_t set) const { return set_of_[set]; }
 
 private:
-  /// Two parts, and the weight of all pairs of their segments.
-  struct Weighted_pair
+  static constexpr double no_pairs = -1;
+  static constexpr internal::Steps no_bridge = -1;
+
+  /// The greatest mean weight of the pairs between a set and another one, and that set.
+  struct Best
   {
-    std::size_t source, target;
-    double weight;
+    internal::Steps mean = no_bridge;
+    std::size_t other = 0;
   };
 
-  static std::vector<Weighted_pair> weighted_pairs(const Correspondence& c, std::size_t sources)
-  {
-    std::vector<Weighted_pair> pairs;
-    for (const Part_correspondence& pair : c.pairs) {
-      const bool differ = !c.source_roles.empty() && c.source_roles[pair.source] != c.target_roles[pair.target];
-      const double confidence = pair.has_confidence() ? pair.confidence : 1;
-      pairs.push_back({pair.source, sources + pair.target, (differ ? other_role_weight : 1) * confidence});
-    }
-    const auto parts = [](const Weighted_pair& pair) { return std::pair(pair.source, pair.target); };
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [&](const Weighted_pair& a, const Weighted_pair& b) { return parts(a) < parts(b); });
-    std::vector<Weighted_pair> result;
-    for (const Weighted_pair& pair : pairs)
-      if (!result.empty() && parts(result.back()) == parts(pair))
-        result.back().weight += pair.weight;
-      else
-        result.push_back(pair);
-    return result;
-  }
-
-  /// Two sets with pairs between them.
-  struct Bridge
-  {
-    internal::Steps mean; ///< of the weights
-    std::size_t a, b;
-    std::size_t changes_of_a, changes_of_b; ///< of the sets when it was measured
-
-    friend bool operator<(const Bridge& x, const Bridge& y) { return x.mean < y.mean; }
-  };
+  double& between(std::size_t a, std::size_t b) { return between_(Eigen::Index(a), Eigen::Index(b)); }
 
   void add_between(std::size_t a, std::size_t b, double weight)
   {
-    sets_[a].between[b] += weight;
-    sets_[b].between[a] += weight;
+    between(a, b) = between(b, a) = std::max(between(a, b), 0.) + weight;
   }
 
-  bool is_present(const Bridge& bridge) const
+  /// The mean weight of the pairs between two sets; `no_bridge` if there are none, or if it is weak.
+  internal::Steps bridge(std::size_t a, std::size_t b)
   {
-    return sets_[bridge.a].changes == bridge.changes_of_a && sets_[bridge.b].changes == bridge.changes_of_b;
+    const double weight = between(a, b);
+    if (weight == no_pairs) return no_bridge;
+    const Part_set &x = sets_[a], &y = sets_[b];
+    const internal::Steps mean = internal::quantized(weight / double(x.sources * y.targets + y.sources * x.targets));
+    const bool is_weak =
+        x.has_both() && y.has_both() && mean < internal::quantized(weak_bridge * std::min(x.mean(), y.mean()));
+    return is_weak ? no_bridge : mean;
   }
 
-  /// The bridges of a set that are not weak.
-  void push_bridges(std::size_t a)
+  void find_best(std::size_t set)
   {
-    for (const auto& [b, weight] : sets_[a].between) {
-      const internal::Steps mean = internal::quantized(mean_between(sets_[a], sets_[b], weight));
-      if (!is_weak_bridge(sets_[a], sets_[b], mean)) bridges_.push({mean, a, b, sets_[a].changes, sets_[b].changes});
+    best_[set] = {};
+    for (std::size_t other : present_)
+      take_if_better(set, other);
+  }
+
+  void take_if_better(std::size_t set, std::size_t other)
+  {
+    if (other == set) return;
+    const internal::Steps mean = bridge(set, other);
+    if (mean > best_[set].mean) best_[set] = {mean, other};
+  }
+
+  bool unite_closest()
+  {
+    internal::Steps greatest = no_bridge;
+    for (std::size_t set : present_)
+      greatest = std::max(greatest, best_[set].mean);
+    if (greatest == no_bridge) return false;
+    std::vector<std::pair<std::size_t, std::size_t>> closest;
+    for (std::size_t a : present_)
+      for (std::size_t b : present_)
+        if (best_[a].mean == greatest && a < b && bridge(a, b) == greatest) closest.emplace_back(a, b);
+    std::vector<char> changes(sets_.size(), false);
+    for (const auto& [a, b] : closest) {
+      changes[a] = changes[b] = true;
+      unite(set_of_[a], set_of_[b]);
     }
-  }
-
-  static double mean_between(const Part_set& a, const Part_set& b, double weight)
-  {
-    return weight / double(a.sources * b.targets + b.sources * a.targets);
-  }
-
-  static bool is_weak_bridge(const Part_set& a, const Part_set& b, internal::Steps mean)
-  {
-    return a.has_both() && b.has_both() && mean < internal::quantized(weak_bridge * std::min(a.mean(), b.mean()));
+    const auto is_gone = [&](std::size_t set) { return set_of_[set] != set; };
+    present_.erase(std::remove_if(present_.begin(), present_.end(), is_gone), present_.end());
+    for (std::size_t set : present_) {
+      if (changes[set] || (best_[set].mean != no_bridge && changes[best_[set].other])) {
+        find_best(set);
+      } else {
+        for (std::size_t other : present_)
+          if (changes[other]) take_if_better(set, other);
+      }
+    }
+    return true;
   }
 
   void unite(std::size_t a, std::size_t b)
@@ -155,26 +171,82 @@ private:
     if (a == b) return;
     set_of_.unite(a, b);
     const std::size_t kept = set_of_[a], left = kept == a ? b : a;
-    Part_set gone = std::exchange(sets_[left], {});
-    sets_[left].changes = gone.changes + 1;
     Part_set& set = sets_[kept];
-    set.sources += gone.sources;
-    set.targets += gone.targets;
-    set.inside += gone.inside;
-    if (const auto inside = gone.between.find(kept); inside != gone.between.end()) {
-      set.inside += inside->second;
-      gone.between.erase(inside);
-      set.between.erase(left);
-    }
-    for (const auto& [other, weight] : gone.between) {
-      sets_[other].between.erase(left);
-      add_between(kept, other, weight);
-    }
+    set.sources += sets_[left].sources;
+    set.targets += sets_[left].targets;
+    set.inside += sets_[left].inside;
+    if (between(kept, left) != no_pairs) set.inside += between(kept, left);
+    for (std::size_t other : present_)
+      if (other != kept && other != left && between(left, other) != no_pairs)
+        add_between(kept, other, between(left, other));
+    between_.row(Eigen::Index(left)).setConstant(no_pairs);
+    between_.col(Eigen::Index(left)).setConstant(no_pairs);
   }
 
+  std::vector<Part_set> sets_;
   internal::Disjoint_sets set_of_;
-  std::vector<Part_set> sets_; ///< indexed by first part
-  std::priority_queue<Bridge> bridges_;
+  std::vector<std::size_t> present_; // sets that are in no other one, in order
+  Eigen::MatrixXd between_;          // total weight of the pairs between two sets
+  std::vector<Best> best_;           // indexed by set
+};
+
+/// A partition of the parts, initially into single parts.
+class Part_sets
+{
+public:
+  Part_sets(const Correspondence& c, std::size_t sources, std::size_t targets)
+      : sources_(sources), set_of_(sources + targets), pairs_(weighted_pairs(c, sources))
+  {
+    unite_closest_parts();
+    internal::Disjoint_sets connected = set_of_;
+    for (const Weighted_pair& pair : pairs_)
+      connected.unite(pair.source, pair.target);
+    std::map<std::size_t, std::vector<std::size_t>> sets; // by first part of all that are connected
+    for (std::size_t part = 0; part < set_of_.size(); ++part)
+      if (set_of_[part] == part) sets[connected[part]].push_back(part);
+    std::map<std::size_t, std::vector<Weighted_pair>> pairs;
+    for (const Weighted_pair& pair : pairs_)
+      pairs[connected[pair.source]].push_back(pair);
+    for (const auto& [first, of_one] : sets)
+      if (of_one.size() > 1) unite(of_one, pairs[first]);
+  }
+
+  std::size_t operator[](std::size_t part) const { return set_of_[part]; }
+
+private:
+  /// Unites parts whose pairs have the greatest weight before anything is kept of each pair.
+  void unite_closest_parts()
+  {
+    internal::Steps greatest = -1;
+    for (const Weighted_pair& pair : pairs_)
+      greatest = std::max(greatest, internal::quantized(pair.weight));
+    for (const Weighted_pair& pair : pairs_)
+      if (internal::quantized(pair.weight) == greatest) set_of_.unite(pair.source, pair.target);
+  }
+
+  /// \param firsts the first parts of the sets
+  void unite(const std::vector<std::size_t>& firsts, const std::vector<Weighted_pair>& pairs)
+  {
+    const auto index = [&](std::size_t part) {
+      return std::size_t(std::lower_bound(firsts.begin(), firsts.end(), set_of_[part]) - firsts.begin());
+    };
+    std::vector<Part_set> sets(firsts.size());
+    std::set<std::size_t> parts;
+    for (const Weighted_pair& pair : pairs)
+      parts.insert({pair.source, pair.target});
+    for (std::size_t part : parts)
+      ++(part < sources_ ? sets[index(part)].sources : sets[index(part)].targets);
+    Connected_sets connected(std::move(sets));
+    for (const Weighted_pair& pair : pairs)
+      connected.add_pair(index(pair.source), index(pair.target), pair.weight);
+    connected.unite();
+    for (std::size_t i = 0; i < firsts.size(); ++i)
+      set_of_.unite(firsts[i], firsts[connected[i]]);
+  }
+
+  std::size_t sources_;
+  internal::Disjoint_sets set_of_;
+  std::vector<Weighted_pair> pairs_;
 };
 
 /// The most frequent role of the parts; of equally frequent ones, the first in alphabetical order.
@@ -203,10 +275,7 @@ std::vector<Correspondence_block> correspondence_blocks(const Correspondence& c)
   }
   if (!c.source_roles.empty() && (c.source_roles.size() < sources || c.target_roles.size() < targets))
     throw Invalid_input("correspondence_blocks: there is not a role for every part; give one for each, or none");
-  Part_sets sets(c, sources, targets);
-  while (sets.unite_closest()) {
-  }
-
+  const Part_sets sets(c, sources, targets);
   std::vector<Correspondence_block> by_first(sources + targets), result;
   for (std::size_t part = 0; part < sources + targets; ++part) {
     Correspondence_block& block = by_first[sets[part]];
