@@ -6,7 +6,7 @@
   performance.py BUILD_FOLDER doc/Shape_correspondence/Performance.md [--shapes 8] [--note TEXT]
 
 Some shapes of every category of `generate_models --benchmark` are abstracted by the program and matched by `benchmark_search`; both must be
-built. With the usual eight shapes a category it takes two to five minutes. The note stands beside the machine's name, such as "other
+built. With the usual eight shapes a category it takes ten minutes. The note stands beside the machine's name, such as "other
 programs ran at the same time".
 """
 import argparse
@@ -19,6 +19,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+import benchmark_growth
 
 PAGE = """# Performance
 
@@ -46,11 +48,16 @@ The time of a match grows with the number n of parts about as n to the power of
 {growth}
 The exponents are those of a least squares line through the logarithms, where n is the geometric mean of the two shapes' numbers of parts.
 
+How far that goes is measured by `benchmark_growth.py`: racks of equal slats, boards with pegs that all differ, a ball of triangles on a box, and sets of
+shapes. The tables have processor seconds and memory, and the exponents of power laws. A dash stands for more than {limit} seconds.
+
+{large}
 ## A Pair from Files
 
 The command `match` takes {cold} seconds for the chairs {pair}, in as many threads as the machine has cores, and {warm} seconds with
 `--cache` once their graphs are known. These are wall-clock times, medians of three and of nine runs. Models are read each time.
 """
+LIMIT = 300  # seconds for a measurement of growth
 METHODS = ["default", "exact search", "beam search"]
 
 
@@ -171,10 +178,11 @@ def main():
         pairs = measure_search(os.path.join(benchmarks, "benchmark_search"), files)
         chairs = shapes["chair"][:2]
         cold, warm = pair_seconds(program, chairs, os.path.join(work, "cache"))
+    large = "\n".join(benchmark_growth.tables(args.build, [30, 100, 300, 1000], [1000, 10000, 100000, 1000000], [50, 200, 1000], LIMIT))
     page = PAGE.format(machine=machine(), date=datetime.date.today().strftime("%B %Y"), note=args.note,
                        shapes=args.shapes, abstraction=abstraction, search=search_table(pairs),
                        growth=growth_table(pairs), pair=" and ".join(f"`{os.path.basename(c)}`" for c in chairs),
-                       cold=text(cold), warm=text(warm))
+                       cold=text(cold), warm=text(warm), limit=LIMIT, large=large)
     with open(args.page, "w") as file:
         file.write(page)
 
