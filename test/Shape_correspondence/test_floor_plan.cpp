@@ -165,6 +165,24 @@ TEST_CASE("Files include what the plan allows")
     }
 }
 
+TEST_CASE("The core needs no room above it, and is what CMake builds as it")
+{
+  const Floor_plan plan = read_plan();
+  std::ifstream in(root / "CMakeLists.txt");
+  std::set<std::string> core;
+  for (std::string line; std::getline(in, line);)
+    if (const std::string begin = "set(library_rooms "; line.rfind(begin, 0) == 0)
+      for (const std::string& room : cells(line.substr(begin.size(), line.find(')') - begin.size()), " "))
+        core.insert(room);
+  REQUIRE(core.size() == 8);
+  for (const std::string& room : core)
+    if (plan.may_include.count(room))
+      for (const std::string& other : plan.may_include.at(room)) {
+        INFO(room << " includes " << other);
+        CHECK(core.count(other));
+      }
+}
+
 TEST_CASE("No files include each other in a circle")
 {
   const auto includes = package_includes();

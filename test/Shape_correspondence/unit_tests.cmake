@@ -2,15 +2,18 @@
 
 # What all of them are compiled and linked with: Catch2's own main, and the headers that most tests begin with, precompiled
 add_library(test_settings INTERFACE)
-target_link_libraries(test_settings INTERFACE Shape_correspondence_Texture Shape_correspondence_private)
+target_link_libraries(test_settings INTERFACE Shape_correspondence Shape_correspondence_private)
 if(Catch2_VERSION VERSION_LESS 3)
   target_link_libraries(test_settings INTERFACE Catch2::Catch2)
 else() # by the names of version 2
   target_link_libraries(test_settings INTERFACE Catch2::Catch2WithMain)
   target_include_directories(test_settings INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/catch2_3)
 endif()
-target_compile_definitions(test_settings INTERFACE SHAPE_CORRESPONDENCE_DATA_DIR="${PROJECT_SOURCE_DIR}/data"
-                                                   SHAPE_CORRESPONDENCE_PROGRAM="$<TARGET_FILE:shape_correspondence>")
+target_compile_definitions(test_settings INTERFACE SHAPE_CORRESPONDENCE_DATA_DIR="${PROJECT_SOURCE_DIR}/data")
+if(NOT SHAPE_CORRESPONDENCE_CORE_ONLY)
+  target_link_libraries(test_settings INTERFACE Shape_correspondence_Texture)
+  target_compile_definitions(test_settings INTERFACE SHAPE_CORRESPONDENCE_PROGRAM="$<TARGET_FILE:shape_correspondence>")
+endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(test_settings INTERFACE -O1) # tests are compiled more often than they run
 endif()
@@ -21,18 +24,62 @@ add_library(test_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
 target_link_libraries(test_headers PRIVATE test_settings)
 target_precompile_headers(test_headers PRIVATE <catch2/catch.hpp> <CGAL/Shape_correspondence/Structural_graph.h>)
 
+# Whether a test, with the headers of tests that it includes, needs nothing but the rooms of the library that is built
+function(is_of_library source result)
+  set(${result} OFF PARENT_SCOPE)
+  file(READ ${source} text)
+  if(text MATCHES "SHAPE_CORRESPONDENCE_PROGRAM")
+    return()
+  endif()
+  string(REGEX MATCHALL "#include (\"|<CGAL/Shape_correspondence/)[A-Za-z0-9_/]+\\.h" includes "${text}")
+  foreach(include ${includes})
+    string(REGEX REPLACE "#include (\"|<CGAL/Shape_correspondence/)" "" header ${include})
+    get_filename_component(room ${header} DIRECTORY)
+    get_filename_component(name ${header} NAME_WE)
+    if(include MATCHES "<CGAL")
+      file(GLOB owner RELATIVE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/*/${name}.cpp)
+      get_filename_component(owner "${owner}" DIRECTORY)
+      if(room STREQUAL "IO" OR name MATCHES "^Blend_" OR (owner AND NOT owner IN_LIST library_rooms))
+        return()
+      endif()
+    elseif(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${header})
+      is_of_library(${CMAKE_CURRENT_SOURCE_DIR}/${header} is_helper_of_library)
+      if(NOT is_helper_of_library)
+        return()
+      endif()
+    elseif(NOT room IN_LIST library_rooms)
+      return()
+    endif()
+  endforeach()
+  set(${result} ON PARENT_SCOPE)
+endfunction()
+
 # One test program a public header, each linked with the compiled library
 file(GLOB test_sources CONFIGURE_DEPENDS test_*.cpp)
 list(FILTER test_sources EXCLUDE REGEX "test_main.cpp$")
 foreach(source ${test_sources})
   get_filename_component(name ${source} NAME_WE)
+  if(SHAPE_CORRESPONDENCE_CORE_ONLY)
+    is_of_library(${source} is_test_of_library)
+    if(NOT is_test_of_library)
+      continue()
+    endif()
+  endif()
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE test_main)
   target_precompile_headers(${name} REUSE_FROM test_headers)
-  add_dependencies(${name} shape_correspondence)
+  if(TARGET shape_correspondence)
+    add_dependencies(${name} shape_correspondence)
+  endif()
   add_test(NAME ${name} COMMAND ${name})
 endforeach()
 
+# Libraries with numbers in their standard library do not have it
+target_sources(test_number_text PRIVATE ${PROJECT_SOURCE_DIR}/src/base/number_text.cpp)
+
+if(SHAPE_CORRESPONDENCE_CORE_ONLY)
+  return()
+endif()
 target_link_libraries(test_exported_formats PRIVATE assimp::assimp) # it writes files
 target_link_libraries(test_library_call PRIVATE Shape_correspondence_commands) # commands run in the test itself
 
@@ -61,9 +108,6 @@ add_executable(test_plain_threads test_for_each_index.cpp ${PROJECT_SOURCE_DIR}/
 target_link_libraries(test_plain_threads PRIVATE test_main)
 target_compile_options(test_plain_threads PRIVATE -UCGAL_LINKED_WITH_TBB)
 add_test(NAME test_plain_threads COMMAND test_plain_threads)
-
-# Libraries with numbers in their standard library do not have it
-target_sources(test_number_text PRIVATE ${PROJECT_SOURCE_DIR}/src/base/number_text.cpp)
 
 # version.h has the version of the project
 target_compile_definitions(test_program PRIVATE SHAPE_CORRESPONDENCE_PROJECT_VERSION="${PROJECT_VERSION}")
