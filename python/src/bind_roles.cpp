@@ -18,6 +18,7 @@
 
 #include <filesystem>
 #include <ostream>
+#include <tuple>
 
 namespace shape_correspondence_python {
 

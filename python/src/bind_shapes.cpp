@@ -31,6 +31,7 @@
 #include <functional>
 #include <limits>
 #include <ostream>
+#include <tuple>
 
 namespace shape_correspondence_python {
 

@@ -4,6 +4,7 @@
 #include "work.h"
 
 #include <chrono>
+#include <tuple>
 
 namespace shape_correspondence_python {
 

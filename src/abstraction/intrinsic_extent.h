@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {

@@ -25,6 +25,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace gen = CGAL::Shape_correspondence::generator;
 namespace fs = std::filesystem;

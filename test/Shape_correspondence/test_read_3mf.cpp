@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
+
 using namespace CGAL::Shape_correspondence;
 using namespace model_files;
 using Catch::Matchers::Contains;

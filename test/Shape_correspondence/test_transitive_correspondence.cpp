@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <iterator>
 #include <random>
 
 using namespace CGAL::Shape_correspondence;

@@ -5,6 +5,7 @@
 
 #include <clocale>
 #include <filesystem>
+#include <string_view>
 
 #ifdef _GLIBCXX_FILESYSTEM_IS_WINDOWS
 // Makes texts UTF-8 paths, as on other systems. On Windows libstdc++ converts paths to UTF-8, but interprets texts in
