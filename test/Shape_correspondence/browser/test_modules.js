@@ -81,7 +81,8 @@ function glb(json, numbers) {
   const many = rowsByRole(Array.from({length: 30}, (_, i) => ({role: 'role' + i % 20, parts: [[0], [0]]})));
   equal([many.length, many[7].role, many[7].blocks.length], [8, 'others', 16]);
   const files = {'a/b.obj': 'b'};
-  equal([readersNote('a/b.obj: Axes are odd; give --up. `parts a/b.obj` says why.', files), readersNote('--parts file helps.', files), readersNote('a/b.obj: Parts were found by what parts look like, in objects that are none: x. --parts file takes others.', files)],
+  const noteOf = note => readersNote(note, files).text;
+  equal([noteOf('a/b.obj: Axes are odd; give --up. `parts a/b.obj` says why.'), noteOf('--parts file helps.'), noteOf('a/b.obj: Parts were found by what parts look like, in objects that are none: x. --parts file takes others.')],
         ['b: Axes are odd.', '', 'b: The objects of the file are not its parts; these were found by what parts look like.']);
   const result = {blocks: [{source: ['leg'], target: ['leg'], operation: 'match', confidence: 1},
                            {source: ['back'], target: ['slat 1', 'slat 2'], role: 'back', operation: 'split', confidence: 0.6}],
