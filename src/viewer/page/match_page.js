@@ -53,12 +53,11 @@ function isOnePiece(names) {
   return names.length > 1 && new Set(names.map(name => name.replace(/#\d+$/, ''))).size === 1;
 }
 
-/** How much of both shapes corresponds, in a sentence. @param shares of their surfaces */
-function covered(missing, names, titles, shares) {
-  if (missing.every(list => !list.length)) return 'Every part has a counterpart.';
-  const share = side => missing[side].length ? `${percent(Math.min(shares[side], 0.99))} of the surface of ${titles[side]}` : `all of ${titles[side]}`;
-  const rest = [0, 1].filter(side => missing[side].length).map(side => `${missing[side].length} of the ${counted(names[side].length, 'part')} of ${titles[side]}`);
-  return `The pairs cover ${share(0)} and ${share(1)}: ${rest.join(' and ')} have no counterpart and are grey.`;
+/** What has no counterpart, in a sentence. @param shares of the surfaces that have one */
+function uncovered(missing, names, titles, shares) {
+  const rest = [0, 1].filter(side => missing[side].length).map(side => `${missing[side].length} of ${counted(names[side].length, 'part')} of ${titles[side]}, ` +
+      `${percent(1 - shares[side])} of its surface`);
+  return rest.length ? ` Grey parts have no counterpart: ${rest.join(', and ')}.` : ' Every part has a counterpart.';
 }
 
 /** Which parts are two things in one piece, in a sentence; or nothing. */
@@ -68,13 +67,12 @@ function inOnePiece(pieces, titles) {
 }
 
 /** What the page shows, for those who see it for the first time. */
-function answer(blocks, covers) {
+function answer(blocks, rest) {
   const roles = [...new Set(blocks.map(block => block.role).filter(Boolean))].map(roleText);
   const sure = blocks.map(block => block.confidence).filter(value => value !== null), mean = sure.reduce((sum, value) => sum + value, 0) / sure.length;
   if (!blocks.length) return 'No parts correspond.';
-  return 'Parts that correspond have one colour' + (roles.length ? ': ' + listed(roles, 10) : '') + '.' +
-      (sure.length ? ` A pair is right with a probability of ${percent(mean)} on average.` : '') + ' ' + covers +
-      (blocks.some(block => block.least !== null && block.least < unsure) ? ' What is pale or hatched is unsure.' : '');
+  return 'Parts of one colour correspond' + (roles.length ? ': ' + listed(roles, 10) : '') + '.' + (sure.length ? ` On average they are ${percent(mean)} sure.` : '') +
+      rest + (blocks.some(block => block.least !== null && block.least < unsure) ? ' What is pale or hatched is unsure.' : '');
 }
 
 export function showMatch() {
@@ -100,7 +98,7 @@ export function showMatch() {
   view.show({titles, names, labels, roles, blocks, pieces, groups: groupNumbers(result, names)});
   view.addSwitches($('#tools'));
   setBreakable(titles.join(' and '), $('h1'));
-  element('p', answer(blocks, covered(missing, names, titles, shares)) + inOnePiece(pieces, titles), $('#facts'));
+  element('p', answer(blocks, uncovered(missing, names, titles, shares)) + inOnePiece(pieces, titles), $('#facts'));
   const notes = (result.warnings || []).map(note => readersNote(note, {[result.source]: titles[0], [result.target]: titles[1]}));
   const told = notes.filter(({text, isReading}) => text && !isReading).map(({text}) => text.replace(/'([^']+)'/g, (quoted, name) => labelOf.get(name) || quoted));
   for (const note of told.slice(0, mostNotes)) element('p', note, $('#facts')).className = 'note';
