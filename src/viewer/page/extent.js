@@ -72,6 +72,6 @@ export function rolesInOnePiece(points, roles, others) {
   first('seat', ['back'], () => level !== null);
   first('back', ['seat'], seat => level !== null && rangeOf(seat, 1)[1] - level > leastRise);
   first('armrest', ['leg', 'seat_frame', 'back'], part => level !== null && hasArms(part, level));
-  first('leg', ['seat_frame', 'armrest', 'seat', 'back'], part => rangeOf(part, 1)[0] < onGround);
+  first('leg', ['seat_frame', 'armrest', 'seat', 'back'], part => rangeOf(part, 1, 0)[0] < onGround);
   return [...found];
 }

@@ -132,7 +132,7 @@ export class MatchView {
         {cells: cells('', sides.map((list, side) => part(side, list[i])), ''), words: sides.map((list, side) => list[i] === undefined ? '' : match.names[side][list[i]])}));
     const row = (key, role, sides, block, below) => {
       const labels = labelsOf(sides), title = (block.operation ? operationText({...block, parts: sides}) + ': ' : '') + labels.map(list => withRanges(list).join(', ') || 'nothing').join(' → ');
-      const small = block.text ? '' : [0, 1].filter(side => this.withOthers(side, role) !== role).map(side => `${match.titles[side]}: ${this.withOthers(side, role)} in one piece`).join('; ');
+      const small = block.text ? '' : [0, 1].filter(side => this.withOthers(side, role) !== roleText(role)).map(side => `${match.titles[side]}: ${this.withOthers(side, role)} in one piece`).join('; ');
       return {key, colour: cssColour(grey), cells: cells(roleText(role), [{text: block.text || sentenceOf(labels, role), title, small, span: 2}], sure(block)), rows: below};
     };
     const ofBlock = b => row('b' + b, '', match.blocks[b].parts, match.blocks[b], parts(match.blocks[b].parts));
