@@ -26,7 +26,7 @@ class ShapeCorrespondence < Formula
     resource("three").stage buildpath/"three"
     system "cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DBUILD_TESTING=OFF",
            "-DSHAPE_CORRESPONDENCE_EXAMPLES=OFF",
-           "-DSHAPE_CORRESPONDENCE_THREE_JS=#{buildpath}/three/build/three.min.js", *std_cmake_args
+           "-DSHAPE_CORRESPONDENCE_THREE_JS=#{buildpath}/three/build/three.module.js", *std_cmake_args
     system "cmake", "--build", "build"
     system "cmake", "--install", "build"
   end

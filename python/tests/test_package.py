@@ -112,3 +112,9 @@ def test_notebook():
     result = run_python(EXAMPLES / "run_notebook.py", EXAMPLES / "tutorial.ipynb", "--check", cwd=ROOT,
                         MPLBACKEND="Agg")
     assert result.returncode == 0, result.stderr
+
+
+def test_import_takes_little_time():
+    code = "import shape_correspondence, time; print(time.process_time())"
+    shares = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout) for _ in range(3)]
+    assert min(shares) < 0.3  # seconds of processor time; half of it on an idle machine

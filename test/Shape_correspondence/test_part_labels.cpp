@@ -35,6 +35,11 @@ TEST_CASE("A name that says nothing about its part becomes the role")
   // Pieces of one object that have several roles; and of one that has one
   CHECK(IO::part_labels({"midcentury", "midcentury#2", "arm", "arm#2"}, {"leg", "seat", "armrest", "armrest"}) ==
         Names{"leg", "seat", "arm 1", "arm 2"});
+  // Foreign words, abbreviations, materials, and words for the whole; but not words for parts, nor roles of other
+  // models
+  CHECK(IO::part_labels({"chair_sop", "silla_pata.001", "SeatBack", "frontleg", "Chrome", "tentacles_L"},
+                        {"leg", "leg", "back", "leg", "stretcher", "tentacle"}) ==
+        Names{"leg 1", "leg 2", "SeatBack", "frontleg", "stretcher", "tentacles_L"});
   // A part whose role is not known keeps its name
   CHECK(IO::part_labels({"mesh17", "Object_4"}, {"", "leg"}) == Names{"mesh17", "leg"});
   CHECK(IO::part_labels({"leg", "Object_4"}, {"leg", "leg"}) == Names{"leg 1", "leg 2"});

@@ -10,7 +10,7 @@ if("io" IN_LIST FEATURES) # web pages contain it
     FILENAME three-0.111.0.tgz
     SHA512 01c4eac862771fbe4022eb0eb800f2d0bb0ff79f10290c26fd884004714ccdde911573cd55acb5ae549b6c6e9662feca33bd86d931cc330a9b8d07787551cc91)
   vcpkg_extract_source_archive(THREE_PATH ARCHIVE "${THREE_ARCHIVE}")
-  set(page_options "-DSHAPE_CORRESPONDENCE_THREE_JS=${THREE_PATH}/build/three.min.js")
+  set(page_options "-DSHAPE_CORRESPONDENCE_THREE_JS=${THREE_PATH}/build/three.module.js")
 endif()
 vcpkg_check_features(OUT_FEATURE_OPTIONS features FEATURES io SHAPE_CORRESPONDENCE_PROGRAM)
 vcpkg_cmake_configure(

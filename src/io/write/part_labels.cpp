@@ -27,6 +27,35 @@ const std::set<std::string> meaningless = {
     "polygon", "polysurface", "pplane",  "psphere",   "rectangle", "root",      "scene",   "segment",   "shape",
     "solid",   "sphere",      "submesh", "surface",   "torus",     "unnamed",   "untitled"};
 
+// English words for parts, without the plural's s; other names are foreign, abbreviated, or of the whole
+const std::set<std::string> words_for_parts = {
+    "apron",      "arm",        "armrest",    "axle",     "back",       "backrest",  "band",      "bar",
+    "base",       "basket",     "beam",       "bed",      "bedding",    "bell",      "belt",      "blade",
+    "blanket",    "board",      "body",       "bolt",     "bonnet",     "bottom",    "bow",       "bowl",
+    "box",        "brace",      "bracket",    "brake",    "branch",     "bulb",      "bumper",    "burner",
+    "button",     "cabin",      "cabinet",    "cable",    "cage",       "canard",    "canopy",    "cap",
+    "cargo",      "caster",     "castor",     "ceiling",  "chain",      "chassis",   "clamp",     "cockpit",
+    "column",     "cornice",    "cowling",    "crank",    "crossbar",   "crown",     "cup",       "cushion",
+    "dashboard",  "desk",       "disc",       "disk",     "divider",    "door",      "drawer",    "drivetrain",
+    "elevator",   "engine",     "exhaust",    "fan",      "feet",       "fender",    "fin",       "flame",
+    "flap",       "foot",       "footboard",  "footrest", "fork",       "frame",     "fuselage",  "gear",
+    "globe",      "grille",     "grip",       "guard",    "handle",     "handlebar", "head",      "headboard",
+    "headlight",  "headrest",   "hinge",      "hood",     "hook",       "hub",       "interior",  "jet",
+    "joint",      "keyboard",   "knob",       "ladder",   "lantern",    "leave",     "leg",       "lens",
+    "lever",      "lid",        "light",      "loop",     "mast",       "mattress",  "mirror",    "motor",
+    "mount",      "mudguard",   "nacelle",    "neck",     "nose",       "nut",       "pad",       "pane",
+    "panel",      "pedal",      "pedestal",   "pillow",   "pin",        "pipe",      "plate",     "platform",
+    "plinth",     "plug",       "pole",       "post",     "propeller",  "rack",      "radiator",  "rail",
+    "rib",        "rim",        "ring",       "rod",      "roof",       "rotor",     "rudder",    "rung",
+    "saddle",     "screw",      "seat",       "seatpost", "shade",      "shaft",     "shelf",     "shell",
+    "shelve",     "sill",       "sink",       "slat",     "sling",      "socket",    "spindle",   "spinner",
+    "spoiler",    "spoke",      "spring",     "sprocket", "stabilizer", "stair",     "stand",     "star",
+    "stay",       "steering",   "stem",       "step",     "strap",      "stretcher", "string",    "strip",
+    "strut",      "support",    "switch",     "swivel",   "tabletop",   "tail",      "taillight", "tank",
+    "tire",       "top",        "tower",      "track",    "tray",       "trim",      "trunk",     "tube",
+    "tyre",       "underbody",  "upholstery", "vase",     "vent",       "wall",      "wheel",     "window",
+    "windscreen", "windshield", "wing",       "winglet",  "wire",       "yoke"};
+
 bool is_separator(char c) { return c == '_' || c == '-' || c == '.' || c == ' ' || c == ':'; }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -134,6 +163,39 @@ bool says_nothing(const std::string& name)
   return std::all_of(words.begin(), words.end(), is_meaningless);
 }
 
+/// The words of a name, also where capitals begin them (BackRest), in small letters, without numbers and the plural's
+/// s.
+std::set<std::string> plain_words(const std::string& name)
+{
+  std::set<std::string> result;
+  std::string word;
+  const auto finish = [&] {
+    if (word.size() > 2 && word.back() == 's' && word[word.size() - 2] != 's') word.pop_back();
+    if (!word.empty()) result.insert(word);
+    word.clear();
+  };
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(name[i]);
+    const bool is_letter = std::isalpha(c) || c >= 0x80;
+    if (!is_letter || (std::isupper(c) && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])))) finish();
+    if (is_letter) word += boost::algorithm::to_lower_copy(std::string(1, name[i]), std::locale::classic());
+  }
+  finish();
+  return result;
+}
+
+/// Whether a name tells in English what a part is. \param known more words for parts, such as roles
+bool tells_part(const std::string& name, const std::set<std::string>& known)
+{
+  const std::set<std::string> words = plain_words(name);
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    for (std::size_t size = 3; size <= word.size(); ++size) // of the last word of a compound: seatback
+      if (const std::string last = word.substr(word.size() - size); words_for_parts.count(last) || known.count(last))
+        return true;
+    return false;
+  });
+}
+
 /// A name without what modellers add at its ends: words and numbers behind a dot.
 std::string without_words_of_modellers(const std::string& name)
 {
@@ -198,6 +260,7 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names, cons
   std::vector<std::string> result = stems(names);
   std::map<std::string, std::set<std::string>> roles_of_stem, roles_of_series;
   std::map<std::string, std::size_t> size_of_series;
+  std::set<std::string> known;
   std::vector<std::string> series; // what is left of a stem without its number
   for (std::size_t i = 0; i < roles.size(); ++i) {
     series.push_back(without_separators(numbered(result[i]).first));
@@ -205,10 +268,12 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names, cons
     if (roles[i].empty()) continue;
     roles_of_stem[result[i]].insert(roles[i]);
     roles_of_series[series[i]].insert(roles[i]);
+    known.merge(plain_words(roles[i]));
   }
   for (std::size_t i = 0; i < roles.size(); ++i)
-    if (!roles[i].empty() && (says_nothing(result[i]) || roles_of_stem[result[i]].size() > 1 ||
-                              (2 * size_of_series[series[i]] > names.size() && roles_of_series[series[i]].size() > 1)))
+    if (!roles[i].empty() &&
+        (says_nothing(result[i]) || !tells_part(result[i], known) || roles_of_stem[result[i]].size() > 1 ||
+         (2 * size_of_series[series[i]] > names.size() && roles_of_series[series[i]].size() > 1)))
       series[i] = role_text(roles[i]);
     else
       series[i] = result[i];

@@ -50,7 +50,7 @@ export function showCollection() {
       'Parts that are alike have one colour' + (roles.some(Boolean) ? ': ' + listed([...new Set(roles.filter(Boolean))].map(roleText), 10) : '') +
       '; parts that are like no others are grey. Choose two shapes to see their match.',
       $('#facts'));
-  addWarnings($('#facts'), (collection.warnings || []).map(note => readersNote(note, {})));
+  addWarnings($('#facts'), (collection.warnings || []).map(note => readersNote(note, {}).text));
   addTabs([['models', 'Two shapes'], ['shapes', 'All shapes'], ['list', 'Parts']]);
 
   const stage = new Stage($('#stage')), views = [stage.addView(''), stage.addView('')];

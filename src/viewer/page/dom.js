@@ -50,12 +50,12 @@ export function addTabs(tabs) {
   buttons[0].onclick();
 }
 
-/** Warnings, folded: there may be many. */
-export function addWarnings(parent, warnings = []) {
+/** Notes, folded: there may be many. @param what they are about */
+export function addWarnings(parent, warnings = [], what = '') {
   warnings = [...new Set(warnings)].filter(Boolean);
   if (!warnings.length) return;
   const details = element('details', '', parent);
-  element('summary', warnings.length === 1 ? '1 note' : `${warnings.length} notes`, details);
+  element('summary', (warnings.length === 1 ? '1 note' : `${warnings.length} notes`) + what, details);
   for (const warning of warnings) element('p', warning, details);
 }
 

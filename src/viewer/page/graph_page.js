@@ -72,6 +72,6 @@ export function showGraph() {
   });
   setBreakable(graph.name, $('h1'));
   element('p', `${graph.parts.length} parts, ${graph.groups.length} groups, ${graph.contacts.length} contacts`, $('#facts'));
-  addWarnings($('#facts'), (graph.warnings || []).map(note => readersNote(note, {})));
+  addWarnings($('#facts'), (graph.warnings || []).map(note => readersNote(note, {}).text));
   addTabs([['models', 'Model'], ['list', 'Parts']]);
 }

@@ -3,12 +3,15 @@
 
 import {BlendPlayer} from './blend_player.js';
 import {$, addSwitch, addTabs, addWarnings, documentOf, element, setBreakable} from './dom.js';
+import {extentOf, rolesInOnePiece} from './extent.js';
 import {bytesOfBase64, readGlb} from './glb.js';
 import {counted, groupNumbers, indexedBlocks, listed, percent, readersNote, roleText, unsure} from './matching.js';
 import {MatchView} from './match_view.js';
 import {Stage} from './stage.js';
 
 // The page of a result of `match`, with the blend where there is one.
+
+const mostNotes = 2; // that bear on what corresponds, unfolded
 
 /** A GLB that the page has for an id. */
 export function glbOf(id) {
@@ -50,16 +53,26 @@ function isOnePiece(names) {
   return names.length > 1 && new Set(names.map(name => name.replace(/#\d+$/, ''))).size === 1;
 }
 
+/** What has no counterpart, in a sentence. @param shares of the surfaces that have one */
+function uncovered(missing, names, titles, shares) {
+  const rest = [0, 1].filter(side => missing[side].length).map(side => `${missing[side].length} of ${counted(names[side].length, 'part')} of ${titles[side]}, ` +
+      `${percent(1 - shares[side])} of its surface`);
+  return rest.length ? ` Grey parts have no counterpart: ${rest.join(', and ')}.` : ' Every part has a counterpart.';
+}
+
+/** Which parts are two things in one piece, in a sentence; or nothing. */
+function inOnePiece(pieces, titles) {
+  return pieces.map((list, side) => list.length ? ` In ${titles[side]}, ${list.map(([role, others]) => listed([role, ...others].map(roleText))).join(' seem to be one piece, and so do ')}` +
+      (list.length === 1 ? ' seem to be one piece.' : '.') : '').join('');
+}
+
 /** What the page shows, for those who see it for the first time. */
-function answer(result, blocks, names, titles) {
+function answer(blocks, rest) {
   const roles = [...new Set(blocks.map(block => block.role).filter(Boolean))].map(roleText);
   const sure = blocks.map(block => block.confidence).filter(value => value !== null), mean = sure.reduce((sum, value) => sum + value, 0) / sure.length;
-  const what = !blocks.length ? 'No parts correspond.' : 'Parts that correspond have one colour' + (roles.length ? ': ' + listed(roles, 10) : '') +
-      (sure.length ? `. They are right with a probability of ${percent(mean)} on average` : '') + '.';
-  const missing = [result.unmatched_source, result.unmatched_target].map(
-      (list, side) => list.length ? `${list.length} of the ${counted(names[side].length, 'part')} of ${titles[side]}` : '').filter(Boolean);
-  return what + (missing.length ? ` Grey parts have no counterpart: ${missing.join(' and ')}.` : '') +
-      (blocks.some(block => block.least !== null && block.least < unsure) ? ' What is pale or hatched is unsure.' : '');
+  if (!blocks.length) return 'No parts correspond.';
+  return 'Parts of one colour correspond' + (roles.length ? ': ' + listed(roles, 10) : '') + '.' + (sure.length ? ` On average they are ${percent(mean)} sure.` : '') +
+      rest + (blocks.some(block => block.least !== null && block.least < unsure) ? ' What is pale or hatched is unsure.' : '');
 }
 
 export function showMatch() {
@@ -74,13 +87,22 @@ export function showMatch() {
   });
   const view = new MatchView(stage, views), blocks = indexedBlocks(result, names);
   addLayerSwitches(stage, $('#tools'), stage.items.some(i => i.layer === 'surfaces') ? ['surfaces'] : ['curves and sheets']);
-  view.show({titles, names, labels: documentOf('labels'), roles, blocks, groups: groupNumbers(result, names)});
+  const labels = documentOf('labels'), labelOf = new Map(names.flatMap((list, side) => list.map((name, part) => [name, labels[side][part]])));
+  const extents = views.map(of => extentOf(stage.items.filter(({view, layer, part}) => view === of && layer === 'surfaces' && part >= 0)));
+  const pieces = [0, 1].map(side => rolesInOnePiece(extents[side].points, roles[side], roles[1 - side]));
+  const missing = [result.unmatched_source, result.unmatched_target].map((list, side) => list.map(name => names[side].indexOf(name)));
+  const shares = missing.map((list, side) => { // of surfaces, or of parts if there are none
+    const sizeOf = part => extents[side].areas.length ? extents[side].areas[part] || 0 : 1, sum = parts => parts.reduce((all, part) => all + sizeOf(part), 0);
+    return 1 - sum(list) / (sum(names[side].map((_, part) => part)) || 1);
+  });
+  view.show({titles, names, labels, roles, blocks, pieces, groups: groupNumbers(result, names)});
   view.addSwitches($('#tools'));
   setBreakable(titles.join(' and '), $('h1'));
-  element('p', answer(result, blocks, names, titles), $('#facts'));
-  const labels = documentOf('labels'), labelOf = new Map(names.flatMap((list, side) => list.map((name, part) => [name, labels[side][part]])));
-  addWarnings($('#facts'), (result.warnings || []).map(note => readersNote(note, {[result.source]: titles[0], [result.target]: titles[1]})
-      .replace(/'([^']+)'/g, (quoted, name) => labelOf.get(name) || quoted)));
+  element('p', answer(blocks, uncovered(missing, names, titles, shares)) + inOnePiece(pieces, titles), $('#facts'));
+  const notes = (result.warnings || []).map(note => readersNote(note, {[result.source]: titles[0], [result.target]: titles[1]}));
+  const told = notes.filter(({text, isReading}) => text && !isReading).map(({text}) => text.replace(/'([^']+)'/g, (quoted, name) => labelOf.get(name) || quoted));
+  for (const note of told.slice(0, mostNotes)) element('p', note, $('#facts')).className = 'note';
+  addWarnings($('#facts'), [...told.slice(mostNotes), ...notes.filter(note => note.isReading).map(note => note.text)], told.length > mostNotes ? '' : ' on how the files were read');
   views.forEach((one, side) => { if (isOnePiece(names[side])) element('small', 'one piece in its file; its parts were found by their shape', one.caption); });
   addTabs([['models', blend ? 'Film' : 'Models'], ['list', 'Parts']]);
   if (blend) new BlendPlayer(view, blend, glbOf('blend.glb'));

@@ -103,7 +103,8 @@ export class MatchView {
 
   /**
    * @param match {titles, names, labels, blocks, roles, groups, colourOf(side, part)}: lists by side; `labels` are the names as
-   * people read them; `roles` may hold empty lists; the colours are in linear light; without `colourOf` a part has the
+   * people read them; `roles` may hold empty lists; `pieces`, which may be missing, has roles that are one piece with others
+   * (`rolesInOnePiece`); the colours are in linear light; without `colourOf` a part has the
    * colour of its meshes
    */
   show(match) {
@@ -121,7 +122,7 @@ export class MatchView {
 
   fillTable() {
     const {match} = this, hasRoles = match.blocks.some(block => block.role), hasConfidence = match.blocks.some(block => block.confidence !== null);
-    const columns = [...(hasRoles ? [{text: 'role', kind: 'narrow'}] : []), ...match.titles.map(text => ({text})), ...(hasConfidence ? [{text: 'how sure', kind: 'narrow'}] : [])];
+    const columns = [...(hasRoles ? [{text: 'role', kind: 'narrow'}] : []), {text: match.titles.join(' → '), span: 2}, ...(hasConfidence ? [{text: 'how sure', kind: 'narrow'}] : [])];
     const labelsOf = sides => sides.map((parts, side) => parts.map(part => match.labels[side][part]));
     const cells = (role, middle, last) => [...(hasRoles ? [role] : []), ...middle, ...(hasConfidence ? [last] : [])];
     const sure = ({confidence, least}) => ({text: percent(confidence), small: least !== null && least !== undefined && percent(least) !== percent(confidence) ? `least ${percent(least)}` : '',
@@ -131,7 +132,8 @@ export class MatchView {
         {cells: cells('', sides.map((list, side) => part(side, list[i])), ''), words: sides.map((list, side) => list[i] === undefined ? '' : match.names[side][list[i]])}));
     const row = (key, role, sides, block, below) => {
       const labels = labelsOf(sides), title = (block.operation ? operationText({...block, parts: sides}) + ': ' : '') + labels.map(list => withRanges(list).join(', ') || 'nothing').join(' → ');
-      return {key, colour: cssColour(grey), cells: cells(roleText(role), [{text: block.text || sentenceOf(labels, role), title, span: 2}], sure(block)), rows: below};
+      const small = block.text ? '' : [0, 1].filter(side => this.withOthers(side, role) !== roleText(role)).map(side => `${match.titles[side]}: ${this.withOthers(side, role)} in one piece`).join('; ');
+      return {key, colour: cssColour(grey), cells: cells(roleText(role), [{text: block.text || sentenceOf(labels, role), title, small, span: 2}], sure(block)), rows: below};
     };
     const ofBlock = b => row('b' + b, '', match.blocks[b].parts, match.blocks[b], parts(match.blocks[b].parts));
     const rows = this.rows.map(({role, blocks}, r) => {
@@ -147,6 +149,12 @@ export class MatchView {
       rows.push(row('none' + side, '', sides, {confidence: null, text: `${sides[side].length === 1 ? labelsOf(sides)[side][0] : countedParts(labelsOf(sides)[side], '')} without counterpart in ${match.titles[1 - side]}`}, parts(sides)));
     });
     this.table = fillTable($('table'), columns, rows, this.selection, $('#search'));
+  }
+
+  /** A role in words, with those that the shape of a side has in one piece with it. */
+  withOthers(side, role) {
+    const piece = ((this.match.pieces || [])[side] || []).find(([one]) => one === role);
+    return listed((piece ? [role, ...piece[1]] : [role]).map(roleText));
   }
 
   ownColour(side, part) {
@@ -251,7 +259,7 @@ export class MatchView {
   told(item) {
     const {names, labels, roles, titles, blocks} = this.match;
     const [side, part] = this.placeOfItem(item), block = blocks[this.blockOf[side][part]], lines = [];
-    if (roles[side][part]) lines.push('role: ' + roleText(roles[side][part]));
+    if (roles[side][part]) lines.push('role: ' + this.withOthers(side, roles[side][part]));
     if (names[side][part] !== labels[side][part]) lines.push('name in the file: ' + names[side][part]);
     if (!block) return [labels[side][part], lines.concat('no counterpart')];
     lines.push(`${inWords(block, side)} (${operationText(block)})`);
@@ -276,7 +284,7 @@ export class MatchView {
       if (view.figure.hidden || Math.min(confine.width, confine.height) < leastView) return [];
       const isShown = (part, b) => b >= 0 && this.isSure(this.match.blocks[b]) && (!this.lit || this.lit.has('b' + b) || this.lit.has(side + ':' + part));
       const places = this.stage.seenPlaces(view, ({part}) => part >= 0 && isShown(part, this.blockOf[side][part]) ? rowOf(part) : -1);
-      const text = row => { const {role, blocks: [b]} = this.rows[row]; return role ? roleText(role) : this.match.labels[side][this.match.blocks[b].parts[side][0]]; };
+      const text = row => { const {role, blocks: [b]} = this.rows[row]; return role ? this.withOthers(side, role) : this.match.labels[side][this.match.blocks[b].parts[side][0]]; };
       return [...places].filter(([, {area}]) => area >= leastLabelled * leastLabelled).sort((a, b) => b[1].area - a[1].area).map(([row, {x, y}]) => ({x, y, text: text(row), confine}));
     });
   }

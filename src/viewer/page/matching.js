@@ -35,10 +35,10 @@ export function withRanges(names) {
   return result;
 }
 
-// Words that say where a part is, not what it is
-const places = /^(.|[fr][lr]|left|right|front|rear|upper|lower|inner|outer|middle|center|centre)$/i;
+// Words that say where a part is or of what, not what it is
+const places = /^(.|[fr][lr]|left|right|front|rear|upper|lower|inner|outer|middle|center|centre|fabric|plastic|metal|wood|leather|steel|chrome)$/i;
 
-/** What a part is, by its label: its role if it is named so, or else the last word that is no place, without a number. */
+/** What a part is, by its label: its role if it is named so, or else the last word that is neither place nor material, without a number. */
 export function nounOf(label, role = '') {
   if (role && roleText(label.replace(/[\s_.:#-]*\d+$/, '')) === roleText(role)) return roleText(role);
   const words = label.replace(/[\s_.:#-]*\d+$/, '').split(/[_.:-]+/).filter(word => word && !places.test(word));
@@ -128,15 +128,28 @@ export function indexedBlocks(result, names) {
   });
 }
 
-/** What a note says to the reader of a page: without files, commands and their options. @param models {file: title} */
+// How a file was read: notes that do not bear on what corresponds, in other words
+const readings = [
+  [/^Parts were found by what parts look like/, 'The objects of the file are not its parts; these were found by what parts look like.'],
+  [/^Objects (of loose pieces were split|that are not one part each were divided)/, 'Objects of the file that are several parts each were divided.'],
+  [/^Pieces end where the material changes/, 'Parts end where the material changes.'],
+  [/^The upright axis was taken/, 'Which way is up was estimated, as the file does not say it.'],
+  [/^Parts that branch,.* roughly: ([^;]*?)\. Divide .*/, 'These parts branch, and are compared only roughly: $1.'],
+  [/^(Faces of fewer than .*)/, '$1'],
+];
+
+/**
+ * What a note says to the reader of a page: without files, commands and their options.
+ * @param models {file: title} @returns {text, isReading}: whether it is about how the file was read
+ */
 export function readersNote(note, models) {
   let text = note, of = '';
   for (const [file, title] of Object.entries(models)) if (text.startsWith(file + ': ')) [of, text] = [title + ': ', text.slice(file.length + 2)];
-  if (/^Parts were found by what parts look like/.test(text)) return of + 'The objects of the file are not its parts; these were found by what parts look like.';
-  if (/^Objects of loose pieces were split/.test(text)) return of + 'Objects of the file that have several loose pieces were split into parts.';
+  const reading = readings.find(([pattern]) => pattern.test(text));
+  if (reading) return {text: of + reading[0].exec(text)[0].replace(...reading), isReading: true};
   const isOfShell = part => /--\w|`/.test(part);
   const sentences = text.split(/(?<=\.)\s+/).map(sentence => sentence.split(/;\s+/).filter(part => !isOfShell(part)).join('; ')).filter(Boolean);
-  return sentences.length ? of + sentences.join(' ').replace(/[.;]?$/, '.') : '';
+  return {text: sentences.length ? of + sentences.join(' ').replace(/[.;]?$/, '.') : '', isReading: false};
 }
 
 /** For each shape the group of every part: parts that the search took together have one number, others -1. */

@@ -30,14 +30,14 @@ function geometryOf(mesh) {
   return geometry;
 }
 
-const wraps = {clamp: 'ClampToEdgeWrapping', mirror: 'MirroredRepeatWrapping', repeat: 'RepeatWrapping'};
+const wrapOf = name => ({clamp: THREE.ClampToEdgeWrapping, mirror: THREE.MirroredRepeatWrapping, repeat: THREE.RepeatWrapping})[name];
 
 /** Puts a texture on a material as soon as its picture is decoded, once for all materials that have it. */
 function addTexture(material, texture, onLoad) {
   texture.picture = texture.picture || createImageBitmap(new Blob([texture.bytes], {type: texture.type}));
   texture.picture.then(picture => {
     material.map = new THREE.Texture(picture);
-    [material.map.wrapS, material.map.wrapT] = texture.wrap.map(wrap => THREE[wraps[wrap]]);
+    [material.map.wrapS, material.map.wrapT] = texture.wrap.map(wrapOf);
     material.map.encoding = THREE.sRGBEncoding;
     material.map.flipY = false;
     material.map.needsUpdate = material.needsUpdate = true;

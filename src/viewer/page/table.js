@@ -30,7 +30,7 @@ function addCell(tr, cell, column, selection) {
 }
 
 /**
- * @param columns [{text, kind}]; the kind may be `narrow`
+ * @param columns [{text, kind, span}]; the kind may be `narrow`
  * @param rows [{key, colour (of a style sheet, or none), cells, rows, words}]; a row is chosen by its key, if it has one, and
  * folds its `rows`, if it has any. `words` are searched, too
  * @param search the input element whose text rows must contain, or null
@@ -39,11 +39,12 @@ function addCell(tr, cell, column, selection) {
  */
 export function fillTable(table, columns, rows, selection, search) {
   table.replaceChildren();
-  const head = element('tr', '', element('thead', '', table)), body = element('tbody', '', table), made = [];
+  const spread = columns.flatMap(column => Array(column.span || 1).fill(column)), head = element('tr', '', element('thead', '', table)), body = element('tbody', '', table), made = [];
   element('th', '', head).className = 'mark';
   for (const column of columns) {
     const cell = element('th', '', head);
     cell.className = column.kind || '';
+    if (column.span) cell.colSpan = column.span;
     setBreakable(column.text, cell);
   }
   /** @returns the keys in a row and all below it */
@@ -54,7 +55,7 @@ export function fillTable(table, columns, rows, selection, search) {
     tr.style.setProperty('--depth', depth);
     let column = 0;
     for (const cell of row.cells) {
-      addCell(tr, cell, columns[column], selection);
+      addCell(tr, cell, spread[column], selection);
       column += cell.span || 1;
     }
     if (row.key !== undefined) choosing(tr, row.key, selection);

@@ -5,6 +5,7 @@
 
 import {shellWord, storedMatch} from '../../../src/viewer/page/collection_page.js';
 import {cssColour, linearColour} from '../../../src/viewer/page/dom.js';
+import {extentOf, rolesInOnePiece} from '../../../src/viewer/page/extent.js';
 import {bytesOfBase64, morphed, readGlb, valuesAt} from '../../../src/viewer/page/glb.js';
 import {countedParts, groupNumbers, indexedBlocks, inWords, listed, nounOf, operationText, percent, readersNote, rowsByRole, sentenceOf, withRanges} from '../../../src/viewer/page/matching.js';
 import {Selection} from '../../../src/viewer/page/selection.js';
@@ -31,6 +32,23 @@ function glb(json, numbers) {
   view.setUint32(24 + text.length, 0x004E4942, true);
   bytes.set(new Uint8Array(numbers.buffer), 28 + text.length);
   return bytes;
+}
+
+// extent.js: a chair of boxes, of whose seat and back one piece is made, and whose legs go on as arms
+{
+  const box = (part, low, high) => {
+    const points = Array.from({length: 8}, (_, i) => [0, 1, 2].map(k => (i >> k & 1 ? high : low)[k])).flat();
+    const indices = [[0, 2, 6, 4], [1, 5, 7, 3], [0, 4, 5, 1], [2, 3, 7, 6], [0, 1, 3, 2], [4, 6, 7, 5]].flatMap(([a, b, c, d]) => [a, b, c, a, c, d]);
+    return {part, mesh: {points: new Float32Array(points), indices}};
+  };
+  const seat = box(0, [0, .45, 0], [1, .5, 1]), back = part => box(part, [0, .5, 0], [1, 1, .05]), side = x => [
+    box(2, [x, 0, .1], [x + .05, .7, .15]), box(2, [x, 0, .85], [x + .05, .7, .9]), box(2, [x, .65, .1], [x + .05, .7, .9])];
+  const all = ['seat', 'back', 'armrest', 'leg'], {areas, points} = extentOf([seat, back(0), ...side(0), ...side(.95)]);
+  equal([Number(areas[0].toFixed(3)), areas[1], points.length], [3.35, undefined, 4000]);
+  equal(rolesInOnePiece(points, ['back', '', 'leg'], all), [['back', ['seat']], ['leg', ['armrest']]]);
+  equal(rolesInOnePiece(points, ['seat', '', 'leg'], ['back']), [['seat', ['back']]]);
+  equal(rolesInOnePiece(points, ['back', '', 'leg'], ['back', 'leg']), []);
+  equal(rolesInOnePiece(extentOf([seat, back(1), ...side(0), ...side(.95)]).points, ['seat', 'back', 'armrest'], all), [['armrest', ['leg']]]);
 }
 
 // glb.js
@@ -81,7 +99,8 @@ function glb(json, numbers) {
   const many = rowsByRole(Array.from({length: 30}, (_, i) => ({role: 'role' + i % 20, parts: [[0], [0]]})));
   equal([many.length, many[7].role, many[7].blocks.length], [8, 'others', 16]);
   const files = {'a/b.obj': 'b'};
-  equal([readersNote('a/b.obj: Axes are odd; give --up. `parts a/b.obj` says why.', files), readersNote('--parts file helps.', files), readersNote('a/b.obj: Parts were found by what parts look like, in objects that are none: x. --parts file takes others.', files)],
+  const noteOf = note => readersNote(note, files).text;
+  equal([noteOf('a/b.obj: Axes are odd; give --up. `parts a/b.obj` says why.'), noteOf('--parts file helps.'), noteOf('a/b.obj: Parts were found by what parts look like, in objects that are none: x. --parts file takes others.')],
         ['b: Axes are odd.', '', 'b: The objects of the file are not its parts; these were found by what parts look like.']);
   const result = {blocks: [{source: ['leg'], target: ['leg'], operation: 'match', confidence: 1},
                            {source: ['back'], target: ['slat 1', 'slat 2'], role: 'back', operation: 'split', confidence: 0.6}],

@@ -23,6 +23,7 @@ import chromium
 HERE = os.path.dirname(os.path.abspath(__file__))
 DESKTOP, PHONE = (900, 560), (390, 844)
 LARGEST_PAGE = 8 << 20
+LARGEST_SCRIPT = 500000  # if three.module.js and Python made it
 arguments = None
 browser = None
 pages = {}
@@ -190,7 +191,7 @@ class Pages(unittest.TestCase):
         self.open("match")
         rows = "document.querySelectorAll('tbody tr:not([hidden])').length"
         before = browser.evaluate(rows)
-        grey = "new Set(document.querySelector('#stage').stage.items.filter(i => i.part >= 0).map(i => i.colour.getHexString())).size"
+        grey = "new Set(document.querySelector('#stage').stage.items.filter(i => i.part >= 0).map(i => JSON.stringify(i.colour))).size"
         colours = browser.evaluate(grey)
         browser.evaluate("(s => { s.value = 0.95; s.oninput(); })(document.querySelector('#tools input[type=range]'))")
         self.assertLess(browser.evaluate(rows), before)
@@ -345,8 +346,8 @@ class Pages(unittest.TestCase):
         pages["unsure"] = pages["match"].replace(".html", "_unsure.html")
         with open(pages["unsure"], "w", encoding="utf-8") as file:
             file.write(text[:begin] + json.dumps(match) + text[end:])
-        look = """(name => { const item = document.querySelector('#stage').stage.items.find(i => i.node.name === name), hsl = {};
-                    item.colour.getHSL(hsl); return [hsl.s, item.hatch]; })"""
+        look = """(name => { const item = document.querySelector('#stage').stage.items.find(i => i.node.name === name);
+                    const {r, g, b} = item.colour; return [Math.max(r, g, b) - Math.min(r, g, b), item.hatch]; })"""
         self.open("unsure")
         (unsure, is_hatched), (sure, is_other_hatched) = [browser.evaluate(f"{look}('{name}')") for name in ("turned_leg_a", "turned_leg_b")]
         self.assertLess(unsure, sure)
@@ -412,9 +413,9 @@ class Pages(unittest.TestCase):
         self.assertEqual(browser.evaluate("[...document.querySelectorAll('figcaption')].map(c => c.textContent)"),
                          ["chair_four_legged", "chair_spindle"])
         self.assertTrue(browser.evaluate("""document.querySelector('#stage').stage.items.filter(i => i.hatch === 0 && i.opacity === undefined).some(
-            i => i.colour.getHexString() === new THREE.Color(...i.mesh.colour.slice(0, 3)).getHexString())"""))
+            i => i.colour.equals(new THREE.Color(...i.mesh.colour.slice(0, 3))))"""))
         self.assertEqual(len(set(browser.evaluate("""document.querySelector('#stage').stage.items.filter(
-            i => /seat/.test(i.node.name)).map(i => i.colour.getHexString())"""))), 1)
+            i => /seat/.test(i.node.name)).map(i => JSON.stringify(i.colour))"""))), 1)
         browser.click(*self.place_of(0, "front_left_leg"))
         self.assertEqual((self.lit(0), self.lit(1)), (["front_left_leg"], ["turned_leg_a"]))
 
@@ -465,6 +466,8 @@ class Pages(unittest.TestCase):
 
     def test_a_page_is_small(self):
         self.assertLess(os.path.getsize(pages["match"]), LARGEST_PAGE)
+        self.open("match")
+        self.assertLess(browser.evaluate("document.querySelector('script:not([type])').textContent.length"), LARGEST_SCRIPT)
 
     def test_modules(self):
         errors, _ = browser.open(os.path.join(HERE, "test_modules.html"))
