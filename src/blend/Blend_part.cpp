@@ -5,6 +5,7 @@
 
 #include "base/for_each_index.h"
 #include "blend/Blend_stage.h"
+#include "blend/Section_morph.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
 
@@ -21,7 +22,7 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 /// Whether a map is unusable: the surfaces do not coincide closely enough, or one is torn on the way.
-bool is_torn(const Part_morph& morph)
+bool is_torn(const Laid_morph& morph)
 {
   constexpr double most_torn = 0.04;          // share of the surface's area
   constexpr double most_jump = 0.08;          // misfit at the change from one surface to the other
@@ -50,19 +51,60 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
   return {type, pair.source, pair.target};
 }
 
-/// The part for a pair; without a morph if there is no map between its surfaces or pieces of them.
+/// The part for a pair; without a morph if there is no good one: in boxes where little changes, or else by a stand-in.
 Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
 {
+  const auto& [from, to] = stage.charted;
+  const Part_chart &source_chart = from.charts[pair.source], &target_chart = to.charts[pair.target];
+  const Part_mesh source = piece_of(stage.meshes[0][pair.source], source_chart, pair.source_piece),
+                  target = piece_of(stage.meshes[1][pair.target], target_chart, pair.target_piece);
+  const Pair_charts boxes =
+      pair_boxes({&source.points, &target.points}, {source_chart.axes(), target_chart.axes()});
+  const Difference difference(stage, piece_charts(pair, from, to), is_whole(pair));
   Blend_part result;
-  result.name = stage.charted[0].parts[pair.source]->name + '~' + stage.charted[1].parts[pair.target]->name;
-  const Part_chart &from = stage.charted[0].charts[pair.source], &to = stage.charted[1].charts[pair.target];
-  const Part_mesh source = piece_of(stage.meshes[0][pair.source], from, pair.source_piece);
-  const Part_mesh target = piece_of(stage.meshes[1][pair.target], to, pair.target_piece);
-  const Pair_charts boxes = pair_boxes({&source.points, &target.points}, {from.axes(), to.axes()});
-  const auto morph = std::make_shared<const Part_morph>(boxes, source, target);
-  if (is_torn(*morph)) return result;
-  result.morph = morph;
-  result.set_ends();
+  result.name = from.parts[pair.source]->name + '~' + to.parts[pair.target]->name;
+  if (difference.is_little()) {
+    const auto morph = std::make_shared<const Laid_morph>(boxes, source, target);
+    if (!is_torn(*morph)) result.morph = morph;
+  } else {
+    result.change = difference.change + difference.way;
+  }
+  if (!result.morph && is_whole(pair)) {
+    const auto morph = best_section_morph(boxes, source, target);
+    if (getenv("BL")) fprintf(stderr, "STANDIN %s little %d\n", result.name.c_str(),(int)difference.is_little());
+    if (morph->is_faithful()) result.morph = morph;
+  }
+  if (result.morph) result.set_ends();
+  return result;
+}
+
+/// The surface of a matched part at some time.
+contacts::Triangle_tree tree_at(const Blend_part& part, double t)
+{
+  const int surface = part.morph->surface(t);
+  const Points points = part.points(surface, t);
+  contacts::Triangle_tree result = part.trees[std::size_t(surface)];
+  result.move([&](std::size_t i) { return triangle_of(points, part.triangles(surface), Eigen::Index(i)); });
+  return result;
+}
+
+/// Parts that change more than little and come off another one on the way: of both, the one that changes more.
+Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& parts)
+{
+  constexpr double widest = 0.05; // gap, over the height
+  Part_pairs result;
+  const auto come_off = [&](const Blend_part& a, const Blend_part& b) {
+    for (double t : {0.25, 0.5, 0.75})
+      if (std::sqrt(tree_at(a, t).nearly_closest(tree_at(b, t), widest * widest).squared) > widest) return true;
+    return false;
+  };
+  for (int end : {0, 1})
+    for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts)
+      for (std::size_t i : parts_of(parts, end, contact.parts[0]))
+        for (std::size_t j : parts_of(parts, end, contact.parts[1])) {
+          const Blend_part& more = parts[parts[i].change >= parts[j].change ? i : j];
+          if (more.change > 0 && come_off(parts[i], parts[j])) result.emplace_back(more.task.source, more.task.target);
+        }
   return result;
 }
 
@@ -85,6 +127,7 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
       result[i].task = task_of(pairs[i], pairs, std::binary_search(given.begin(), given.end(), parts));
       if (!result[i].is_matched()) torn.push_back(parts);
     }
+    if (torn.empty()) torn = detached(stage, result);
     if (torn.empty()) return result;
     stage.add_mirrored(torn);
     unlike.torn.insert(torn.begin(), torn.end()); // like_pairs() then drops all other pairs of their parts

@@ -82,7 +82,7 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
   return charts_along(surfaces, {from, best});
 }
 
-Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
+Laid_morph::Laid_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
     : charts_{charts.source, charts.target}
 {
   constexpr double longest_edge = 0.3; // in chart coordinates, which range from -1 to 1
@@ -91,23 +91,23 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
     outlines_[end] = Chart_outline(charts_[end].is_sheet(), mesh.coordinates);
     for (auto k : mesh.coordinates.colwise())
       k = outlines_[end].relative(k);
-    surfaces_[end] = {
-        mesh.triangles, chart_normals(mesh), {mesh.coordinates, mesh.coordinates}, {mesh.offsets, mesh.offsets}};
+    triangles_[end] = mesh.triangles;
+    surfaces_[end] = {chart_normals(mesh), {mesh.coordinates, mesh.coordinates}, {mesh.offsets, mesh.offsets}};
   }
-  surfaces_[0].lay(1, surfaces_[1]);
-  surfaces_[1].lay(0, surfaces_[0]);
+  surfaces_[0].lay(1, surfaces_[1], triangles_);
+  surfaces_[1].lay(0, surfaces_[0], triangles_);
 }
 
-double Part_morph::misfit(bool at_change) const
+double Laid_morph::misfit(bool at_change) const
 {
   double result = 0;
   for (std::size_t surface : {0u, 1u}) {
     const Moving_surface &mesh = surfaces_[surface], &other = surfaces_[1 - surface];
     const std::size_t when = at_change ? 1 - surface : surface;
-    const contacts::Triangle_tree tree = tree_of(other.coordinates[1 - when], other.triangles);
+    const contacts::Triangle_tree tree = tree_of(other.coordinates[1 - when], triangles_[1 - surface]);
     double sum = 0, all = 0;
-    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-      const contacts::Triangle corners = triangle_of(mesh.coordinates[when], mesh.triangles, t);
+    for (Eigen::Index t = 0; t < triangles_[surface].cols(); ++t) {
+      const contacts::Triangle corners = triangle_of(mesh.coordinates[when], triangles_[surface], t);
       const double area = contacts::area_vector(corners).norm();
       const Point middle = contacts::centre(corners);
       std::size_t nearest = 0;
@@ -119,7 +119,7 @@ double Part_morph::misfit(bool at_change) const
   return result;
 }
 
-Points Part_morph::points(int surface, double t) const
+Points Laid_morph::points(int surface, double t) const
 {
   const Part_chart chart = Part_chart::between(charts_[0], charts_[1], t);
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
@@ -134,22 +134,23 @@ Points Part_morph::points(int surface, double t) const
   return result;
 }
 
-void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto)
+void Laid_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto,
+                                     const std::array<Eigen::Matrix3Xi, 2>& triangles)
 {
   // In chart coordinates: large-scale motion first, then details
   constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15};
   const Points &places = onto.coordinates[1], given = coordinates[when];
-  const Place_finder finder(places, onto.triangles, onto.normals);
+  const Place_finder finder(places, triangles[when], onto.normals);
   const auto place = [&](Eigen::Index i) { return finder(coordinates[when].col(i), normals.col(i)); };
-  const Surface_smoother smoothed(given, triangles);
+  const Surface_smoother smoothed(given, triangles[1 - when]);
   for (double length : lengths) {
     Points ways(3, given.cols());
     for (Eigen::Index i = 0; i < ways.cols(); ++i)
-      ways.col(i) = place(i).of(places, onto.triangles) - given.col(i);
+      ways.col(i) = place(i).of(places, triangles[when]) - given.col(i);
     coordinates[when] = given + smoothed(ways, length);
   }
   for (Eigen::Index i = 0; i < given.cols(); ++i)
-    offsets[when].col(i) = place(i).of(onto.offsets[1], onto.triangles);
+    offsets[when].col(i) = place(i).of(onto.offsets[1], triangles[when]);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

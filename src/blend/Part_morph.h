@@ -20,22 +20,32 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 
 /// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
-///
-/// The source's surface, in chart coordinates relative to the part's outline, moves smoothly to the target's; then the
-/// target's surface takes over from where it lies on the source's.
 class Part_morph
 {
 public:
-  /// \param charts the charts of both ends, between which the surfaces move
-  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target);
+  virtual ~Part_morph() = default;
 
   static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
 
   /// The surface that is present at time `t`: 0, the source's, or 1.
   int surface(double t) const { return t < change ? 0 : 1; }
-  const Eigen::Matrix3Xi& triangles(int surface) const { return surfaces_[std::size_t(surface)].triangles; }
+  const Eigen::Matrix3Xi& triangles(int surface) const { return triangles_[std::size_t(surface)]; }
   /// The points of a surface at time `t`, even if it is not the present one.
-  Points points(int surface, double t) const;
+  virtual Points points(int surface, double t) const = 0;
+
+protected:
+  std::array<Eigen::Matrix3Xi, 2> triangles_; ///< indexed by end
+};
+
+/// A morph in boxes: the source's surface, in chart coordinates relative to the part's outline, moves smoothly to the
+/// target's; then the target's surface takes over from where it lies on the source's.
+class Laid_morph : public Part_morph
+{
+public:
+  /// \param charts the charts of both ends, between which the surfaces move
+  Laid_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target);
+
+  Points points(int surface, double t) const override;
   /// Distance between the two surfaces, in coordinates from -1 to 1 relative to outlines: the root mean square over the
   /// surface that is farther from the other.
   /// \param at_change whether to compare them when one replaces the other rather than at the ends
@@ -45,9 +55,8 @@ private:
   struct Moving_surface
   {
     /// Moves the surface, at its end `when`, onto the surface `onto`.
-    void lay(std::size_t when, const Moving_surface& onto);
+    void lay(std::size_t when, const Moving_surface& onto, const std::array<Eigen::Matrix3Xi, 2>& triangles);
 
-    Eigen::Matrix3Xi triangles;
     Points normals;                             ///< in chart coordinates
     std::array<Points, 2> coordinates, offsets; ///< indexed by end; relative to the outlines in the charts
   };

@@ -9,6 +9,9 @@
 #include "blend/Blend_stage.h"
 
 #include <algorithm>
+#include <map>
+#include <cstdio>
+#include <cstdlib>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -139,6 +142,7 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
     sets.unite(s, *source_image);
     sets.unite(sources + t, sources + *target_image);
   }
+  constexpr double most_way = 0.25; // of a whole part, over the diagonal of the shapes
   // For each set, whether it has an unlike pair: parts are divided as a whole
   std::vector<char> is_unlike(sets.size(), 0);
   for (const auto& [s, t] : unlike.torn)
@@ -146,7 +150,17 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
     if (known) continue;
-    known = !Difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece)).is_little();
+    const Difference difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece));
+    known = !difference.is_little() && !(is_whole(piece) && difference.way <= most_way * (stage.boxes[0].diagonal().norm() + stage.boxes[1].diagonal().norm()) / 2);
+  }
+  if (getenv("BL")) {
+  std::map<std::size_t,int> cs, ct;
+  for (auto& [s,t]: paired) cs[s]++, ct[t]++;
+  for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
+    Difference d(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece));
+    auto ar=[](const Part_mesh& m){double a=0; for(int i=0;i<m.triangles.cols();++i){Point x=m.points.col(m.triangles(0,i)),y=m.points.col(m.triangles(1,i)),z=m.points.col(m.triangles(2,i)); a+=(y-x).cross(z-x).norm()/2;} return a;};
+    fprintf(stderr,"PAIR %s %s n=%d:%d kind=%d%d closed=%d%d change=%.2f stretch=%.2f way=%.2f size=%.2f torn=%d unlike=%d area=%.4f %.4f\n",stage.charted[0].parts[piece.source]->name.c_str(),stage.charted[1].parts[piece.target]->name.c_str(),cs[piece.source],ct[piece.target],stage.charted[0].charts[piece.source].is_sheet(),stage.charted[1].charts[piece.target].is_sheet(),stage.charted[0].parts[piece.source]->is_closed_curve(),stage.charted[1].parts[piece.target]->is_closed_curve(),d.change,d.stretch,d.way,d.size,(int)unlike.torn.count({piece.source,piece.target}),(int)is_unlike[sets[piece.source]],ar(stage.meshes[0][piece.source]),ar(stage.meshes[1][piece.target]));
+  }
   }
   Part_pairs result;
   unlike.all.clear();

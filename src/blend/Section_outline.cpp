@@ -1,0 +1,160 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blend/Section_outline.h"
+
+#include "base/clamped.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// The endpoints of the segments in which triangles cross the plane of a section.
+std::vector<Eigen::Vector2d> crossed(const Points& coordinates, const Eigen::Matrix3Xi& triangles, double station)
+{
+  std::vector<Eigen::Vector2d> result;
+  for (const auto& corners : triangles.colwise()) {
+    int found = 0;
+    for (int i = 0; i < 3 && found < 2; ++i) {
+      const auto a = coordinates.col(corners[i]), b = coordinates.col(corners[(i + 1) % 3]);
+      if ((a[0] < station) == (b[0] < station)) continue;
+      const double share = (station - a[0]) / (b[0] - a[0]);
+      result.emplace_back((1 - share) * a.tail<2>() + share * b.tail<2>());
+      ++found;
+    }
+  }
+  return result;
+}
+
+Eigen::Vector2d direction(int angle)
+{
+  const auto at = double(2 * EIGEN_PI * angle / Section_outline::angles);
+  return {std::cos(at), std::sin(at)};
+}
+
+/// The angle of a direction, in steps between the angles of an outline, in [0, `angles`].
+double turn_of(const Eigen::Vector2d& direction)
+{
+  const auto turn = double(std::atan2(direction.y(), direction.x()) / (2 * EIGEN_PI));
+  return (turn - std::floor(turn)) * Section_outline::angles;
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+} // namespace
+
+double Section_outline::station(int i)
+{
+  constexpr double last = 0.998; // the sections at the ends are a little inside, where they are not empty
+  return -last * std::cos(double(EIGEN_PI * i / (stations - 1)));
+}
+
+Point Section_outline::on_outline(int station, int angle)
+{
+  const Eigen::Vector2d at = direction(angle);
+  return {Section_outline::station(station), at.x(), at.y()};
+}
+
+/// \return whether there is an outline
+bool Section_outline::set_outline(Section& section, const std::vector<Eigen::Vector2d>& segments)
+{
+  constexpr double least_half = 1e-3, least_radius = 0.02; // a section that is a point has an outline, too
+  if (segments.size() < 4) return false;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p : segments)
+    box.extend(p);
+  section.middle = box.center();
+  section.half = (box.sizes() / 2).cwiseMax(least_half);
+  const auto place = [&](std::size_t i) -> Eigen::Vector2d {
+    return (segments[i] - section.middle).cwiseQuotient(section.half);
+  };
+  for (std::size_t i = 0; i + 1 < segments.size(); i += 2) {
+    const Eigen::Vector2d a = place(i), side = place(i + 1) - a;
+    double from = turn_of(a), to = turn_of(a + side);
+    if (from > to) std::swap(from, to);
+    if (to - from > angles / 2.) from += angles, std::swap(from, to); // across the angle 0
+    for (int at = int(std::ceil(from)); at <= to; ++at) {
+      const Eigen::Vector2d along = direction(at % angles);
+      const double slope = cross(along, side);
+      if (std::abs(slope) < 1e-12) continue;
+      double& known = section.radii[at % angles];
+      known = std::max(known, cross(a, side) / slope);
+    }
+  }
+  if (!(section.radii.array() > 0).any()) return false;
+  const Radii found = section.radii;
+  for (int i = 0; i < angles; ++i) { // gaps are bridged
+    if (found[i] > 0) continue;
+    int before = 1, after = 1;
+    while (!(found[(i - before + angles) % angles] > 0))
+      ++before;
+    while (!(found[(i + after) % angles] > 0))
+      ++after;
+    section.radii[i] = (after * found[(i - before + angles) % angles] + before * found[(i + after) % angles]) /
+                       (before + after);
+  }
+  section.radii = section.radii.cwiseMax(least_radius);
+  return true;
+}
+
+Section_outline::Section_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles) : sections_(stations)
+{
+  std::vector<int> known;
+  for (int i = 0; i < stations; ++i)
+    if (set_outline(sections_[std::size_t(i)], crossed(coordinates, triangles, station(i)))) known.push_back(i);
+  for (int i = 0; i < stations && !known.empty(); ++i) {
+    const auto nearest = std::min_element(known.begin(), known.end(), [&](int a, int b) {
+      return std::abs(a - i) < std::abs(b - i);
+    });
+    sections_[std::size_t(i)] = sections_[std::size_t(*nearest)];
+  }
+}
+
+Section_outline::Section Section_outline::section(double k) const
+{
+  const auto turn = double(std::acos(std::clamp(-k / -station(0), -1., 1.)) / EIGEN_PI);
+  const double at = clamped_to_unit(turn) * (stations - 1);
+  const int cell = clamped_cell(at, stations - 2);
+  const double share = at - cell;
+  const Section &a = sections_[std::size_t(cell)], &b = sections_[std::size_t(cell + 1)];
+  return {(1 - share) * a.middle + share * b.middle, (1 - share) * a.half + share * b.half,
+          (1 - share) * a.radii + share * b.radii};
+}
+
+double Section_outline::radius(const Section& section, const Eigen::Vector2d& direction)
+{
+  const double at = turn_of(direction);
+  const int cell = clamped_cell(at, angles - 1);
+  return (1 - (at - cell)) * section.radii[cell] + (at - cell) * section.radii[(cell + 1) % angles];
+}
+
+Point Section_outline::relative(const Point& k) const
+{
+  const Section at = section(k[0]);
+  const Eigen::Vector2d off = (k.tail<2>() - at.middle).cwiseQuotient(at.half), disc = off / radius(at, off);
+  return {k[0], disc.x(), disc.y()};
+}
+
+Point Section_outline::absolute(const Point& q) const
+{
+  const Section at = section(q[0]);
+  const Eigen::Vector2d off = q.tail<2>(), place = at.middle + at.half.cwiseProduct(radius(at, off) * off);
+  return {q[0], place.x(), place.y()};
+}
+
+Section_outline Section_outline::between(const Section_outline& a, const Section_outline& b, double t)
+{
+  Section_outline result = a;
+  for (std::size_t i = 0; i < result.sections_.size(); ++i) {
+    const Section &from = a.sections_[i], &to = b.sections_[i];
+    result.sections_[i] = {(1 - t) * from.middle + t * to.middle, (1 - t) * from.half + t * to.half,
+                           (1 - t) * from.radii + t * to.radii};
+  }
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence::internal
