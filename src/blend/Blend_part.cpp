@@ -4,39 +4,24 @@
 #include "blend/Blend_part.h"
 
 #include "base/for_each_index.h"
+#include "base/quantized.h"
 #include "blend/Blend_stage.h"
-#include "blend/Section_morph.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
-
-/// Whether a map is unusable: the surfaces do not coincide closely enough, or one is torn on the way.
-bool is_torn(const Laid_morph& morph)
-{
-  constexpr double most_torn = 0.04;          // share of the surface's area
-  constexpr double most_jump = 0.08;          // misfit at the change from one surface to the other
-  constexpr double most_misfit_of_open = 0.1; // misfit of surfaces with borders, where gaps are visible
-  bool are_closed = true;
-  for (int surface : {0, 1}) {
-    const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
-    // At the change the surface differs most from its rest shape
-    const Points points = morph.points(surface, Part_morph::change);
-    if (rest.torn_area(points) > most_torn * rest.area(points)) return true;
-    are_closed = are_closed && rest.is_closed();
-  }
-  return (!are_closed && morph.misfit(false) > most_misfit_of_open) || morph.misfit(true) > most_jump;
-}
 
 /// The task of one of the pairs. \param corresponds whether the parts correspond; otherwise they are exchanged
 Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, bool corresponds)
@@ -51,29 +36,42 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
   return {type, pair.source, pair.target};
 }
 
-/// The part for a pair; without a morph if there is no good one: in boxes where little changes, or else by a stand-in.
+/// The charts in which a pair may morph: along each axis of the boxes, along the curves of both parts, and along their
+/// own axes.
+std::vector<Pair_charts> likely_charts(const Blend_stage& stage, const Piece_pair& pair, const Part_mesh& source,
+                                       const Part_mesh& target)
+{
+  constexpr double any = 10; // ratio of volumes above all, with which own axes are taken
+  const auto& [from, to] = stage.charted;
+  const std::array<Eigen::Matrix3d, 2> own = {from.charts[pair.source].axes(), to.charts[pair.target].axes()};
+  std::vector<Pair_charts> result;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(), next;
+  next << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const auto add_axes = [&](const Pair_charts& boxes) {
+    for (int axis = 0; axis < 3; ++axis, turn *= next)
+      result.push_back({Part_chart::box(source.points, boxes.source.axes() * turn),
+                        Part_chart::box(target.points, boxes.target.axes() * turn)});
+  };
+  add_axes(pair_boxes({&source.points, &target.points}, own));
+  const bool are_curves = !from.charts[pair.source].is_sheet() && !to.charts[pair.target].is_sheet();
+  if (are_curves && pair_kind(pair, from, to) == Pair_kind::SAME)
+    result.push_back(pair_charts(pair, from, to, source.points, target.points));
+  add_axes(pair_boxes({&source.points, &target.points}, own, any));
+  return result;
+}
+
+/// The part for a pair; without a morph if there is none between its surfaces or pieces of them.
 Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
 {
   const auto& [from, to] = stage.charted;
   const Part_chart &source_chart = from.charts[pair.source], &target_chart = to.charts[pair.target];
   const Part_mesh source = piece_of(stage.meshes[0][pair.source], source_chart, pair.source_piece),
                   target = piece_of(stage.meshes[1][pair.target], target_chart, pair.target_piece);
-  const Pair_charts boxes =
-      pair_boxes({&source.points, &target.points}, {source_chart.axes(), target_chart.axes()});
-  const Difference difference(stage, piece_charts(pair, from, to), is_whole(pair));
   Blend_part result;
   result.name = from.parts[pair.source]->name + '~' + to.parts[pair.target]->name;
-  if (difference.is_little()) {
-    const auto morph = std::make_shared<const Laid_morph>(boxes, source, target);
-    if (!is_torn(*morph)) result.morph = morph;
-  } else {
-    result.change = difference.change + difference.way;
-  }
-  if (!result.morph && is_whole(pair)) {
-    const auto morph = best_section_morph(boxes, source, target);
-    if (getenv("BL")) fprintf(stderr, "STANDIN %s little %d\n", result.name.c_str(),(int)difference.is_little());
-    if (morph->is_faithful()) result.morph = morph;
-  }
+  result.morph = best_morph(likely_charts(stage, pair, source, target), source, target);
+  const Difference difference(stage, piece_charts(pair, from, to), is_whole(pair));
+  if (!difference.is_little()) result.change = difference.change + difference.way;
   if (result.morph) result.set_ends();
   return result;
 }
@@ -88,23 +86,40 @@ contacts::Triangle_tree tree_at(const Blend_part& part, double t)
   return result;
 }
 
-/// Parts that change more than little and come off another one on the way: of both, the one that changes more.
+/// The matched parts in contact at an end, the one that changes more first.
+std::set<std::array<std::size_t, 2>> contacts_at(int end, const Blend_stage& stage,
+                                                 const std::vector<Blend_part>& parts)
+{
+  std::set<std::array<std::size_t, 2>> result;
+  for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts)
+    for (std::size_t i : parts_of(parts, end, contact.parts[0]))
+      for (std::size_t j : parts_of(parts, end, contact.parts[1]))
+        result.insert(quantized(parts[i].change) >= quantized(parts[j].change) ? std::array{i, j} : std::array{j, i});
+  return result;
+}
+
+/// Parts that change more than little and on the way come off another one with which they are in contact, unless they
+/// have parted at the other end, where others hold both: of both, the one that changes more.
 Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
   constexpr double widest = 0.05; // gap, over the height
-  Part_pairs result;
-  const auto come_off = [&](const Blend_part& a, const Blend_part& b) {
+  const auto come_off = [&](std::size_t a, std::size_t b) {
     for (double t : {0.25, 0.5, 0.75})
-      if (std::sqrt(tree_at(a, t).nearly_closest(tree_at(b, t), widest * widest).squared) > widest) return true;
+      if (!tree_at(parts[a], t).is_within(tree_at(parts[b], t), widest * widest)) return true;
     return false;
   };
-  for (int end : {0, 1})
-    for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts)
-      for (std::size_t i : parts_of(parts, end, contact.parts[0]))
-        for (std::size_t j : parts_of(parts, end, contact.parts[1])) {
-          const Blend_part& more = parts[parts[i].change >= parts[j].change ? i : j];
-          if (more.change > 0 && come_off(parts[i], parts[j])) result.emplace_back(more.task.source, more.task.target);
-        }
+  const std::array contacts = {contacts_at(0, stage, parts), contacts_at(1, stage, parts)};
+  std::set<std::size_t> held; // parts in contact with the same matched part at both ends
+  for (const auto& contact : contacts[0])
+    if (contacts[1].count(contact) > 0) held.insert(contact.begin(), contact.end());
+  Part_pairs result;
+  for (std::size_t end : {0u, 1u})
+    for (const auto& contact : contacts[end]) {
+      const auto& [more, other] = contact;
+      const bool may_part = contacts[1 - end].count(contact) == 0 && held.count(more) > 0 && held.count(other) > 0;
+      if (parts[more].change > 0 && !may_part && come_off(more, other))
+        result.emplace_back(parts[more].task.source, parts[more].task.target);
+    }
   return result;
 }
 

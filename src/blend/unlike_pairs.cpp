@@ -9,9 +9,6 @@
 #include "blend/Blend_stage.h"
 
 #include <algorithm>
-#include <map>
-#include <cstdio>
-#include <cstdlib>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -96,8 +93,8 @@ Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>
   constexpr double thin = 0.05;
   const Points a = samples(charts[0]), b = samples(charts[1]);
   const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
-  const auto& [whole, other_whole] = stage.boxes;
-  const Point extents = extents_of(whole), other_extents = extents_of(other_whole);
+  const auto& [whole_box, other_box] = stage.boxes;
+  const Point extents = extents_of(whole_box), other_extents = extents_of(other_box);
   const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
               growth = are_whole ? Point(other_extents.cwiseQuotient(extents)) : Point::Ones(),
               grown = (growth.asDiagonal() * boxes.source.axes()).colwise().norm().transpose().cwiseProduct(from);
@@ -108,9 +105,10 @@ Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>
   change = std::min(change_of(from), change_of(grown));
   stretch = std::min(stretch_of(from), stretch_of(grown));
   size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
-  const Point place = relative_place(whole, charts[0](Point::Zero())),
-              other_place = relative_place(other_whole, charts[1](Point::Zero()));
+  const Point place = relative_place(whole_box, charts[0](Point::Zero())),
+              other_place = relative_place(other_box, charts[1](Point::Zero()));
   way = (other_place - place).cwiseProduct((extents + other_extents) / 2).norm();
+  whole = (whole_box.diagonal().norm() + other_box.diagonal().norm()) / 2;
 }
 
 bool Difference::keeps_shape() const
@@ -123,6 +121,12 @@ bool Difference::is_little() const
 {
   constexpr double most_way = 0.25, by_size = 1. / 8;
   return keeps_shape() && way <= most_way + by_size * size;
+}
+
+bool Difference::is_possible() const
+{
+  constexpr double most_way = 0.25; // over the diagonal of the shapes
+  return is_little() || way <= most_way * whole;
 }
 
 bool Difference::stays_near() const
@@ -142,7 +146,6 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
     sets.unite(s, *source_image);
     sets.unite(sources + t, sources + *target_image);
   }
-  constexpr double most_way = 0.25; // of a whole part, over the diagonal of the shapes
   // For each set, whether it has an unlike pair: parts are divided as a whole
   std::vector<char> is_unlike(sets.size(), 0);
   for (const auto& [s, t] : unlike.torn)
@@ -151,16 +154,7 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
     char& known = is_unlike[sets[piece.source]];
     if (known) continue;
     const Difference difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece));
-    known = !difference.is_little() && !(is_whole(piece) && difference.way <= most_way * (stage.boxes[0].diagonal().norm() + stage.boxes[1].diagonal().norm()) / 2);
-  }
-  if (getenv("BL")) {
-  std::map<std::size_t,int> cs, ct;
-  for (auto& [s,t]: paired) cs[s]++, ct[t]++;
-  for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
-    Difference d(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece));
-    auto ar=[](const Part_mesh& m){double a=0; for(int i=0;i<m.triangles.cols();++i){Point x=m.points.col(m.triangles(0,i)),y=m.points.col(m.triangles(1,i)),z=m.points.col(m.triangles(2,i)); a+=(y-x).cross(z-x).norm()/2;} return a;};
-    fprintf(stderr,"PAIR %s %s n=%d:%d kind=%d%d closed=%d%d change=%.2f stretch=%.2f way=%.2f size=%.2f torn=%d unlike=%d area=%.4f %.4f\n",stage.charted[0].parts[piece.source]->name.c_str(),stage.charted[1].parts[piece.target]->name.c_str(),cs[piece.source],ct[piece.target],stage.charted[0].charts[piece.source].is_sheet(),stage.charted[1].charts[piece.target].is_sheet(),stage.charted[0].parts[piece.source]->is_closed_curve(),stage.charted[1].parts[piece.target]->is_closed_curve(),d.change,d.stretch,d.way,d.size,(int)unlike.torn.count({piece.source,piece.target}),(int)is_unlike[sets[piece.source]],ar(stage.meshes[0][piece.source]),ar(stage.meshes[1][piece.target]));
-  }
+    known = is_whole(piece) ? !difference.is_possible() : !difference.is_little();
   }
   Part_pairs result;
   unlike.all.clear();
