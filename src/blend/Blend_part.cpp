@@ -52,11 +52,16 @@ std::vector<Pair_charts> likely_charts(const Blend_stage& stage, const Piece_pai
       result.push_back({Part_chart::box(source.points, boxes.source.axes() * turn),
                         Part_chart::box(target.points, boxes.target.axes() * turn)});
   };
-  add_axes(pair_boxes({&source.points, &target.points}, own));
+  const Pair_charts boxes = pair_boxes({&source.points, &target.points}, own),
+                    own_boxes = pair_boxes({&source.points, &target.points}, own, any);
+  add_axes(boxes);
   const bool are_curves = !from.charts[pair.source].is_sheet() && !to.charts[pair.target].is_sheet();
   if (are_curves && pair_kind(pair, from, to) == Pair_kind::SAME)
     result.push_back(pair_charts(pair, from, to, source.points, target.points));
-  add_axes(pair_boxes({&source.points, &target.points}, own, any));
+  const auto are_same = [](const Part_chart& a, const Part_chart& b) {
+    return (a.axes().transpose() * b.axes()).cwiseAbs().isIdentity(1e-6);
+  };
+  if (!are_same(boxes.source, own_boxes.source) || !are_same(boxes.target, own_boxes.target)) add_axes(own_boxes);
   return result;
 }
 
@@ -142,9 +147,11 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
       result[i].task = task_of(pairs[i], pairs, std::binary_search(given.begin(), given.end(), parts));
       if (!result[i].is_matched()) torn.push_back(parts);
     }
-    if (torn.empty()) torn = detached(stage, result);
+    const bool is_torn = !torn.empty();
+    if (!is_torn) torn = detached(stage, result);
     if (torn.empty()) return result;
     stage.add_mirrored(torn);
+    if (!is_torn) unlike.detached.insert(torn.begin(), torn.end());
     unlike.torn.insert(torn.begin(), torn.end()); // like_pairs() then drops all other pairs of their parts
   }
 }
@@ -154,7 +161,7 @@ Blend_obstacle obstacle_of(std::size_t end, std::size_t given, const Unlike_pair
   Blend_obstacle result = Blend_obstacle::NONE;
   for (const auto& pair : unlike.all) {
     if ((end == 0 ? pair.first : pair.second) != given) continue;
-    if (unlike.torn.count(pair) > 0) return Blend_obstacle::TORN;
+    if (unlike.torn.count(pair) > unlike.detached.count(pair)) return Blend_obstacle::TORN;
     result = Blend_obstacle::UNLIKE;
   }
   return result;

@@ -72,7 +72,7 @@ std::vector<int> depths_of(const std::vector<Blend_part>& parts, const std::vect
   return result;
 }
 
-/// Where an unmatched part is held: by those that carry it or, if it is exchanged, by all that it touches.
+/// Where an unmatched part is held: by those that carry it or, if it carries others itself, by all that it touches.
 std::vector<Point> places_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches,
                              const std::vector<int>& depths, std::size_t number)
 {
@@ -82,7 +82,7 @@ std::vector<Point> places_of(const std::vector<Blend_part>& parts, const std::ve
     if (touch[0] != number && touch[1] != number) continue;
     const std::size_t other = touch[0] == number ? touch[1] : touch[0];
     if (!parts[other].is_at(part.end())) continue;
-    if (part.task.obstacle != Blend_obstacle::NONE || depths[other] < depths[number])
+    if (depths[number] == 0 || depths[other] < depths[number])
       result.push_back(part.trees[0].nearly_closest(parts[other].end_tree(part.end())).first);
   }
   if (stands(part) || result.empty()) result.push_back(foot_of(part.mesh.points));

@@ -153,9 +153,9 @@ void Part_morph::meet()
 
 bool Part_morph::is_faithful() const
 {
-  constexpr double most_error = 0.04, most_misfit = 0.04;
-  constexpr double most_torn = 0.5; // share of a surface
-  if (!(error_ <= most_error && misfit_ <= most_misfit)) return false;
+  constexpr double most = 0.04, most_together = 0.05; // of error and misfit
+  constexpr double most_torn = 0.3;                   // share of a surface
+  if (!(error_ <= most && misfit_ <= most && error_ + misfit_ <= most_together)) return false;
   for (int side : {0, 1}) {
     const Rest_surface rest(points(side, side), triangles(side));
     const Points at_change = points(side, change);
@@ -183,7 +183,7 @@ Points Part_morph::points(int surface, double t) const
 std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& charts, const Part_mesh& source,
                                              const Part_mesh& target)
 {
-  constexpr double good = 0.01; // error and misfit up to which further charts are not tried
+  constexpr double good = 0.015; // error and misfit up to which further charts are not tried
   std::shared_ptr<const Part_morph> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Pair_charts& pair : charts) {

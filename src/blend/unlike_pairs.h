@@ -18,8 +18,9 @@ struct Blend_stage;
 struct Unlike_pairs
 {
   Part_pairs all;
-  /// Those pairs, including leftover ones, whose surfaces or pieces have no map.
-  std::set<Part_pairs::value_type> torn;
+  /// Those pairs, including leftover ones, without a morph between them or their pieces, and of these, those that would
+  /// come off what they touch.
+  std::set<Part_pairs::value_type> torn, detached;
 };
 
 /// The change needed for a part, a piece, or the box around parts to become another. Lengths are over the height.
