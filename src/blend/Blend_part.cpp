@@ -4,6 +4,7 @@
 #include "blend/Blend_part.h"
 
 #include "base/for_each_index.h"
+#include "base/quantized.h"
 #include "blend/Blend_stage.h"
 #include "blend/unlike_pairs.h"
 #include "map/piece_of.h"
@@ -11,31 +12,16 @@
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
-
-/// Whether a map is unusable: the surfaces do not coincide closely enough, or one is torn on the way.
-bool is_torn(const Part_morph& morph)
-{
-  constexpr double most_torn = 0.04;          // share of the surface's area
-  constexpr double most_jump = 0.08;          // misfit at the change from one surface to the other
-  constexpr double most_misfit_of_open = 0.1; // misfit of surfaces with borders, where gaps are visible
-  bool are_closed = true;
-  for (int surface : {0, 1}) {
-    const Rest_surface rest(morph.points(surface, surface), morph.triangles(surface));
-    // At the change the surface differs most from its rest shape
-    const Points points = morph.points(surface, Part_morph::change);
-    if (rest.torn_area(points) > most_torn * rest.area(points)) return true;
-    are_closed = are_closed && rest.is_closed();
-  }
-  return (!are_closed && morph.misfit(false) > most_misfit_of_open) || morph.misfit(true) > most_jump;
-}
 
 /// The task of one of the pairs. \param corresponds whether the parts correspond; otherwise they are exchanged
 Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, bool corresponds)
@@ -50,19 +36,95 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
   return {type, pair.source, pair.target};
 }
 
-/// The part for a pair; without a morph if there is no map between its surfaces or pieces of them.
+/// The charts in which a pair may morph: along each axis of the boxes, along the curves of both parts, and along their
+/// own axes.
+std::vector<Pair_charts> likely_charts(const Blend_stage& stage, const Piece_pair& pair, const Part_mesh& source,
+                                       const Part_mesh& target)
+{
+  constexpr double any = 10; // ratio of volumes above all, with which own axes are taken
+  const auto& [from, to] = stage.charted;
+  const std::array<Eigen::Matrix3d, 2> own = {from.charts[pair.source].axes(), to.charts[pair.target].axes()};
+  std::vector<Pair_charts> result;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(), next;
+  next << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const auto add_axes = [&](const Pair_charts& boxes) {
+    for (int axis = 0; axis < 3; ++axis, turn *= next)
+      result.push_back({Part_chart::box(source.points, boxes.source.axes() * turn),
+                        Part_chart::box(target.points, boxes.target.axes() * turn)});
+  };
+  const Pair_charts boxes = pair_boxes({&source.points, &target.points}, own),
+                    own_boxes = pair_boxes({&source.points, &target.points}, own, any);
+  add_axes(boxes);
+  const bool are_curves = !from.charts[pair.source].is_sheet() && !to.charts[pair.target].is_sheet();
+  if (are_curves && pair_kind(pair, from, to) == Pair_kind::SAME)
+    result.push_back(pair_charts(pair, from, to, source.points, target.points));
+  const auto are_same = [](const Part_chart& a, const Part_chart& b) {
+    return (a.axes().transpose() * b.axes()).cwiseAbs().isIdentity(1e-6);
+  };
+  if (!are_same(boxes.source, own_boxes.source) || !are_same(boxes.target, own_boxes.target)) add_axes(own_boxes);
+  return result;
+}
+
+/// The part for a pair; without a morph if there is none between its surfaces or pieces of them.
 Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
 {
+  const auto& [from, to] = stage.charted;
+  const Part_chart &source_chart = from.charts[pair.source], &target_chart = to.charts[pair.target];
+  const Part_mesh source = piece_of(stage.meshes[0][pair.source], source_chart, pair.source_piece),
+                  target = piece_of(stage.meshes[1][pair.target], target_chart, pair.target_piece);
   Blend_part result;
-  result.name = stage.charted[0].parts[pair.source]->name + '~' + stage.charted[1].parts[pair.target]->name;
-  const Part_chart &from = stage.charted[0].charts[pair.source], &to = stage.charted[1].charts[pair.target];
-  const Part_mesh source = piece_of(stage.meshes[0][pair.source], from, pair.source_piece);
-  const Part_mesh target = piece_of(stage.meshes[1][pair.target], to, pair.target_piece);
-  const Pair_charts boxes = pair_boxes({&source.points, &target.points}, {from.axes(), to.axes()});
-  const auto morph = std::make_shared<const Part_morph>(boxes, source, target);
-  if (is_torn(*morph)) return result;
-  result.morph = morph;
-  result.set_ends();
+  result.name = from.parts[pair.source]->name + '~' + to.parts[pair.target]->name;
+  result.morph = best_morph(likely_charts(stage, pair, source, target), source, target);
+  const Difference difference(stage, piece_charts(pair, from, to), is_whole(pair));
+  if (!difference.is_little()) result.change = difference.change + difference.way;
+  if (result.morph) result.set_ends();
+  return result;
+}
+
+/// The surface of a matched part at some time.
+contacts::Triangle_tree tree_at(const Blend_part& part, double t)
+{
+  const int surface = part.morph->surface(t);
+  const Points points = part.points(surface, t);
+  contacts::Triangle_tree result = part.trees[std::size_t(surface)];
+  result.move([&](std::size_t i) { return triangle_of(points, part.triangles(surface), Eigen::Index(i)); });
+  return result;
+}
+
+/// The matched parts in contact at an end, the one that changes more first.
+std::set<std::array<std::size_t, 2>> contacts_at(int end, const Blend_stage& stage,
+                                                 const std::vector<Blend_part>& parts)
+{
+  std::set<std::array<std::size_t, 2>> result;
+  for (const Contact& contact : structure(stage.graphs[std::size_t(end)]).contacts)
+    for (std::size_t i : parts_of(parts, end, contact.parts[0]))
+      for (std::size_t j : parts_of(parts, end, contact.parts[1]))
+        result.insert(quantized(parts[i].change) >= quantized(parts[j].change) ? std::array{i, j} : std::array{j, i});
+  return result;
+}
+
+/// Parts that change more than little and on the way come off another one with which they are in contact, unless they
+/// have parted at the other end, where others hold both: of both, the one that changes more.
+Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& parts)
+{
+  constexpr double widest = 0.05; // gap, over the height
+  const auto come_off = [&](std::size_t a, std::size_t b) {
+    for (double t : {0.25, 0.5, 0.75})
+      if (!tree_at(parts[a], t).is_within(tree_at(parts[b], t), widest * widest)) return true;
+    return false;
+  };
+  const std::array contacts = {contacts_at(0, stage, parts), contacts_at(1, stage, parts)};
+  std::set<std::size_t> held; // parts in contact with the same matched part at both ends
+  for (const auto& contact : contacts[0])
+    if (contacts[1].count(contact) > 0) held.insert(contact.begin(), contact.end());
+  Part_pairs result;
+  for (std::size_t end : {0u, 1u})
+    for (const auto& contact : contacts[end]) {
+      const auto& [more, other] = contact;
+      const bool may_part = contacts[1 - end].count(contact) == 0 && held.count(more) > 0 && held.count(other) > 0;
+      if (parts[more].change > 0 && !may_part && come_off(more, other))
+        result.emplace_back(parts[more].task.source, parts[more].task.target);
+    }
   return result;
 }
 
@@ -85,8 +147,11 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
       result[i].task = task_of(pairs[i], pairs, std::binary_search(given.begin(), given.end(), parts));
       if (!result[i].is_matched()) torn.push_back(parts);
     }
+    const bool is_torn = !torn.empty();
+    if (!is_torn) torn = detached(stage, result);
     if (torn.empty()) return result;
     stage.add_mirrored(torn);
+    if (!is_torn) unlike.detached.insert(torn.begin(), torn.end());
     unlike.torn.insert(torn.begin(), torn.end()); // like_pairs() then drops all other pairs of their parts
   }
 }
@@ -96,7 +161,7 @@ Blend_obstacle obstacle_of(std::size_t end, std::size_t given, const Unlike_pair
   Blend_obstacle result = Blend_obstacle::NONE;
   for (const auto& pair : unlike.all) {
     if ((end == 0 ? pair.first : pair.second) != given) continue;
-    if (unlike.torn.count(pair) > 0) return Blend_obstacle::TORN;
+    if (unlike.torn.count(pair) > unlike.detached.count(pair)) return Blend_obstacle::TORN;
     result = Blend_obstacle::UNLIKE;
   }
   return result;

@@ -32,6 +32,8 @@ struct Blend_part
   Part_mesh mesh;                             ///< defined for unmatched parts, which shrink or grow
   std::vector<contacts::Triangle_tree> trees; ///< indexed by surface, at the surface's end of the blend
   std::vector<Rest_surface> rests;
+  double change =
+      0; ///< how much a matched part changes its proportions and position, if more than little; see `Difference`
   double size = 0; ///< the greater of the diagonals of the surfaces' bounding boxes
 
   bool is_matched() const { return bool(morph); }

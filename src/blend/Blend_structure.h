@@ -17,6 +17,27 @@ namespace CGAL::Shape_correspondence::internal {
 /// Two parts of a blend that touch at one of the ends or at both.
 using Touch = std::array<std::size_t, 2>;
 
+/// How an unmatched part comes and goes: it grows from the line through places that stay, along its own curve or sheet.
+class Growth
+{
+public:
+  /// \param chart the chart of the part
+  /// \param places where others hold the part, at least one
+  Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& places);
+
+  /// The points when a share, in [0, 1], has grown.
+  Points points(double share) const;
+
+private:
+  Point held(const Point& k) const;
+
+  Part_chart chart_;
+  Points points_;
+  Points coordinates_, offsets_; ///< in the chart, and from there to the points in the chart's frames
+  int axis_ = 0;                 ///< coordinate along which the places are farthest apart
+  std::vector<Point> places_;    ///< coordinates of the places that stay, sorted along the axis
+};
+
 /// The structure of a blend: its parts, which of them touch, and properties of both shapes. Lengths are relative to the
 /// height, on the stage; arrays are indexed by end.
 class Blend_structure
@@ -29,15 +50,12 @@ public:
   std::vector<Blend_part> parts; ///< the matched parts come first
   Part_pairs unlike;             ///< pairs of the given parts that correspond but do not morph
   std::vector<Touch> touches;
-  std::vector<Point> roots;                       ///< for each part, the point that it shrinks to if it is unmatched
+  std::vector<std::optional<Growth>> growths; ///< for each part, defined if it is unmatched
+  /// For each part, the number of parts that are that carry it, from what morphs, is exchanged, or stands on the
+  /// ground.
+  std::vector<int> depths;
   std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts
   std::array<double, 2> supports;                 ///< numbers of parts on the ground
-
-  /// The points of an unmatched part scaled about its root by `remaining`, in [0, 1].
-  Points shrunk(std::size_t part, double remaining) const
-  {
-    return (remaining * (parts[part].mesh.points.colwise() - roots[part])).colwise() + roots[part];
-  }
 };
 
 } // namespace CGAL::Shape_correspondence::internal

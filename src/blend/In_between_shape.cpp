@@ -52,7 +52,7 @@ Blend_quality In_between_shape::quality() const
   return result;
 }
 
-/// Places unmatched parts, scaled by the remaining share, by the warps of space.
+/// Places unmatched parts, of which some have grown, by the warps of space.
 void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
 {
   constexpr double least_remaining = 1e-6; // scale below which a part counts as gone, since its surface has no area
@@ -69,7 +69,7 @@ void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
       if (!tasks.empty()) done = std::clamp((time - tasks[i].begin) / (tasks[i].end - tasks[i].begin), 0., 1.);
       const double remaining = end == 0 ? 1 - done : done;
       if (remaining > least_remaining) surfaces[i] = 0;
-      points[i] = warp->moved(blend.shrunk(i, remaining), ways);
+      points[i] = warp->moved(blend.growths[i]->points(remaining), ways);
     }
   }
 }

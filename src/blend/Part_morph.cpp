@@ -4,16 +4,19 @@
 #include "blend/Part_morph.h"
 
 #include "base/quantized.h"
-#include "blend/Surface_smoother.h"
+#include "blend/Rest_surface.h"
 #include "map/Charted_mesh.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -26,9 +29,8 @@ Point extents_along(const Points& surface, const Eigen::Matrix3d& axes)
 }
 
 /// The axes of the world, or the surface's own axes if its box along these is much smaller.
-Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
+Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes, double much)
 {
-  constexpr double much = 0.45; // ratio of volumes; a square turned by 45 degrees is above it
   const auto volume = [&](const Eigen::Matrix3d& axes) {
     return extents_along(surface, axes).cwiseMax(2 * Part_chart::least_half_extent).prod();
   };
@@ -38,38 +40,64 @@ Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes)
 
 double angle_of(const Eigen::Matrix3d& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.)); }
 
-/// Charts with the longest axis of the boxes as the first and the shortest as the last one. For round parts that are
-/// not plates, such as lampshades, the first axis is the axis of revolution.
-Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, std::array<Eigen::Matrix3d, 2> axes)
+/// Charts with the longest axis of the boxes as the first one.
+Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& axes)
 {
-  constexpr double flat = 0.3;   // shortest extent of a plate, over the middle one
-  constexpr double alike = 1.15; // largest ratio of extents that count as equal
-  const std::array<Point, 2> extents = {extents_along(*surfaces[0], axes[0]), extents_along(*surfaces[1], axes[1])};
-  const Point sum = extents[0] + extents[1];
+  const Point sum = extents_along(*surfaces[0], axes[0]) + extents_along(*surfaces[1], axes[1]);
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return quantized(sum[a]) > quantized(sum[b]); });
-  const bool are_plates = sum[order[2]] < flat * sum[order[1]];
-  const auto may_be_round = [&](const Point& e) { // the two longest extents agree
-    return e[order[0]] < alike * e[order[1]] && e[order[1]] < alike * e[order[0]];
-  };
-  if (!are_plates && std::all_of(extents.begin(), extents.end(), may_be_round))
-    std::rotate(order.begin(), order.begin() + 2, order.end());
   Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 3; ++i)
     turn(order[std::size_t(i)], i) = 1;
   if (turn.determinant() < 0) turn.col(2) *= -1;
-  const auto chart = [&](std::size_t end) {
-    const Eigen::Matrix3d turned = axes[end] * turn;
-    return are_plates ? Part_chart::plate(*surfaces[end], turned) : Part_chart::box(*surfaces[end], turned);
-  };
-  return {chart(0), chart(1)};
+  return {Part_chart::box(*surfaces[0], axes[0] * turn), Part_chart::box(*surfaces[1], axes[1] * turn)};
+}
+
+/// Where the points of a mesh slide to, relative to the outline: outer ones onto the outline, but those of caps and of
+/// inner surfaces stay inside.
+Points places_on(const Chart_outline& outline, const Part_chart& chart, const Charted_mesh& mesh)
+{
+  constexpr double inwards = -0.3; // cosine
+  const Points normals = chart_normals(mesh);
+  const Point half = chart.half_extents();
+  Points result(3, mesh.coordinates.cols());
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    Point q = outline.relative(mesh.coordinates.col(i));
+    const Eigen::Vector2d off = q.tail<2>();
+    const double share = off.norm();
+    if (share > 1e-9) {
+      const Point at_rim = outline.absolute({q[0], off.x() / share, off.y() / share});
+      const double depth = (at_rim - mesh.coordinates.col(i)).cwiseProduct(half).norm();
+      const double to_end = (1 - std::abs(q[0])) * half[0];
+      const bool is_inner = normals.col(i).tail<2>().dot(off) < inwards * share * normals.col(i).norm();
+      if (share > 1 || (!is_inner && depth < to_end)) q.tail<2>() /= share;
+    }
+    result.col(i) = q;
+  }
+  return result;
+}
+
+/// The root mean square of offsets over a surface, over its diagonal.
+double spread_of(const Points& offsets, const Points& points, const Eigen::Matrix3Xi& triangles)
+{
+  double sum = 0, all = 0;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const double area = contacts::area_vector(triangle_of(points, triangles, t)).norm();
+    for (int corner : triangles.col(t))
+      sum += area / 3 * offsets.col(corner).squaredNorm();
+    all += area;
+  }
+  const double diagonal = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  return all > 0 ? std::sqrt(sum / all) / diagonal : 0;
 }
 
 } // namespace
 
-Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes)
+Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
+                       double much)
 {
-  const Eigen::Matrix3d from = box_axes(*surfaces[0], own_axes[0]), to = box_axes(*surfaces[1], own_axes[1]);
+  const Eigen::Matrix3d from = box_axes(*surfaces[0], own_axes[0], much),
+                        to = box_axes(*surfaces[1], own_axes[1], much);
   const Point extents = extents_along(*surfaces[0], from), other_extents = extents_along(*surfaces[1], to);
   Eigen::Matrix3d best = to;
   std::tuple<Steps, Steps> least(std::numeric_limits<Steps>::max(), 0);
@@ -85,71 +113,86 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
     : charts_{charts.source, charts.target}
 {
-  constexpr double longest_edge = 0.3; // in chart coordinates, which range from -1 to 1
-  for (std::size_t end : {0u, 1u}) {
-    Charted_mesh mesh = finely_charted(end == 0 ? source : target, charts_[end], longest_edge);
-    outlines_[end] = Chart_outline(charts_[end].is_sheet(), mesh.coordinates);
-    for (auto k : mesh.coordinates.colwise())
-      k = outlines_[end].relative(k);
-    surfaces_[end] = {
-        mesh.triangles, chart_normals(mesh), {mesh.coordinates, mesh.coordinates}, {mesh.offsets, mesh.offsets}};
-  }
-  surfaces_[0].lay(1, surfaces_[1]);
-  surfaces_[1].lay(0, surfaces_[0]);
+  add(charts.source, source);
+  add(charts.target, target);
+  meet();
 }
 
-double Part_morph::misfit(bool at_change) const
+void Part_morph::add(const Part_chart& chart, const Part_mesh& mesh)
 {
-  double result = 0;
-  for (std::size_t surface : {0u, 1u}) {
-    const Moving_surface &mesh = surfaces_[surface], &other = surfaces_[1 - surface];
-    const std::size_t when = at_change ? 1 - surface : surface;
-    const contacts::Triangle_tree tree = tree_of(other.coordinates[1 - when], other.triangles);
-    double sum = 0, all = 0;
-    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-      const contacts::Triangle corners = triangle_of(mesh.coordinates[when], mesh.triangles, t);
-      const double area = contacts::area_vector(corners).norm();
-      const Point middle = contacts::centre(corners);
-      std::size_t nearest = 0;
-      sum += area * (tree.nearest(middle, nearest) - middle).squaredNorm();
-      all += area;
-    }
-    if (all > 0) result = std::max(result, std::sqrt(sum / all));
+  constexpr double longest_edge = 0.25; // in chart coordinates, which range from -1 to 1
+  const Charted_mesh fine = charted_mesh(mesh, chart, longest_edge);
+  const Chart_outline& outline = outlines_.emplace_back(fine.coordinates, fine.triangles);
+  Sliding_surface surface = {fine.triangles, places_on(outline, chart, fine), Points(3, fine.points.cols()),
+                             Points::Zero(3, fine.points.cols())};
+  for (Eigen::Index i = 0; i < fine.points.cols(); ++i) {
+    const Point k = outline.absolute(surface.places.col(i));
+    surface.offsets.col(i) = chart.frame(k).inverse() * (fine.points.col(i) - chart(k));
   }
-  return result;
+  error_ = std::max(error_, spread_of(surface.offsets, fine.points, fine.triangles));
+  surfaces_.push_back(std::move(surface));
+}
+
+/// Lets either surface slide onto the other one at the change.
+void Part_morph::meet()
+{
+  const std::array<Points, 2> at_change = {points(0, change), points(1, change)};
+  const Part_chart chart = Part_chart::between(charts_[0], charts_[1], change);
+  const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], change);
+  for (std::size_t side : {0u, 1u}) {
+    const contacts::Triangle_tree other = tree_of(at_change[1 - side], surfaces_[1 - side].triangles);
+    Sliding_surface& surface = surfaces_[side];
+    std::size_t nearest = 0;
+    for (Eigen::Index i = 0; i < surface.meets.cols(); ++i) {
+      const Point p = at_change[side].col(i), way = other.nearest(p, nearest) - p;
+      surface.meets.col(i) = chart.frame(outline.absolute(surface.places.col(i))).inverse() * way;
+    }
+    misfit_ = std::max(misfit_, spread_of(surface.meets, at_change[side], surface.triangles));
+  }
+}
+
+bool Part_morph::is_faithful() const
+{
+  constexpr double most = 0.04, most_together = 0.05; // of error and misfit
+  constexpr double most_torn = 0.3;                   // share of a surface
+  if (!(error_ <= most && misfit_ <= most && error_ + misfit_ <= most_together)) return false;
+  for (int side : {0, 1}) {
+    const Rest_surface rest(points(side, side), triangles(side));
+    const Points at_change = points(side, change);
+    if (rest.torn_area(at_change) > most_torn * rest.area(at_change)) return false;
+  }
+  return true;
 }
 
 Points Part_morph::points(int surface, double t) const
 {
+  constexpr double meeting = 0.25; // time in which a surface slides onto the other one, or from there
   const Part_chart chart = Part_chart::between(charts_[0], charts_[1], t);
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
-  const Moving_surface& mesh = surfaces_[std::size_t(surface)];
-  const double moved = std::clamp(surface == 0 ? t / change : (t - change) / (1 - change), 0., 1.);
-  Points result(3, mesh.coordinates[0].cols());
+  const auto& [triangles, places, offsets, meets] = surfaces_[std::size_t(surface)];
+  const double left = std::clamp(surface == 0 ? 1 - t / change : (t - change) / (1 - change), 0., 1.),
+               met = std::max(0., 1 - std::abs(t - change) / meeting);
+  Points result(3, places.cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
-    const Point k = outline.absolute((1 - moved) * mesh.coordinates[0].col(i) + moved * mesh.coordinates[1].col(i));
-    const Point off = (1 - t) * mesh.offsets[0].col(i) + t * mesh.offsets[1].col(i);
-    result.col(i) = chart(k) + chart.frame(k) * off;
+    const Point k = outline.absolute(places.col(i));
+    result.col(i) = chart(k) + chart.frame(k) * (left * offsets.col(i) + met * meets.col(i));
   }
   return result;
 }
 
-void Part_morph::Moving_surface::lay(std::size_t when, const Moving_surface& onto)
+std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& charts, const Part_mesh& source,
+                                             const Part_mesh& target)
 {
-  // In chart coordinates: large-scale motion first, then details
-  constexpr std::array<double, 3> lengths = {0.6, 0.3, 0.15};
-  const Points &places = onto.coordinates[1], given = coordinates[when];
-  const Place_finder finder(places, onto.triangles, onto.normals);
-  const auto place = [&](Eigen::Index i) { return finder(coordinates[when].col(i), normals.col(i)); };
-  const Surface_smoother smoothed(given, triangles);
-  for (double length : lengths) {
-    Points ways(3, given.cols());
-    for (Eigen::Index i = 0; i < ways.cols(); ++i)
-      ways.col(i) = place(i).of(places, onto.triangles) - given.col(i);
-    coordinates[when] = given + smoothed(ways, length);
+  constexpr double good = 0.015; // error and misfit up to which further charts are not tried
+  std::shared_ptr<const Part_morph> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Pair_charts& pair : charts) {
+    const auto morph = std::make_shared<const Part_morph>(pair, source, target);
+    const double cost = morph->error() + morph->misfit();
+    if (cost < least && morph->is_faithful()) least = cost, best = morph;
+    if (least < good) break;
   }
-  for (Eigen::Index i = 0; i < given.cols(); ++i)
-    offsets[when].col(i) = place(i).of(onto.offsets[1], onto.triangles);
+  return best;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -10,23 +10,28 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Straight charts of the boxes of two surfaces. A box has the axes of the world unless a part's own axes make it much
-/// smaller; axes are paired by the least rotation over the symmetries of boxes.
+/// Straight charts of the boxes of two surfaces, along the longest axis. A box has the axes of the world unless a
+/// part's own axes make it much smaller; axes are paired by the least rotation over the symmetries of boxes.
 /// \param own_axes rotations to the axes of the surfaces
-Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes);
+/// \param much ratio of volumes below which a box is much smaller
+Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
+                       double much = 0.45); // a square turned by 45 degrees is above it
 
 /// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
 ///
-/// The source's surface, in chart coordinates relative to the part's outline, moves smoothly to the target's; then the
-/// target's surface takes over from where it lies on the source's.
+/// A *stand-in*, the surface of the outlines of cross-sections, moves evenly from the source to the target. The
+/// source's surface slides onto it, and then onto the target's surface, which has slid onto the source's and takes
+/// over.
 class Part_morph
 {
 public:
-  /// \param charts the charts of both ends, between which the surfaces move
+  /// \param charts the charts of both ends, of curves, along which the sections are
   Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target);
 
   static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
@@ -36,26 +41,35 @@ public:
   const Eigen::Matrix3Xi& triangles(int surface) const { return surfaces_[std::size_t(surface)].triangles; }
   /// The points of a surface at time `t`, even if it is not the present one.
   Points points(int surface, double t) const;
-  /// Distance between the two surfaces, in coordinates from -1 to 1 relative to outlines: the root mean square over the
-  /// surface that is farther from the other.
-  /// \param at_change whether to compare them when one replaces the other rather than at the ends
-  double misfit(bool at_change) const;
+
+  /// Root mean square distance of the surfaces from the stand-in at their ends, over their diagonals: the larger one.
+  double error() const { return error_; }
+  /// Likewise, of the surfaces from each other when one replaces the other, before they slide onto each other.
+  double misfit() const { return misfit_; }
+  /// Whether the stand-in describes both parts well enough, and neither is torn.
+  bool is_faithful() const;
 
 private:
-  struct Moving_surface
+  struct Sliding_surface
   {
-    /// Moves the surface, at its end `when`, onto the surface `onto`.
-    void lay(std::size_t when, const Moving_surface& onto);
-
     Eigen::Matrix3Xi triangles;
-    Points normals;                             ///< in chart coordinates
-    std::array<Points, 2> coordinates, offsets; ///< indexed by end; relative to the outlines in the charts
+    Points places;  ///< on the stand-in, in relative coordinates
+    Points offsets; ///< from there to the surface at its end, in the frames of the chart
+    Points meets;   ///< likewise from there to the other surface, at the change
   };
+
+  void add(const Part_chart& chart, const Part_mesh& mesh);
+  void meet();
 
   // Members by end
   std::array<Part_chart, 2> charts_;
-  std::array<Chart_outline, 2> outlines_;
-  std::array<Moving_surface, 2> surfaces_;
+  std::vector<Chart_outline> outlines_;
+  std::vector<Sliding_surface> surfaces_;
+  double error_ = 0, misfit_ = 0;
 };
+
+/// The morph in one of several pairs of charts in which the stand-in is the best; null if none is faithful.
+std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& charts, const Part_mesh& source,
+                                             const Part_mesh& target);
 
 } // namespace CGAL::Shape_correspondence::internal

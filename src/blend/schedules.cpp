@@ -7,6 +7,7 @@
 #include "blend/exchange_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -29,23 +30,34 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 }
 
 /// The tasks with their times. Exchanged parts change together with the surfaces of matched parts or, in two steps, one
-/// before and one after that, so that the default of `Blend_options::samples` sees all stages. Unmatched parts that are
-/// not exchanged vanish before the first step or grow after the second, so fast that they are hardly seen small.
+/// before and one after that: old parts go while new ones come, for a short time both. Unmatched parts that are not
+/// exchanged vanish before the first step, what is carried before what carries it, or grow after the second, the
+/// inverse.
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange_step>& steps,
                                     bool at_one_time)
 {
-  constexpr double instant = 0.004, quickly = 0.08, first = 0.35, second = 0.55;
+  constexpr double first = 0.36, second = 0.58; // middles of the steps
+  constexpr double change = 0.09, overlap = 0.02;
+  constexpr double earliest = 0.02, vanished = 0.27, growing = 0.67, latest = 0.98, longest = 0.15;
   const bool has_steps = !at_one_time && std::count(steps.begin(), steps.end(), Exchange_step::FIRST) > 0;
+  std::array<int, 2> deepest = {1, 1}; // indexed by end
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (const Blend_part& part = blend.parts[i]; !part.is_matched() && steps[i] == Exchange_step::NONE)
+      deepest[std::size_t(part.end())] = std::max(deepest[std::size_t(part.end())], blend.depths[i]);
+  const double going = std::min(longest, (vanished - earliest) / deepest[0]),
+               coming = std::min(longest, (latest - growing) / deepest[1]);
   std::vector<Blend_task> result;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Blend_part& part = blend.parts[i];
     Blend_task task = part.task;
     if (steps[i] != Exchange_step::NONE) {
-      task.end = !has_steps ? Part_morph::change : steps[i] == Exchange_step::FIRST ? first : second;
-      task.begin = task.end - instant;
+      const double middle = !has_steps ? Part_morph::change : steps[i] == Exchange_step::FIRST ? first : second;
+      task.begin = part.end() == 0 ? middle + overlap / 2 - change : middle - overlap / 2;
+      task.end = task.begin + change;
     } else if (!part.is_matched()) {
-      task.end = part.end() == 0 ? first : second + quickly;
-      task.begin = task.end - quickly;
+      const int before = std::max(0, blend.depths[i] - 1);
+      task.begin = part.end() == 0 ? vanished - (before + 1) * going : growing + before * coming;
+      task.end = task.begin + (part.end() == 0 ? going : coming);
     }
     result.push_back(task);
   }

@@ -93,8 +93,8 @@ Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>
   constexpr double thin = 0.05;
   const Points a = samples(charts[0]), b = samples(charts[1]);
   const Pair_charts boxes = pair_boxes({&a, &b}, {charts[0].axes(), charts[1].axes()});
-  const auto& [whole, other_whole] = stage.boxes;
-  const Point extents = extents_of(whole), other_extents = extents_of(other_whole);
+  const auto& [whole_box, other_box] = stage.boxes;
+  const Point extents = extents_of(whole_box), other_extents = extents_of(other_box);
   const Point from = boxes.source.half_extents(), to = boxes.target.half_extents(),
               growth = are_whole ? Point(other_extents.cwiseQuotient(extents)) : Point::Ones(),
               grown = (growth.asDiagonal() * boxes.source.axes()).colwise().norm().transpose().cwiseProduct(from);
@@ -105,9 +105,10 @@ Difference::Difference(const Blend_stage& stage, const std::array<Part_chart, 2>
   change = std::min(change_of(from), change_of(grown));
   stretch = std::min(stretch_of(from), stretch_of(grown));
   size = std::max(box_of(a).sizes().maxCoeff(), box_of(b).sizes().maxCoeff());
-  const Point place = relative_place(whole, charts[0](Point::Zero())),
-              other_place = relative_place(other_whole, charts[1](Point::Zero()));
+  const Point place = relative_place(whole_box, charts[0](Point::Zero())),
+              other_place = relative_place(other_box, charts[1](Point::Zero()));
   way = (other_place - place).cwiseProduct((extents + other_extents) / 2).norm();
+  whole = (whole_box.diagonal().norm() + other_box.diagonal().norm()) / 2;
 }
 
 bool Difference::keeps_shape() const
@@ -120,6 +121,12 @@ bool Difference::is_little() const
 {
   constexpr double most_way = 0.25, by_size = 1. / 8;
   return keeps_shape() && way <= most_way + by_size * size;
+}
+
+bool Difference::is_possible() const
+{
+  constexpr double most_way = 0.25; // over the diagonal of the shapes
+  return is_little() || way <= most_way * whole;
 }
 
 bool Difference::stays_near() const
@@ -146,7 +153,8 @@ Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike
   for (const Piece_pair& piece : piece_pairs(stage.charted[0], stage.charted[1], paired)) {
     char& known = is_unlike[sets[piece.source]];
     if (known) continue;
-    known = !Difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece)).is_little();
+    const Difference difference(stage, piece_charts(piece, stage.charted[0], stage.charted[1]), is_whole(piece));
+    known = is_whole(piece) ? !difference.is_possible() : !difference.is_little();
   }
   Part_pairs result;
   unlike.all.clear();

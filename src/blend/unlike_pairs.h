@@ -18,8 +18,9 @@ struct Blend_stage;
 struct Unlike_pairs
 {
   Part_pairs all;
-  /// Those pairs, including leftover ones, whose surfaces or pieces have no map.
-  std::set<Part_pairs::value_type> torn;
+  /// Those pairs, including leftover ones, without a morph between them or their pieces, and of these, those that would
+  /// come off what they touch.
+  std::set<Part_pairs::value_type> torn, detached;
 };
 
 /// The change needed for a part, a piece, or the box around parts to become another. Lengths are over the height.
@@ -31,8 +32,10 @@ struct Difference
 
   /// Whether the proportions change little.
   bool keeps_shape() const;
-  /// Whether proportions and position change little, so that one part may morph to the other.
+  /// Whether proportions and position change little, so that pieces of parts may morph.
   bool is_little() const;
+  /// Whether a whole part may morph to the other, if it stays in contact with others.
+  bool is_possible() const;
   /// Whether the position changes moderately.
   bool stays_near() const;
 
@@ -40,12 +43,13 @@ struct Difference
   double stretch; ///< log ratio of the longest extents
   double way;     ///< displacement of the centre, within the boxes of the shapes
   double size;    ///< longest extent
+  double whole;   ///< diagonal of the shapes
 };
 
 /// The pairs of parts that morph to each other:
-///  - Of the pairs that correspond, all but those whose parts, or pieces of them, would change their proportions or
-/// positions much: legs cut up for a star base, slats across spindles. As a part is divided as a whole, all other pairs
-/// of its parts, and their mirror images, are dropped with such a pair.
+///  - Of the pairs that correspond, all but those whose parts would move far, or whose pieces would change their
+/// proportions or positions much: legs cut up for a star base, slats across spindles. As a part is divided as a whole,
+/// all other pairs of its parts, and their mirror images, are dropped with such a pair.
 ///  - Leftover parts with similar position and size, unless one of them shares the place of another part nearly as
 /// much: two parts that correspond, but also to others, or two without counterparts.
 /// \param unlike its torn pairs are dropped; `all` is set

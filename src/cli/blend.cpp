@@ -26,10 +26,11 @@ const char* const blend_help =
 Makes the shapes in between two shapes of one category. The shapes may differ in topology. The first frame is the source,
 the last one the target. All frames stand on the ground, in the axes of the source.
 
-  - Parts that correspond and are similar morph: they move straight to the place of their counterpart and change their
-    surface gradually.
-  - Parts that correspond but differ too much, such as legs and a star base, are exchanged in one frame.
-  - Parts without counterpart shrink into the parts that they touch, or grow out of them.
+  - Parts that correspond morph: they move straight to the place of their counterpart and change their surface gradually,
+    by the outlines of their cross-sections.
+  - Parts that correspond but differ too much, such as legs and a star base, are exchanged: old parts become thin while
+    new ones grow.
+  - Parts without counterpart shrink into the parts that carry them, or grow out of them.
 
 All parts that do not morph follow the motion of those that do, so that they stay attached.
 
@@ -198,15 +199,15 @@ void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, con
     names += (names.empty() ? "'" : ", '") + structure(shape.graph).parts[part].name + "'";
   };
   for (const auto& [reason, why] :
-       {std::pair(Blend_obstacle::TORN, "their surfaces would tear"),
-        std::pair(Blend_obstacle::UNLIKE, "their proportions, places or numbers differ too much to morph")}) {
+       {std::pair(Blend_obstacle::TORN, "no outlines of cross-sections describe both"),
+        std::pair(Blend_obstacle::UNLIKE, "their proportions, places or numbers differ too much, or they would come off what they touch")}) {
     std::string names, others;
     for (const Blend_task& task : tasks) {
       if (task.obstacle != reason) continue;
       if (task.source != Blend_task::no_part) add_name(names, source, task.source);
       if (task.target != Blend_task::no_part) add_name(others, target, task.target);
     }
-    if (!names.empty()) warnings.push_back(names + " are exchanged for " + others + " in one frame: " + why);
+    if (!names.empty()) warnings.push_back(names + " are exchanged for " + others + ": " + why);
   }
 }
 

@@ -4,9 +4,6 @@
 #include "map/Chart_outline.h"
 
 #include "base/clamped.h"
-#include "base/planar_hull.h"
-
-#include <CGAL/assertions.h>
 
 #include <Eigen/Geometry>
 
@@ -16,117 +13,138 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr int outline_stations = 17;
+constexpr int stations = 33;
+constexpr double last_station = 0.998; // coordinate; a little inside of the end, where the section is not empty
 
-/// Distance from the origin to the boundary of a convex polygon around it, in a direction.
-double reach_in_polygon(const Planar_points& polygon, const Eigen::Vector2d& direction)
+double station(int i) { return -last_station * std::cos(double(EIGEN_PI * i / (stations - 1))); }
+
+/// The endpoints of the segments in which triangles cross the plane of a section.
+std::vector<Eigen::Vector2d> crossed(const Points& coordinates, const Eigen::Matrix3Xi& triangles, double station)
 {
-  double reach = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d& a = polygon[i];
-    const Eigen::Vector2d side = polygon[(i + 1) % polygon.size()] - a;
-    const double across = direction.x() * side.y() - direction.y() * side.x();
-    if (std::abs(across) < 1e-12) continue;
-    const double along = (a.x() * side.y() - a.y() * side.x()) / across;
-    const double at = (a.x() * direction.y() - a.y() * direction.x()) / across;
-    if (at >= -1e-9 && at <= 1 + 1e-9) reach = std::max(reach, along);
-  }
-  return reach;
-}
-
-} // namespace
-
-Chart_outline::Section Chart_outline::section_around(const std::vector<Eigen::Vector2d>& points)
-{
-  constexpr double least_radius = 0.02; // ratio to the half extents; gives a section that is a point an outline
-  // Ratio to the largest radius, which may lie between two sampled angles of a flat section
-  constexpr double least_share = 0.3;
-  Section result;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& p : points)
-    box.extend(p);
-  result.middle = box.center();
-  Planar_points centred;
-  for (const Eigen::Vector2d& p : points)
-    centred.push_back(p - result.middle);
-  double largest = 0;
-  for (const Eigen::Vector2d& p : centred)
-    largest = std::max(largest, p.norm());
-  const double least = std::max(least_radius, least_share * largest);
-  const Planar_points hull = planar_hull(centred);
-  for (int i = 0; i < angles; ++i) {
-    const auto angle = double(2 * EIGEN_PI * i / angles);
-    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    result.radii[i] = std::max(least, reach_in_polygon(hull, direction));
+  std::vector<Eigen::Vector2d> result;
+  for (const auto& corners : triangles.colwise()) {
+    int found = 0;
+    for (int i = 0; i < 3 && found < 2; ++i) {
+      const auto a = coordinates.col(corners[i]), b = coordinates.col(corners[(i + 1) % 3]);
+      if ((a[0] < station) == (b[0] < station)) continue;
+      const double share = (station - a[0]) / (b[0] - a[0]);
+      result.emplace_back((1 - share) * a.tail<2>() + share * b.tail<2>());
+      ++found;
+    }
   }
   return result;
 }
 
-Chart_outline::Chart_outline(bool is_sheet, const Points& coordinates) : is_sheet_(is_sheet)
+Eigen::Vector2d direction(int angle, int angles)
 {
-  constexpr double half_width = 0.2; // half the width of a section's slice, in chart coordinates
-  const auto points_near = [&](double station, double width) {
-    std::vector<Eigen::Vector2d> result;
-    for (Eigen::Index i = 0; i < coordinates.cols(); ++i)
-      if (is_sheet_ || std::abs(coordinates(0, i) - station) <= width)
-        result.push_back(coordinates.col(i).segment<2>(first()));
-    return result;
+  const auto at = double(2 * EIGEN_PI * angle / angles);
+  return {std::cos(at), std::sin(at)};
+}
+
+/// The angle of a direction, in steps between the angles of an outline.
+double turn_of(const Eigen::Vector2d& direction, int angles)
+{
+  const auto turn = double(std::atan2(direction.y(), direction.x()) / (2 * EIGEN_PI));
+  return (turn - std::floor(turn)) * angles;
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+} // namespace
+
+/// \return whether there is an outline
+bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vector2d>& segments)
+{
+  constexpr double least_half = 1e-3, least_radius = 0.02; // a section that is a point has an outline, too
+  if (segments.size() < 4) return false;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p : segments)
+    box.extend(p);
+  section.middle = box.center();
+  section.half = (box.sizes() / 2).cwiseMax(least_half);
+  const auto place = [&](std::size_t i) -> Eigen::Vector2d {
+    return (segments[i] - section.middle).cwiseQuotient(section.half);
   };
-  for (int i = 0; i < (is_sheet_ ? 1 : outline_stations); ++i) {
-    const double station = 2. * i / (outline_stations - 1) - 1;
-    std::vector<Eigen::Vector2d> points;
-    for (double width = half_width; points.size() < 3 && width < 4; width *= 2)
-      points = points_near(station, width);
-    sections_.push_back(points.empty() ? Section() : section_around(points));
+  for (std::size_t i = 0; i + 1 < segments.size(); i += 2) {
+    const Eigen::Vector2d a = place(i), side = place(i + 1) - a;
+    double from = turn_of(a, angles), to = turn_of(a + side, angles);
+    if (from > to) std::swap(from, to);
+    if (to - from > angles / 2.) from += angles, std::swap(from, to); // across the angle 0
+    for (int at = int(std::ceil(from)); at <= to; ++at) {
+      const Eigen::Vector2d along = direction(at % angles, angles);
+      const double slope = cross(along, side);
+      if (std::abs(slope) < 1e-12) continue;
+      double& known = section.radii[at % angles];
+      known = std::max(known, cross(a, side) / slope);
+    }
+  }
+  if (!(section.radii.array() > 0).any()) return false;
+  const Radii found = section.radii;
+  for (int i = 0; i < angles; ++i) { // gaps are bridged
+    if (found[i] > 0) continue;
+    int before = 1, after = 1;
+    while (!(found[(i - before + angles) % angles] > 0))
+      ++before;
+    while (!(found[(i + after) % angles] > 0))
+      ++after;
+    section.radii[i] =
+        (after * found[(i - before + angles) % angles] + before * found[(i + after) % angles]) / (before + after);
+  }
+  section.radii = section.radii.cwiseMax(least_radius);
+  return true;
+}
+
+Chart_outline::Chart_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles) : sections_(stations)
+{
+  std::vector<int> known;
+  for (int i = 0; i < stations; ++i)
+    if (set_outline(sections_[std::size_t(i)], crossed(coordinates, triangles, station(i)))) known.push_back(i);
+  for (int i = 0; i < stations && !known.empty(); ++i) {
+    const auto nearest =
+        std::min_element(known.begin(), known.end(), [&](int a, int b) { return std::abs(a - i) < std::abs(b - i); });
+    sections_[std::size_t(i)] = sections_[std::size_t(*nearest)];
   }
 }
 
-Chart_outline::Section Chart_outline::section(const Point& k) const
+Chart_outline::Section Chart_outline::section(double k) const
 {
-  if (is_sheet_) return sections_[0];
-  const double at = clamped_to_unit((k[0] + 1) / 2) * (outline_stations - 1);
-  const int cell = clamped_cell(at, outline_stations - 2);
+  const auto turn = double(std::acos(std::clamp(-k / last_station, -1., 1.)) / EIGEN_PI);
+  const double at = clamped_to_unit(turn) * (stations - 1);
+  const int cell = clamped_cell(at, stations - 2);
   const double share = at - cell;
   const Section &a = sections_[std::size_t(cell)], &b = sections_[std::size_t(cell + 1)];
-  return {(1 - share) * a.middle + share * b.middle, (1 - share) * a.radii + share * b.radii};
+  return {(1 - share) * a.middle + share * b.middle, (1 - share) * a.half + share * b.half,
+          (1 - share) * a.radii + share * b.radii};
 }
 
 double Chart_outline::radius(const Section& section, const Eigen::Vector2d& direction)
 {
-  const auto turn = double(std::atan2(direction.y(), direction.x()) / (2 * EIGEN_PI));
-  const double at = (turn - std::floor(turn)) * angles;
+  const double at = turn_of(direction, angles);
   const int cell = clamped_cell(at, angles - 1);
   return (1 - (at - cell)) * section.radii[cell] + (at - cell) * section.radii[(cell + 1) % angles];
 }
 
 Point Chart_outline::relative(const Point& k) const
 {
-  if (sections_.empty()) return k;
-  const Section at = section(k);
-  Point result = k;
-  const Eigen::Vector2d off = k.segment<2>(first()) - at.middle;
-  result.segment<2>(first()) = off / radius(at, off);
-  return result;
+  const Section at = section(k[0]);
+  const Eigen::Vector2d off = (k.tail<2>() - at.middle).cwiseQuotient(at.half), disc = off / radius(at, off);
+  return {k[0], disc.x(), disc.y()};
 }
 
 Point Chart_outline::absolute(const Point& q) const
 {
-  if (sections_.empty()) return q;
-  const Section at = section(q);
-  Point result = q;
-  const Eigen::Vector2d off = q.segment<2>(first());
-  result.segment<2>(first()) = at.middle + radius(at, off) * off;
-  return result;
+  const Section at = section(q[0]);
+  const Eigen::Vector2d off = q.tail<2>(), place = at.middle + at.half.cwiseProduct(radius(at, off) * off);
+  return {q[0], place.x(), place.y()};
 }
 
 Chart_outline Chart_outline::between(const Chart_outline& a, const Chart_outline& b, double t)
 {
-  CGAL_precondition(a.is_sheet_ == b.is_sheet_);
   Chart_outline result = a;
   for (std::size_t i = 0; i < result.sections_.size(); ++i) {
-    Section& section = result.sections_[i];
-    section.middle = (1 - t) * a.sections_[i].middle + t * b.sections_[i].middle;
-    section.radii = (1 - t) * a.sections_[i].radii + t * b.sections_[i].radii;
+    const Section &from = a.sections_[i], &to = b.sections_[i];
+    result.sections_[i] = {(1 - t) * from.middle + t * to.middle, (1 - t) * from.half + t * to.half,
+                           (1 - t) * from.radii + t * to.radii};
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -83,7 +84,9 @@ TEST_CASE("Exchanges have two times, or one if that is asked for")
     const Shape_blend blend = blend_of(source, target, same_parts(1), options);
     std::map<double, int> result;
     for (const Blend_task& task : blend.schedules()[0].tasks)
-      if (task.type != Blend_task_type::MORPH) ++result[task.end];
+      if (task.type != Blend_task_type::MORPH) // the middle of the time in which old and new parts are there
+        ++result[std::round(1000 * (task.type == Blend_task_type::SHRINK ? task.end - 0.01 : task.begin + 0.01)) /
+                 1000];
     return result;
   };
   const std::map<double, int> two = ends("in two steps"), one = ends("at one time");

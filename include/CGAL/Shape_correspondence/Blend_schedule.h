@@ -24,7 +24,7 @@ enum class Blend_task_type {
   MORPH,   ///< a part morphs to its counterpart
   SPLIT,   ///< a piece of a part morphs to another part
   MERGE,   ///< a part, or a piece of it, morphs to a piece of another
-  SHRINK,  ///< a part without counterpart, or without a map to it, shrinks to the place where it is attached
+  SHRINK,  ///< a part without counterpart, or that cannot morph to it, shrinks to where it is attached
   GROW,    ///< the inverse of `SHRINK`
   EXCHANGE ///< a part replaces an unmatched part in the same place
 };
@@ -33,8 +33,10 @@ enum class Blend_task_type {
 /// The reason why a part does not morph to its counterpart.
 enum class Blend_obstacle {
   NONE,  ///< none: it morphs, or has no counterpart
-  TORN,  ///< it would be torn or folded, or its surface differs too much
-  UNLIKE ///< it, or a part with the same counterpart, would change its proportions or position, or be cut up, too much
+  TORN, ///< no outlines of cross-sections describe both surfaces well enough
+  /// It, or a part with the same counterpart, would move far, come off what it touches, or be cut into pieces of other
+  /// proportions.
+  UNLIKE
 };
 
 /// \ingroup PkgShapeCorrespondenceMaps

@@ -35,7 +35,7 @@ struct Blend_surface
   std::string name; ///< `s~t` for a source part s that becomes t; `s~` for s that vanishes; `~t` for t that grows
   Blend_task task;  ///< the task to which the surface belongs
   Eigen::Matrix3Xi triangles; ///< one triangle in each column: indices into the points of the surface
-  double begin = 0; ///< the surface exists at times t with `begin` <= t < `end`; a growing one starts as a point
+  double begin = 0; ///< the surface exists at times t with `begin` <= t < `end`; a growing one starts as a point or a line
   double end = 1;   ///< see `begin`
   int side = 0;     ///< the shape whose materials it has: 0, the source, or 1, the target
 };
@@ -49,16 +49,16 @@ struct Blend_surface
 ///   origin, in the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end; position, size and rotation are interpolated between them;
 ///   the axes of boxes are paired by the least rotation. The whole stands, with the interpolated height.
-/// - *Matched parts* morph in their boxes: in coordinates relative to cross-sections, the source's surface moves
-///   smoothly onto the target's, which replaces it at time .45. A part that corresponds to many is cut into closed
-///   pieces, one for each.
-/// - *Unmatched parts* have no counterpart, or would be torn on the way to it, or have a surface that differs too much,
-///   or would change their proportions or position, or be cut up, too much (`Blend_obstacle`). Two with similar place
-///   and size replace each other (`Blend_task_type::EXCHANGE`). Unmatched parts follow a warp of the space around their
-///   end, a smoothing spline: it follows the surfaces of matched parts, the boxes of parts that correspond, and the
-///   bounding box of the whole, so that parts stay in contact with their neighbours. Old parts vanish at the moment at
-///   which those in their place appear; other old parts quickly shrink to the place where they are attached before
-///   that, and other new parts grow from there after it.
+/// - *Matched parts* morph in their boxes, or along their curves, by the outlines of their cross-sections, which are
+///   interpolated: the source's surface slides onto them, and the target's replaces it at time .45. A part that
+///   corresponds to many is cut into closed pieces, one for each.
+/// - *Unmatched parts* have no counterpart, or cannot morph to it (`Blend_obstacle`). Two with similar place and size
+///   become each other (`Blend_task_type::EXCHANGE`). Unmatched parts follow a warp of the space around their end, a
+///   smoothing spline: it follows the surfaces of matched parts, the boxes of parts that correspond, and the bounding
+///   box of the whole, so that parts stay in contact with their neighbours. They come and go along their own curve or
+///   sheet: from the place where they are held, or from the line between several such places. Old parts become thin
+///   while those in their place grow; other old parts vanish before that, and other new parts grow after it, what is
+///   carried after what carries it.
 /// - If both shapes have the common mirror plane, the *mirror image* of a part becomes the mirror image of its
 ///   counterpart, even if only one of the two pairs is in the correspondence.
 ///

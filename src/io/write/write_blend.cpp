@@ -31,6 +31,23 @@ const char* obstacle_name(Blend_obstacle obstacle)
   return names[int(obstacle)];
 }
 
+/// What a part does, and why, in words.
+const char* told(const Blend_task& task)
+{
+  if (task.obstacle != Blend_obstacle::NONE) return "is exchanged";
+  return task.type == Blend_task_type::SHRINK ? "vanishes" : task.type == Blend_task_type::GROW ? "grows" : "morphs";
+}
+
+const char* reason(const Blend_task& task)
+{
+  if (task.obstacle == Blend_obstacle::TORN) return "no outline of cross-sections describes both parts";
+  if (task.obstacle == Blend_obstacle::UNLIKE)
+    return "parts of its row would move far, come off what they touch, or be cut into other proportions";
+  if (task.type == Blend_task_type::EXCHANGE) return "neither has a counterpart, and they are in the same place";
+  const bool is_alone = task.source == Blend_task::no_part || task.target == Blend_task::no_part;
+  return is_alone ? "it has no counterpart" : "the parts correspond";
+}
+
 Json quality_json(const Blend_quality& quality) { return {{"support", quality.support}, {"apart", quality.apart}}; }
 
 /// Appends the shortest decimals that read as the same numbers.
@@ -116,7 +133,11 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
   result["output"] = output;
   result["tasks"] = Json::array();
   for (const Blend_task& task : blend.schedules()[0].tasks) {
-    Json line = {{"task", task_name(task.type)}, {"begin", task.begin}, {"end", task.end}};
+    Json line = {{"task", task_name(task.type)},
+                 {"what", told(task)},
+                 {"reason", reason(task)},
+                 {"begin", task.begin},
+                 {"end", task.end}};
     if (task.source != Blend_task::no_part) line["source"] = structure(source).parts[task.source].name;
     if (task.target != Blend_task::no_part) line["target"] = structure(target).parts[task.target].name;
     if (task.obstacle != Blend_obstacle::NONE) line["obstacle"] = obstacle_name(task.obstacle);

@@ -73,9 +73,7 @@ export class BlendPlayer {
   told(task) {
     const {names, labels} = this.match.match;
     const named = [task.source, task.target].map((name, side) => labels[side][names[side].indexOf(name)] || name).filter(Boolean).join(' → ');
-    return `${task.task}: ${named}` + (task.task === 'exchange' ? ': none has a counterpart, and they are in the same place'
-      : task.obstacle === 'unlike' ? ': too unlike its counterpart'
-        : task.obstacle ? `: no map onto its counterpart, as it would be ${task.obstacle}` : '');
+    return `${named} ${task.what}: ${task.reason}`;
   }
 
   /** Shows the shape at a time from 0, the source, to 1. */

@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blends pairs of shapes and measures what people see of the blends.
+
+  blend_study.py PROGRAM OUT --pairs FILE --data FOLDER... [--only WORD,WORD] [--cache FOLDER] [--match FOLDER] [--measure-only]
+
+FILE has a line for each pair: category, source, target. A shape is FOLDER/SHAPE or FOLDER/CATEGORY/SHAPE. Makes OUT/NN_SOURCE_TARGET with
+nine frames, a .json, and a .png that shows them. Prints a table as Markdown, and medians. morphs: share of the matched area of both shapes whose
+part has a task that ends as another part; matched: share of the area. jump: the largest change between two of the nine frames, as the share of
+the pixels covered in either frame of which one is empty; colour: likewise, or another part is seen. loose: the widest gap that has to be
+bridged to join all parts, over the height, more than at the ends. CPU: seconds in one thread.
+"""
+import argparse
+import glob
+import json
+import os
+import resource
+import shutil
+import statistics
+import struct
+import subprocess
+import zlib
+
+import numpy as np
+
+SIZE = 200  # pixels of a frame's side
+TURN, TILT = np.radians(32), np.radians(18)  # of the eye
+FRAMES = 9
+SAMPLES = 4  # points for each pixel of a triangle's area
+
+
+def read_obj(file):
+    """[(name, array of triangles, each three points)]."""
+    points, parts = [], []
+    with open(file) as lines:
+        for line in lines:
+            if line.startswith("v "):
+                points.append([float(word) for word in line.split()[1:4]])
+            elif line.startswith("o "):
+                parts.append((line[2:].strip(), []))
+            elif line.startswith("f "):
+                parts[-1][1].append([int(word.split("/")[0]) - 1 for word in line.split()[1:]])
+    points = np.array(points)
+    return [(name, points[np.array(faces)]) for name, faces in parts if faces]
+
+
+def area(triangles):
+    return np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1) / 2
+
+
+def eye():
+    c, s, d, e = np.cos(TURN), np.sin(TURN), np.cos(TILT), np.sin(TILT)
+    return np.array([[c, 0, -s], [-s * e, d, -c * e], [s * d, e, c * d]])
+
+
+def render(parts, low, scale):
+    """The number of the part at each pixel, or -1, and the brightness."""
+    view, all_pixels, depths, numbers, lights = eye(), [], [], [], []
+    generator = np.random.default_rng(0)
+    for number, (_, triangles) in enumerate(parts):
+        seen = (triangles @ view.T - low) * scale
+        normals = np.cross(seen[:, 1] - seen[:, 0], seen[:, 2] - seen[:, 0])
+        lengths = np.linalg.norm(normals, axis=1)
+        count = np.minimum(np.ceil(SAMPLES * lengths / 2).astype(int) + 2, 4 * SIZE * SIZE)
+        of = np.repeat(np.arange(len(seen)), count)
+        a, b = generator.random(len(of)), generator.random(len(of))
+        flipped = a + b > 1
+        a[flipped], b[flipped] = 1 - a[flipped], 1 - b[flipped]
+        points = seen[of, 0] + a[:, None] * (seen[of, 1] - seen[of, 0]) + b[:, None] * (seen[of, 2] - seen[of, 0])
+        light = 0.35 + 0.65 * np.abs(normals @ np.array([0.35, 0.6, 0.72])) / np.maximum(lengths, 1e-12)
+        x, y = np.clip(points[:, 0].astype(int), 0, SIZE - 1), np.clip(SIZE - 1 - points[:, 1].astype(int), 0, SIZE - 1)
+        all_pixels.append(y * SIZE + x)
+        depths.append(points[:, 2])
+        numbers.append(np.full(len(of), number))
+        lights.append(light[of])
+    pixels, depths = np.concatenate(all_pixels), np.concatenate(depths)
+    order = np.lexsort((depths, pixels))
+    last = order[np.append(pixels[order][1:] != pixels[order][:-1], True)]
+    part, brightness = np.full(SIZE * SIZE, -1), np.ones(SIZE * SIZE)
+    part[pixels[last]], brightness[pixels[last]] = np.concatenate(numbers)[last], np.concatenate(lights)[last]
+    return part.reshape(SIZE, SIZE), brightness.reshape(SIZE, SIZE)
+
+
+def colour(key):
+    hue = (key * 0.618034) % 1
+    return np.clip(np.abs((hue + np.array([0, 2 / 3, 1 / 3])) % 1 * 6 - 3) - 1, 0, 1) * 0.6 + 0.3
+
+
+def write_png(file, picture):
+    height, width, _ = picture.shape
+    rows = b"".join(b"\0" + row.tobytes() for row in (255 * np.clip(picture, 0, 1)).astype(np.uint8))
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    with open(file, "wb") as out:
+        out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
+                  chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def morphing(frames, tasks):
+    """The share of the area of both shapes that is matched, and of that the share that morphs."""
+    of_part = [{name: area(triangles).sum() for name, triangles in frames[end]} for end in (0, -1)]
+    total, matched, morphs = 0, 0, 0
+    for areas, side in zip(of_part, ("source", "target")):
+        whole = sum(areas.values())
+        kinds = {}
+        for task in tasks:
+            if side in task:
+                kinds.setdefault(task[side], []).append(task)
+        for name, part_area in areas.items():
+            some = kinds.get(name, [])
+            is_morph = any(task["task"] in ("morph", "split", "merge") for task in some)
+            total += part_area / whole
+            if is_morph or any("obstacle" in task for task in some):
+                matched += part_area / whole
+            if is_morph:
+                morphs += part_area / whole
+    return matched / total, morphs / matched if matched else 1
+
+
+def measure(folder, picture):
+    frames = [read_obj(file) for file in sorted(glob.glob(os.path.join(folder, "*.obj")))]
+    with open(folder + ".json") as file:
+        document = json.load(file)
+    tasks = document["tasks"]
+    to_key = [{}, {}]  # a part and its counterpart have one colour
+    for task in tasks:
+        names = [task.get("source"), task.get("target")]
+        key = next((to_key[i][name] for i, name in enumerate(names) if name in to_key[i]), len(to_key[0]) + len(to_key[1]))
+        for known, name in zip(to_key, names):
+            if name:
+                known.setdefault(name, key)
+
+    def key_of(frame, name):
+        a, _, b = (name, "", "") if frame == 0 else ("", "", name) if frame == FRAMES - 1 else name.partition("~")
+        return to_key[0].get(a, to_key[1].get(b, -1))
+    view = eye()
+    points = np.concatenate([(triangles @ view.T).reshape(-1, 3) for frame in frames for _, triangles in frame])
+    low, high = points.min(0), points.max(0)
+    scale = 0.94 * SIZE / max((high - low)[:2])
+    low = (low + high) / 2 - 0.5 * SIZE / scale
+    images = []
+    for i, frame in enumerate(frames):
+        part, light = render(frame, low, scale)
+        keys = np.array([key_of(i, name) for name, _ in frame] + [-2])
+        images.append((keys[part], light))
+    sheet, jump, visible = np.ones((SIZE, SIZE * len(images), 3)), 0, 0
+    for i, (keys, light) in enumerate(images):
+        picture_i = np.ones((SIZE, SIZE, 3))
+        for key in np.unique(keys):
+            if key > -2:
+                picture_i[keys == key] = colour(key) if key >= 0 else 0.7
+        sheet[:, i * SIZE:(i + 1) * SIZE] = picture_i * light[:, :, None]
+        if i:
+            before, union = images[i - 1][0], (images[i - 1][0] > -2) | (keys > -2)
+            jump = max(jump, ((before > -2) != (keys > -2)).sum() / union.sum())
+            visible = max(visible, (before != keys).sum() / union.sum())
+    if picture:
+        write_png(folder + ".png", sheet)
+    matched, morphs = morphing(frames, tasks)
+    return {"matched": matched, "morphs": morphs, "jump": jump, "colour": visible,
+            "loose": max(frame["quality"]["apart"] for frame in document["frames"])}
+
+
+def find_model(folders, category, shape):
+    for folder in folders:
+        for path in (os.path.join(folder, shape), os.path.join(folder, category, shape)):
+            if os.path.isdir(path):
+                return path
+    return None
+
+
+def blend(args, models, name):
+    """Makes the frames; the seconds of processor time."""
+    folder = os.path.join(args.out, name)
+    shutil.rmtree(folder, ignore_errors=True)
+    command = [args.program, "blend", *models, "-o", folder, "--frames", str(FRAMES), "--json", folder + ".json", "-q", "--threads", "1"]
+    if args.cache:
+        command += ["--cache", args.cache]
+    if args.match:
+        command += ["--match", os.path.join(args.match, name + ".json")]
+    used = lambda: sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
+    before = used()
+    subprocess.run(command, check=True)
+    return used() - before
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("out")
+    parser.add_argument("--pairs", required=True)
+    parser.add_argument("--data", nargs="+", required=True)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--cache")
+    parser.add_argument("--match")
+    parser.add_argument("--measure-only", action="store_true")
+    args = parser.parse_args()
+    os.makedirs(args.out, exist_ok=True)
+    with open(args.pairs) as file:
+        pairs = [line.split() for line in file if line.strip() and not line.startswith("#")]
+    rows = []
+    for number, (category, source, target) in enumerate(pairs):
+        name = f"{number:02}_{source}_{target}"
+        models = [find_model(args.data, category, shape) for shape in (source, target)]
+        if None in models or not any(word in name for word in args.only.split(",")):
+            continue
+        seconds = 0 if args.measure_only else blend(args, models, name)
+        row = {**measure(os.path.join(args.out, name), True), "CPU": seconds}
+        if not rows:
+            print("| blend | " + " | ".join(row) + " |\n|---|" + "---|" * len(row))
+        rows.append(row)
+        print(f"| {name} | " + " | ".join(f"{value:.2f}" for value in row.values()) + " |", flush=True)
+    for label, of in (("median", statistics.median), ("mean", statistics.mean)):
+        print(f"| {label} of {len(rows)} | " + " | ".join(f"{of(row[key] for row in rows):.2f}" for key in rows[0]) + " |")
+
+
+if __name__ == "__main__":
+    main()
