@@ -6,7 +6,7 @@
 #include "base/for_each_index.h"
 #include "blend/Blend_stage.h"
 #include "blend/unlike_pairs.h"
-#include "map/piece_of.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 

@@ -4,9 +4,7 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/system/input_file.h"
-#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>

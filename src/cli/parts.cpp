@@ -5,7 +5,6 @@
 #include "cli/collection.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"

@@ -3,7 +3,7 @@
 
 #include "base/library_call.h"
 #include "cli/load_shape.h"
-#include "cli/text.h"
+#include "cli/run.h"
 #include "io/read/model_parts.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"

@@ -3,7 +3,7 @@
 
 #include "io/read/document.h"
 #include "io/read/shipped_roles.h"
-#include "io/system/checked_file.h"
+#include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
 #include "roles/Role_model_data.h"
 

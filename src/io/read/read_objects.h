@@ -54,4 +54,18 @@ std::optional<std::string> digest_of_folder(const std::string& path);
 Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_splitting_options& options,
                                 const Role_model* roles);
 
+struct Part_files
+{
+  std::string name;
+  std::vector<std::string> files;
+};
+
+/// The hierarchy of parts in a PartNet folder: the content of `result_after_merging.json`, or else `result.json`, which
+/// name files in its folder `objs`. None if there is neither file.
+std::optional<std::string> hierarchy_in(const std::string& folder);
+
+/// The parts of such a hierarchy: every node becomes a part of the files listed in the node itself.
+/// \throw Invalid_input
+std::vector<Part_files> parts_of_hierarchy(const std::string& hierarchy);
+
 } // namespace CGAL::Shape_correspondence::IO

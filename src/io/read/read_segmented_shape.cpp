@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
-#include "io/read/part_hierarchy.h"
 #include "io/read/read_objects.h"
 #include "io/read/text_words.h"
-#include "io/system/checked_file.h"
+#include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
-#include "io/system/remedies.h"
 #include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
