@@ -24,6 +24,8 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
+// What commands do with shapes that are loaded; the Python module calls these functions, too
+
 /// Correspondences of two shapes, the best first, and the time in seconds that everything took.
 struct Matched_shapes
 {

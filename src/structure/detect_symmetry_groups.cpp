@@ -19,6 +19,9 @@
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
+using namespace internal;
+using namespace internal::symmetry;
+
 namespace {
 
 constexpr double uneven_spacing = 0.3; ///< deviation of a step of a row from the mean step, over the mean
@@ -135,13 +138,6 @@ void add_rows(const Part_relations& parts, const Copies& copies, Largest_candida
       result.add(std::move(row));
     }
 }
-
-} // namespace
-
-using namespace internal;
-using namespace internal::symmetry;
-
-namespace {
 
 /// Takes the best candidates one after the other until every part is in a group.
 class Group_finder
