@@ -37,30 +37,6 @@ void check(const Energy_matrix_options& options)
     throw Invalid_input("energy_matrix: the energy of unmatched parts must be finite and not negative");
 }
 
-/// Reports finished work to a callback, one call at a time, and records whether the callback ended the work.
-class Shared_progress
-{
-public:
-  Shared_progress(const std::function<bool(std::size_t, std::size_t)>& callback, std::size_t total)
-      : callback_(callback), total_(total)
-  {}
-
-  bool is_ended() const { return ended_; }
-
-  void add_one()
-  {
-    if (!callback_) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!ended_ && !callback_(++done_, total_)) ended_ = true;
-  }
-
-private:
-  const std::function<bool(std::size_t, std::size_t)>& callback_;
-  std::size_t total_, done_ = 0;
-  std::atomic<bool> ended_{false};
-  std::mutex mutex_;
-};
-
 } // namespace
 
 double distance_energy(const Correspondence& correspondence, double unmatched_energy)
@@ -87,7 +63,31 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
   return (correspondence.energy + charged) / double(std::max<std::size_t>(1, counted));
 }
 
-namespace internal {
+namespace internal { // for lambdas of public templates
+
+/// Reports finished work to a callback, one call at a time, and records whether the callback ended the work.
+class Shared_progress
+{
+public:
+  Shared_progress(const std::function<bool(std::size_t, std::size_t)>& callback, std::size_t total)
+      : callback_(callback), total_(total)
+  {}
+
+  bool is_ended() const { return ended_; }
+
+  void add_one()
+  {
+    if (!callback_) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ended_ && !callback_(++done_, total_)) ended_ = true;
+  }
+
+private:
+  const std::function<bool(std::size_t, std::size_t)>& callback_;
+  std::size_t total_, done_ = 0;
+  std::atomic<bool> ended_{false};
+  std::mutex mutex_;
+};
 
 // A pair of shapes, with the indices in a list of the pair and of the reversed pair.
 struct Both_orders
