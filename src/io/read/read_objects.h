@@ -43,11 +43,6 @@ std::optional<std::string> robot_in(const std::string& folder);
 Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options = {},
                            const Complete_looks& complete = {});
 
-/// A digest of everything that `read_objects()` reads from a folder of part meshes: the names and contents of its
-/// files, and the name of the shape. None if it is not such a folder, or has files that name other files.
-/// \throw Invalid_input if a file cannot be read
-std::optional<std::string> digest_of_folder(const std::string& path);
-
 /// Splits objects like `split_parts()`, but in mode `AUTO` pieces end at changes of the material only if that brings
 /// the parts nearer to labelled parts of a category.
 /// \param roles null: pieces never end at changes of the material
