@@ -6,7 +6,7 @@
 #include "options.h"
 #include "work.h"
 
-#include "cli/blend.h"
+#include "cli/jobs.h"
 #include "cli/run.h"
 #include "io/system/atomic_file.h"
 #include "viewer/match_page.h"

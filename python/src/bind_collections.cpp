@@ -7,7 +7,7 @@
 #include "work.h"
 
 #include "cli/collection.h"
-#include "cli/evaluate.h"
+#include "cli/jobs.h"
 #include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>

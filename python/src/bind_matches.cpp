@@ -6,8 +6,8 @@
 #include "options.h"
 #include "work.h"
 
+#include "cli/jobs.h"
 #include "cli/run.h"
-#include "cli/transfer.h"
 #include "io/system/atomic_file.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"

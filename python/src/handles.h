@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "cli/jobs.h"
 #include "cli/load_shape.h"
-#include "cli/match.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>

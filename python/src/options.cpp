@@ -3,8 +3,8 @@
 
 #include "options.h"
 
-#include "cli/blend.h"
-#include "cli/text.h"
+#include "cli/jobs.h"
+#include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/paper_structure_options.h>
 

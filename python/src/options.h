@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "cli/Match_options.h"
+#include "cli/Common_options.h"
 #include "cli/collection.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>

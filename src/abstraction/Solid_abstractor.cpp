@@ -5,10 +5,11 @@
 #include "abstraction/bounding_box.h"
 #include "abstraction/fit_sheet.h"
 #include "abstraction/inside_test.h"
-#include "abstraction/remesh.h"
 #include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
 #include "base/Nearest_points.h"
+
+#include <CGAL/Shape_correspondence/abstract_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,3 +155,23 @@ void Solid_abstractor::use_prism(std::variant<Curve, Sheet> geometry)
 }
 
 } // namespace CGAL::Shape_correspondence::internal
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
+
+Part_abstraction Bounding_box_abstraction::operator()(const Shape_part& part, const Abstraction_options& options) const
+{
+  const Oriented_box box = oriented_box(part.mesh.points);
+  const Abstraction_kind kind = options.kind_of(part.name);
+  const bool is_sheet = kind == Abstraction_kind::AUTOMATIC ? is_flat(box.extents) : kind == Abstraction_kind::SHEET;
+  Part_abstraction result;
+  if (is_sheet)
+    result.geometry = medial_sheet(box, options.sheet_points);
+  else
+    result.geometry = medial_curve(box, options.curve_points);
+  result.report.method = Abstraction_report::Method::BOUNDING_BOX;
+  result.report.blob = !is_sheet && is_compact(box.extents);
+  return result;
+}
+
+} // namespace CGAL::Shape_correspondence

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "abstraction/deadline.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
 #include "abstraction/repair.h"

@@ -5,22 +5,195 @@
 #include "abstraction/bounding_box.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
-#include "abstraction/intrinsic_extent.h"
+#include "abstraction/inside_test.h"
 #include "abstraction/medial_poles.h"
 #include "abstraction/recognize_prism.h"
-#include "abstraction/revolution_axis.h"
 #include "abstraction/skeletonize.h"
-#include "abstraction/straight_curve.h"
+#include "abstraction/spatial_graph.h"
+#include "base/Nearest_points.h"
+#include "base/eigen_system.h"
 #include "shape/convex_hull.h"
 
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
 
 namespace {
+
+struct Revolution_axis
+{
+  Point centre;
+  Point direction;
+  double height = 0;      ///< height of most of the surface, without thin axles
+  double slenderness = 0; ///< height over the diameter of most of the surface
+  double deviation = 0;   ///< distance by which rotation moves the surface off itself, over the largest radius
+
+  /// The part of the axis within the extent of the points.
+  Curve curve(const Points& points, int control_points) const
+  {
+    const Eigen::RowVectorXd heights = direction.transpose() * (points.colwise() - centre);
+    Curve result;
+    result.points.resize(3, control_points);
+    for (int i = 0; i < control_points; ++i) {
+      const double t = i / (control_points - 1.);
+      result.points.col(i) = centre + ((1 - t) * heights.minCoeff() + t * heights.maxCoeff()) * direction;
+    }
+    return result;
+  }
+};
+
+double quantile(Eigen::RowVectorXd values, double fraction)
+{
+  std::sort(values.data(), values.data() + values.size());
+  return values[Eigen::Index(fraction * double(values.size() - 1))];
+}
+
+/// Candidate directions of an axis of revolution: the coordinate axes, the principal axes and, since principal axes of
+/// a compact body may be arbitrary, the direction of its skewness.
+std::vector<Point> axis_candidates(const Points& centred)
+{
+  std::vector<Point> result{Point::UnitY(), Point::UnitX(), Point::UnitZ()};
+  const Eigen::Matrix3d principal_axes = eigen_system(scatter_matrix(centred)).vectors;
+  for (int k = 0; k < 3; ++k)
+    result.push_back(principal_axes.col(k));
+  const Point skewness = centred * centred.colwise().squaredNorm().transpose();
+  if (skewness.norm() > 0) result.push_back(skewness.normalized());
+  return result;
+}
+
+/// The axis about which rotation hardly changes the surface; none if there is no such axis. A hexagonal prism passes, a
+/// square one does not. \param surface evenly spread points \param spacing their distance
+std::optional<Revolution_axis> revolution_axis(const Points& surface, double spacing)
+{
+  // Largest distance by which rotation moves points off the surface, over the largest radius
+  const double tolerance = 0.16;
+  const double clearly = 0.02; // least difference of that by which a later axis is better
+  const double gap = 0.6;      // distance between two samplings of the same surface, over their spacing
+  const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};
+  const Point centre = surface.rowwise().mean();
+  const Points centred = surface.colwise() - centre;
+  const Nearest_points points(centred);
+  std::optional<Revolution_axis> result;
+  double least = tolerance;
+  for (const Point& direction : axis_candidates(centred)) {
+    const Eigen::RowVectorXd heights = direction.transpose() * centred;
+    const Eigen::RowVectorXd radii = (centred - direction * heights).colwise().norm();
+    const double most = (least - clearly) * radii.maxCoeff() + gap * spacing;
+    double deviation = 0;
+    for (double turn : turns) {
+      const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn, direction).toRotationMatrix();
+      // Strides make successive angles differ much, so that parts that are not round are rejected early
+      const Eigen::Index strides = 16;
+      for (Eigen::Index first = 0; first < strides; ++first) {
+        for (Eigen::Index i = first; i < centred.cols() && deviation <= most; i += strides)
+          deviation = std::max(deviation, points.distance(rotation * centred.col(i)));
+      }
+    }
+    if (deviation <= most) {
+      least = std::max(0., deviation - gap * spacing) / radii.maxCoeff();
+      const double few = 0.1; // share of the points left out at either end
+      const double height = quantile(heights, 1 - few) - quantile(heights, few);
+      result = {centre, direction, height, height / (2 * quantile(radii, 1 - few)), least};
+    }
+  }
+  return result;
+}
+
+struct Line
+{
+  Point centre;
+  Point direction;
+
+  Points offsets(const Points& points) const
+  {
+    const Points relative = points.colwise() - centre;
+    return relative - direction * (direction.transpose() * relative);
+  }
+};
+
+Line principal_line(const Points& points)
+{
+  const Point centre = points.rowwise().mean();
+  return {centre, eigen_system(scatter_matrix(points.colwise() - centre)).vectors.col(2)};
+}
+
+constexpr int sections_of_a_rod = 12;
+
+/// The medial axis of a rod, divided into sections along a line.
+struct Rod_sections
+{
+  Points centres = Points::Zero(3, sections_of_a_rod);
+  Eigen::ArrayXd radii = Eigen::ArrayXd::Zero(sections_of_a_rod); ///< mean distances of the surface from the axis
+  /// Root mean square distances of the axis from the sections' centres.
+  Eigen::ArrayXd spreads = Eigen::ArrayXd::Zero(sections_of_a_rod);
+  Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(sections_of_a_rod);
+};
+
+Rod_sections rod_sections(const Points& axis, const Points& surface, const Line& line)
+{
+  const Eigen::RowVectorXd heights = line.direction.transpose() * (axis.colwise() - line.centre);
+  const double low = heights.minCoeff(), height = heights.maxCoeff() - low;
+  const auto section = [&](Eigen::Index v) {
+    return clamped_cell((heights[v] - low) / height * sections_of_a_rod, sections_of_a_rod - 1);
+  };
+  Rod_sections result;
+  for (Eigen::Index v = 0; v < axis.cols(); ++v) {
+    result.centres.col(section(v)) += axis.col(v);
+    result.radii[section(v)] += (axis.col(v) - surface.col(v)).norm();
+    ++result.counts[section(v)];
+  }
+  const Eigen::ArrayXd counts = result.counts.max(1);
+  result.centres.array().rowwise() /= counts.transpose();
+  result.radii /= counts;
+  for (Eigen::Index v = 0; v < axis.cols(); ++v) {
+    const Point offset = axis.col(v) - result.centres.col(section(v));
+    result.spreads[section(v)] += (offset - line.direction.dot(offset) * line.direction).squaredNorm();
+  }
+  result.spreads = (result.spreads / counts).sqrt();
+  return result;
+}
+
+/// The curve of a straight rod of any profile: the line through the centres of its medial axis, extended to the
+/// surface. None if the part is bent, branches, or is too wide for its thickness.
+/// \param axis the medial poles of the vertices of `solid`
+/// \param is_convex whether the solid is convex: it then has no branches, and may be wide for its thickness
+std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& solid, int control_points,
+                                           bool is_convex)
+{
+  // Relative to the distance of the surface from the axis there, for a convex part plus the spread
+  const double most_offset = 0.1; // distance of the centre of a section from the line
+  const double most_spread = 1;   // spread of the medial axis about it
+  const double fewest = 3;        // number of points in a section
+  const Rod_sections sections = rod_sections(axis, solid.points, principal_line(axis));
+  if (sections.counts.minCoeff() < fewest || !(is_convex || (sections.spreads <= most_spread * sections.radii).all()))
+    return std::nullopt;
+  const Line line = principal_line(sections.centres);
+  const Eigen::ArrayXd offsets = line.offsets(sections.centres).colwise().norm().transpose();
+  // Centres of wide sections are uncertain, since samples are uneven
+  const Eigen::ArrayXd sizes = is_convex ? Eigen::ArrayXd(sections.radii + sections.spreads) : sections.radii;
+  if (!(offsets <= most_offset * sizes).all()) return std::nullopt;
+  const Eigen::RowVectorXd heights = line.direction.transpose() * (sections.centres.colwise() - line.centre);
+  Fitted_curve result;
+  result.curve.points.resize(3, 2);
+  result.curve.points.col(0) = line.centre + heights.minCoeff() * line.direction;
+  result.curve.points.col(1) = line.centre + heights.maxCoeff() * line.direction;
+  const Nearest_points surface(solid.points);
+  const Inside_test is_inside(solid);
+  extend_end(result.curve, false, surface, is_inside);
+  extend_end(result.curve, true, surface, is_inside);
+  result.curve.points = sample(result.curve, control_points);
+  result.residual = std::sqrt(offsets.square().mean());
+  return result;
+}
 
 /// Whether the medial axis of a part is a layer, as in a thick cushion. That of a block has sheets towards the edges;
 /// that of a pebble is hardly more than a point.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "abstraction/remesh.h"
 #include "abstraction/Closed_triangulation.h"
+#include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
 #include "shape/Triangle_tree.h"
 

@@ -3,12 +3,21 @@
 
 #pragma once
 
-#include "abstraction/deadline.h"
+#include "base/deadline.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
+#include <stdexcept>
+
 namespace CGAL::Shape_correspondence::internal {
+
+/// Thrown if the flow cannot treat a part; the message says why. Does not leave this room.
+class Flow_failure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 /// A part repaired for the flow.
 struct Repaired_part
@@ -22,5 +31,12 @@ struct Repaired_part
 /// Makes a part closed and connected: its dominant component with holes filled, or a wrap around everything.
 /// \throw Flow_failure
 Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
+
+/// Remeshes to triangles of uniform size, as the flow needs them: a leg of eight vertices would collapse to a point.
+/// Splits and collapses edges and spreads vertices over the surface (Botsch and Kobbelt 2004, without edge flips).
+/// Remeshing takes most of the time, and CGAL's `isotropic_remeshing()` three times as many instructions.
+/// \pre `solid` is a closed manifold
+/// \throw Flow_failure
+Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "abstraction/deadline.h"
+#include "abstraction/repair.h"
 #include "abstraction/spatial_graph.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>

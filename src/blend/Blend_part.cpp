@@ -7,7 +7,7 @@
 #include "base/quantized.h"
 #include "blend/Blend_stage.h"
 #include "blend/unlike_pairs.h"
-#include "map/piece_of.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 

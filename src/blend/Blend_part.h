@@ -6,7 +6,7 @@
 #include "blend/Part_morph.h"
 #include "blend/Rest_surface.h"
 #include "map/Charted_mesh.h"
-#include "map/matched_members.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 

@@ -5,7 +5,7 @@
 
 #include "base/quantized.h"
 #include "base/quarter_turn.h"
-#include "map/Surface_pair.h"
+#include "map/Piece_pair.h"
 
 #include <algorithm>
 #include <cmath>

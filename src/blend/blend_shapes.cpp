@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blend/schedules.h"
-#include "map/check_model.h"
+#include "map/Piece_pair.h"
 #include "matching/check_correspondence.h"
 #include "matching/unlikely_pairs.h"
 #include "shape/has_area.h"

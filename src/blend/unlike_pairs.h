@@ -4,7 +4,6 @@
 #pragma once
 
 #include "map/Piece_pair.h"
-#include "map/matched_members.h"
 #include "shape/Triangle_tree.h"
 
 #include <array>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/Common_options.h"
+#include "cli/load_shape.h"
 
 #include <cstddef>
 #include <iosfwd>
@@ -80,5 +81,32 @@ std::unique_ptr<Command> label_command();
 std::unique_ptr<Command> demo_command();
 std::unique_ptr<Command> completion_command();
 std::unique_ptr<Command> help_command();
+
+class Pair_command : public Command
+{
+protected:
+  explicit Pair_command(const char* text) : Command(text, 2, 2) {}
+
+  /// Adds the option for reading the correspondence from a file.
+  void add_result_option(Option_table::Group& add);
+  /// Adds the options for the match and the shapes, after those of the specific command.
+  void add_shared_options();
+
+  void check() override;
+
+  /// Loads the shapes, and resolves the parts named by options.
+  void load();
+  /// The correspondence, read or computed.
+  Correspondence correspondence() const;
+
+  const Loaded_shape& source() const { return shapes[0]; }
+  const Loaded_shape& target() const { return shapes[1]; }
+
+  Match_options match;
+  std::string result; ///< result file of `match --json`; empty: the correspondence is computed
+  Search_options search;
+  std::vector<Loaded_shape> shapes;
+  std::vector<std::string> warnings; ///< about the shapes and examples
+};
 
 } // namespace CGAL::Shape_correspondence::cli

@@ -3,7 +3,7 @@
 
 #include "cli/Common_options.h"
 
-#include "cli/text.h"
+#include "cli/run.h"
 #include "io/system/input_file.h"
 
 #include <algorithm>

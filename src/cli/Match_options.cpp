@@ -1,10 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/Match_options.h"
 #include "base/number_text.h"
+#include "cli/Common_options.h"
 #include "cli/labels.h"
-#include "cli/text.h"
+#include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/paper_structure_options.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Option_table.h"
-#include "cli/text.h"
+#include "cli/run.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>

@@ -79,7 +79,6 @@ struct Option
   Option& words(std::vector<std::string> all) { return known = std::move(all), *this; }
   Option& at_least(double number) { return least = number, *this; }
   Option& between(double from, double to) { return least = from, greatest = to, *this; }
-  Option& strictly_between(double from, double to) { return excludes_ends = true, between(from, to); }
   Option& more_than(double number) { return excludes_ends = true, at_least(number); }
   Option& without_default() { return shows_default = false, *this; }
   Option& required() { return is_required = true, *this; }

@@ -3,11 +3,10 @@
 
 #include "cli/collection.h"
 #include "cli/Command.h"
-#include "cli/Match_options.h"
+#include "cli/Common_options.h"
 #include "cli/labels.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/IO/collection_json.h>

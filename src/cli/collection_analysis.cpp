@@ -3,7 +3,7 @@
 
 #include "cli/collection.h"
 #include "cli/load_shape.h"
-#include "cli/text.h"
+#include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/topological_medoid.h>

@@ -5,12 +5,10 @@
 #include "cli/collection.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
-#include "cli/text.h"
-#include "io/read/Json_field.h"
+#include "io/read/document.h"
 #include "io/read/model_parts.h"
-#include "io/read/part_hierarchy.h"
+#include "io/read/read_objects.h"
 #include "io/system/atomic_file.h"
-#include "io/system/checked_file.h"
 #include "io/system/input_file.h"
 #include "io/write/Json.h"
 
@@ -297,11 +295,6 @@ std::optional<Segmented_shape> Collection_shapes::model(std::size_t shape, const
   try {
     Read_model read = read_model(wanted.path, options);
     if (mapped(read.split.shape.parts(), &Shape_part::name) != wanted.parts) return std::nullopt;
-    if (read.is_up_estimated) { // the axis of the graph may have been found by roles
-      Eigen::Index axis = 1;
-      structure(graph(shape)).frame.axes.col(1).cwiseAbs().maxCoeff(&axis);
-      read.split.shape.set_up(Point::Unit(axis));
-    }
     return std::move(read.split.shape);
   } catch (const Invalid_input&) { // removed meanwhile
   }

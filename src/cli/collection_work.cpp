@@ -3,9 +3,7 @@
 
 #include "cli/collection.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/system/atomic_file.h"
-#include "io/system/checked_file.h"
 #include "io/system/little_endian.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>

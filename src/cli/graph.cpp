@@ -4,7 +4,6 @@
 #include "cli/Command.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/read/report_text.h"
 #include "io/system/quoting.h"
 

@@ -4,7 +4,6 @@
 #include "cli/labels.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/system/input_file.h"
 #include "roles/Role_trainer.h"
 

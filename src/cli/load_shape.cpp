@@ -4,9 +4,7 @@
 #include "cli/load_shape.h"
 #include "base/for_each_index.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/system/input_file.h"
-#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
@@ -14,6 +12,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -40,25 +39,20 @@ std::optional<bool> is_of_flow(const Structural_graph& graph)
   return std::nullopt;
 }
 
-void load_graph(const Common_options& common, Loaded_shape& shape)
+Loaded_shape read_graph(const std::string& path, const Common_options& common)
 {
-  const std::string& path = shape.path;
   const Structure_options& options = common.structure;
   const double begin = now();
+  Loaded_shape shape;
+  shape.path = path;
+  shape.reading = common.reading_options();
   std::ifstream in = IO::open_input(path);
   shape.graph = IO::read_structural_graph_json(in, path, options);
   const bool is_flow_wanted = options.abstraction.abstractor.target<Mean_curvature_abstraction>() != nullptr;
   if (const std::string note = note_on_abstraction(shape.graph, is_flow_wanted); !note.empty())
     structure(shape.graph).warnings.push_back(note);
   shape.read_seconds = now() - begin;
-}
-
-void build_graph(const Structure_options& options, Loaded_shape& shape)
-{
-  Structure_times times;
-  shape.graph = build_structural_graph<CGAL::Parallel_if_available_tag>(*shape.model, options, &times);
-  shape.abstraction_seconds += times.abstraction;
-  shape.structure_seconds += times.structure;
+  return shape;
 }
 
 /// \throw Invalid_input if the model has too few or too many parts
@@ -86,14 +80,12 @@ void with_cache(const Common_options& common, const std::string& consequence, co
   }
 }
 
-/// Builds the graph of a model, or finds it in the cache. \param model its parts are moved to the shape
-void load_model(Read_model& model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
+/// Builds the graph of a model, or finds it in the cache.
+Structural_graph graph_of(const Segmented_shape& model, const Common_options& common, const Structure_options& options,
+                          Loaded_shape& shape)
 {
   const double begin = now();
-  check_has_parts(model.split, common);
-  shape.split = std::move(model.split);
-  shape.model = shape.split.shape;
-  const std::string content = IO::content_hash(*shape.model, options);
+  const std::string content = IO::content_hash(model, options);
   std::optional<Structural_graph> known;
   with_cache(common, "", [&](const IO::Structural_graph_cache& cache) {
     known = cache.find(content);
@@ -101,25 +93,26 @@ void load_model(Read_model& model, const Common_options& common, const Structure
       warn(common, common.cache + ": a graph in it is damaged; it is made again");
   });
   shape.read_seconds += now() - begin;
-  if (known) {
-    shape.graph = std::move(*known);
-  } else {
-    build_graph(options, shape);
-    structure(shape.graph).content = content;
-    with_cache(common, "; the graph is not kept", [&](const auto& cache) { cache.insert(shape.graph); });
-  }
-  // Not cached, since the same parts may have been found in other ways
-  structure(shape.graph).automatic_parts = shape.split.by_segments;
-  std::vector<std::string>& warnings = structure(shape.graph).warnings;
-  warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
+  if (known) return std::move(*known);
+  Structure_times times;
+  Structural_graph graph = build_structural_graph<CGAL::Parallel_if_available_tag>(model, options, &times);
+  shape.abstraction_seconds = times.abstraction;
+  shape.structure_seconds = times.structure;
+  structure(graph).content = content;
+  with_cache(common, "; the graph is not kept", [&](const auto& cache) { cache.insert(graph); });
+  return graph;
 }
 
-/// Builds the graph again after the upright axis of the objects has changed.
-void load_turned(Read_model& model, const Common_options& common, const Structure_options& options, Loaded_shape& shape)
+/// Throws `Usage_error` if an option names a part that none of the shapes has.
+void check_part_kinds(const Common_options& options, const std::vector<Loaded_shape>& shapes)
 {
-  model.split = std::move(shape.split);
-  model.split.shape.set_up(model.objects.up());
-  load_model(model, common, options, shape);
+  std::vector<std::string> parts;
+  for (const Loaded_shape& shape : shapes)
+    append(parts, part_names(shape.graph));
+  for (const auto& [part, kind] : options.structure.abstraction.part_kinds)
+    if (std::find(parts.begin(), parts.end(), part) == parts.end())
+      throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
+                        "; `shape_correspondence graph` lists the parts");
 }
 
 } // namespace
@@ -158,81 +151,36 @@ void rethrow_about(const std::string& path)
   }
 }
 
-namespace {
-
-/// Calls `load` with options and the shape to fill in; errors name `path`.
-template <typename Load>
-Loaded_shape loaded(const std::string& path, const Common_options& common, const Load& load)
+Loaded_shape load_shape(const std::string& path, const Common_options& options)
 {
-  Progress_bar bar(common, path);
-  Structure_options options = common.structure;
-  options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
-  return with_path(path, [&] {
-    Loaded_shape shape;
-    shape.path = path;
-    shape.reading = common.reading_options();
-    load(options, shape);
-    return shape;
-  });
-}
-
-Loaded_shape build_shape(const std::string& path, const Common_options& common)
-{
-  return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
-    const double begin = now();
-    Read_model model = read_model(path, common);
-    shape.read_seconds = now() - begin;
-    load_model(model, common, options, shape);
-    if (!common.roles || !model.is_up_estimated) return;
-    const std::optional<Point> up = up_by_roles(model, shape.graph, *common.roles);
-    if (!up || *up == shape.model->up()) return;
-    turn_by_roles(*up, model);
-    load_turned(model, common, options, shape);
-  });
-}
-
-/// Throws `Usage_error` if an option names a part that none of the shapes has.
-void check_part_kinds(const Common_options& options, const std::vector<Loaded_shape>& shapes)
-{
-  std::vector<std::string> parts;
-  for (const Loaded_shape& shape : shapes)
-    append(parts, part_names(shape.graph));
-  for (const auto& [part, kind] : options.structure.abstraction.part_kinds)
-    if (std::find(parts.begin(), parts.end(), part) == parts.end())
-      throw Usage_error("--part-kind: there is no part '" + part + "'" + suggestion(part, parts) +
-                        "; `shape_correspondence graph` lists the parts");
-}
-
-} // namespace
-
-Loaded_shape load_shape(const std::string& path, const Common_options& common)
-{
-  if (!is_graph_file(path)) return build_shape(path, common);
-  Loaded_shape shape;
-  shape.path = path;
-  shape.reading = common.reading_options();
-  with_path(path, [&] { load_graph(common, shape); });
+  if (is_graph_file(path)) return with_path(path, [&] { return read_graph(path, options); });
+  const double begin = now();
+  Read_model model = read_model(path, options);
+  const double seconds = now() - begin;
+  Loaded_shape shape = load_shape(path, std::move(model), options);
+  shape.read_seconds += seconds;
   return shape;
 }
 
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& common)
 {
-  return loaded(path, common, [&](const Structure_options& options, Loaded_shape& shape) {
-    load_model(model, common, options, shape);
+  Progress_bar bar(common, path);
+  Structure_options options = common.structure;
+  options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
+  return with_path(path, [&] {
+    check_has_parts(model.split, common);
+    Loaded_shape shape;
+    shape.path = path;
+    shape.reading = common.reading_options();
+    shape.split = std::move(model.split);
+    shape.model = shape.split.shape;
+    shape.graph = graph_of(*shape.model, common, options, shape);
+    // Not cached, since the same parts may have been found in other ways
+    structure(shape.graph).automatic_parts = shape.split.by_segments;
+    std::vector<std::string>& warnings = structure(shape.graph).warnings;
+    warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
+    return shape;
   });
-}
-
-void find_up_by_roles(const std::string& path, const Common_options& options, Read_model& model)
-{
-  if (!options.roles || !model.is_up_estimated || model.split.shape.parts().size() < 2) return;
-  try {
-    const Loaded_shape shape = load_shape(path, model, options);
-    const std::optional<Point> up = up_by_roles(model, shape.graph, *options.roles);
-    if (!up || *up == model.objects.up()) return;
-    turn_by_roles(*up, model);
-    model.split.shape.set_up(*up);
-  } catch (const Invalid_input&) {
-  }
 }
 
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
@@ -249,43 +197,14 @@ std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, con
 std::vector<Loaded_shape> load_pair(const std::vector<std::string>& paths, Common_options& options,
                                     std::vector<std::string>& warnings)
 {
-  Pair_axes axes = unknown_axes(paths, options);
-  if (!axes.is_unknown[0] && !axes.is_unknown[1]) return load_shapes(paths, options);
+  const double begin = now();
+  std::vector<Read_model> models = read_pair(paths, options, warnings);
+  if (models.empty()) return load_shapes(paths, options);
+  const double seconds = now() - begin;
   std::vector<Loaded_shape> shapes(2);
-  std::array<IO::Model_objects, 2> objects;
-  internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
-    const double begin = now();
-    const Common_options of_input = options.of_input(i);
-    objects[i] = with_path(
-        paths[i], [&] { return IO::read_objects(paths[i], of_input.up_vector(), of_input.reading_options()); });
-    shapes[i].read_seconds = now() - begin;
-  });
-  for (std::size_t i = 0; i < 2; ++i)
-    axes.is_unknown[i] = axes.is_unknown[i] && !objects[i].says_up;
-  std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);
-  std::array<Read_model, 2> models;
-  internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
-    const double seconds = shapes[i].read_seconds;
-    const Common_options of_input = options.of_input(i);
-    shapes[i] = loaded(paths[i], of_input, [&](const Structure_options& structure, Loaded_shape& shape) {
-      models[i] = model_of_objects(paths[i], std::move(objects[i]), of_input);
-      load_model(models[i], of_input, structure, shape);
-      if (options.roles && axes.is_unknown[i]) axes.by_roles[i] = up_by_roles(models[i], shape.graph, *options.roles);
-    });
-    shapes[i].read_seconds += seconds;
-  });
-  if (axes.by_roles[0] || axes.by_roles[1]) {
-    of_axes = find_up_of_pair(paths, axes, {&models[0].objects, &models[1].objects}, options);
-    internal::for_each_index<CGAL::Parallel_if_available_tag>(2, [&](std::size_t i) {
-      if (models[i].objects.up() == shapes[i].model->up()) return;
-      const Common_options of_input = options.of_input(i);
-      shapes[i] = loaded(paths[i], of_input, [&](const Structure_options& structure, Loaded_shape& shape) {
-        shape = std::move(shapes[i]);
-        load_turned(models[i], of_input, structure, shape);
-      });
-    });
-  }
-  append(warnings, of_axes);
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(
+      2, [&](std::size_t i) { shapes[i] = load_shape(paths[i], std::move(models[i]), options.of_input(i)); });
+  shapes[0].read_seconds += seconds; // the two were read at the same time
   check_part_kinds(options, shapes);
   return shapes;
 }

@@ -11,7 +11,6 @@
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,39 +32,18 @@ struct Read_model
 /// The name of an upright axis: x, y, z, -x, -y or -z.
 std::string axis_name(const Point& axis);
 
-/// Finds the upright axis of the objects and splits them into parts, according to the options. \throw Invalid_input
+/// Finds the upright axis of the objects and splits them into parts, according to the options. With `options.roles`, an
+/// axis that nothing says is corrected by the roles of the parts, if they are clear. \throw Invalid_input
 Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options);
 
 /// Reads a model, finds its upright axis and splits it into parts, according to the options. In mode `auto` the files
 /// of a folder of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
-/// The upright axis of a model estimated by the roles of its parts. None unless the parts are clearly nearer to
-/// labelled parts of a category than with any other axis, or are nearer and the model stands most stably on it.
-/// \param graph graph of the model's parts
-std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph& graph, const Role_model& roles);
-
-/// Sets the upright axis of a model's objects to one found by roles, and replaces the warning about it.
-void turn_by_roles(const Point& up, Read_model& model);
-
-/// If the model's axis is an estimate, finds it by the roles of the parts, as commands do that abstract the parts.
-/// Errors in the parts are left to those commands.
-void find_up_by_roles(const std::string& path, const Common_options& options, Read_model& model);
-
-/// The upright axes of two inputs that are estimated together, by input.
-struct Pair_axes
-{
-  std::array<bool, 2> is_unknown{};
-  std::array<std::optional<Point>, 2> by_roles; ///< estimated by roles; empty: not estimated so
-};
-
-/// The axes to estimate together: if both inputs are models, and no option concerns the axis of only one of them, those
-/// given neither by options nor by files.
-Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options);
-
-/// Estimates these axes and sets them in the shapes and in `options.of_pair`. \return warnings
-std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
-                                         const std::array<Segmented_shape*, 2>& shapes, Common_options& options);
+/// Reads two models whose upright axes nothing says, which are then estimated together; empty if that is not so.
+/// \param options receives the estimated axes \param warnings receives the warnings about them
+std::vector<Read_model> read_pair(const std::vector<std::string>& paths, Common_options& options,
+                                  std::vector<std::string>& warnings);
 
 /// An input of a command: its structural graph, its model if it is one, and the seconds taken.
 struct Loaded_shape

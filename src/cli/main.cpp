@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
+#include "io/system/input_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/quoting.h"
-#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/version.h>

@@ -1,10 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/match.h"
-#include "cli/Pair_command.h"
+#include "cli/Command.h"
+#include "cli/jobs.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/system/quoting.h"
 #include "io/write/part_labels.h"
 #include "texture/dressed_meshes.h"

@@ -5,7 +5,6 @@
 #include "cli/collection.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
-#include "cli/text.h"
 #include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
@@ -269,7 +268,6 @@ private:
       const std::string title = fs::path(path).stem().string();
       try {
         Read_model model = read_model(path, common);
-        find_up_by_roles(path, common, model);
         write_parts(output_, path, common, model);
         if (common.prints_table()) print_model(path, model, common.verbose);
         if (!common.html.empty()) sheet.add(title, model.objects, model.split, roles_of(model), summary(model));

@@ -1,19 +1,23 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/for_each_index.h"
 #include "base/library_call.h"
+#include "base/limits.h"
 #include "cli/load_shape.h"
-#include "cli/text.h"
+#include "cli/run.h"
 #include "io/read/model_parts.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "roles/up_by_roles.h"
 #include "shape/Shape_in_frame.h"
+#include "structure/outline_graph.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -101,28 +105,85 @@ void warn_of_changes(const std::string& path, Read_model& model)
                            path + "` says why.");
 }
 
-bool is_model(const std::string& path) { return is_folder(path) || IO::is_model_file(path); }
-
-} // namespace
-
-std::string axis_name(const Point& axis)
+IO::Model_objects objects_in(const std::string& path, const Common_options& options)
 {
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  return (axis[largest] < 0 ? "-" : "") + std::string(1, "xyz"[largest]);
+  return IO::read_objects(path, options.up_vector(), options.reading_options());
 }
 
+/// The upright axis of a model estimated by the roles of its parts. None unless the parts are clearly nearer to
+/// labelled parts of a category than with any other axis, or are nearer and the model stands most stably on it.
+std::optional<Point> up_by_roles(const Read_model& model, const Role_model* roles)
+{
+  const std::size_t parts = model.split.shape.parts().size();
+  if (!roles || parts < 2 || parts > internal::most_parts) return std::nullopt;
+  const internal::Up_by_roles found = internal::up_by_roles(internal::outline_graph(model.split.shape),
+                                                            internal::frames_by_axis(model.objects), *roles);
+  const Point up = Point::Unit(Eigen::Index(found.axis));
+  if (found.is_clear || (found.is_nearer && estimate_up(model.objects).up == up)) return up;
+  return std::nullopt;
+}
+
+/// Replaces an estimated upright axis, and the warning about it, by what the roles of the parts say.
+void turn_by_roles(const Common_options& options, Read_model& model)
+{
+  if (!model.is_up_estimated) return;
+  const std::optional<Point> up = up_by_roles(model, options.roles.get());
+  if (!up || *up == model.objects.up()) return;
+  model.objects.set_up(*up);
+  model.split.shape.set_up(*up);
+  model.up_confidence = 1;
+  std::vector<std::string>& warnings = model.warnings;
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
+                                [](const std::string& warning) { return warning.rfind(warning_of_up, 0) == 0; }),
+                 warnings.end());
+  if (*up != Point::UnitY()) warnings.push_back(warning_of(*up, likeness, "--up"));
+}
+
+/// Splits the objects of a model into parts. \param objects as they were read
+void split_objects(const std::string& path, const IO::Model_objects& objects, const Common_options& options,
+                   Read_model& model)
+{
+  if (!options.parts_from.empty() && !options.has_face_labels()) {
+    model.split = IO::split_parts_by_json(model.objects, options.parts_from, objects.materials);
+    return;
+  }
+  Part_splitting_options splitting;
+  const bool are_parts = is_folder(path) || objects.are_labelled;
+  splitting.mode = options.parts == Part_splitting::AUTO && are_parts ? Part_splitting::FILE : options.parts;
+  splitting.materials = objects.materials;
+  model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
+  if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);
+  if (splitting.mode == Part_splitting::SEGMENTS)
+    model.warnings.insert(model.warnings.begin(), "The parts come from an automatic segmentation.");
+  if (model.split.pieces_left_out > 0 && splitting.mode != Part_splitting::FILE)
+    model.warnings.push_back("Loose pieces that were left out, since they have no area: " +
+                             std::to_string(model.split.pieces_left_out) + ".");
+  if (model.split.pieces_kept_whole > 0)
+    model.warnings.push_back("Pieces that were not divided into segments, since they have no inside: " +
+                             std::to_string(model.split.pieces_kept_whole) + "; repair their triangles.");
+}
+
+/// The upright axes of two inputs that are estimated together, by input.
+struct Pair_axes
+{
+  std::array<bool, 2> is_unknown{};
+  std::array<std::optional<Point>, 2> by_roles; ///< estimated by roles; empty: not estimated so
+};
+
+/// The axes to estimate together: if both inputs are models, and no option concerns the axis of only one of them, those
+/// given neither by options nor by files.
 Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_options& options)
 {
   Pair_axes result;
   for (std::size_t i = 0; i < 2; ++i) {
     const Common_options of_input = options.of_input(i);
-    if (!is_model(paths[i]) || of_input.finds_up()) return {};
+    if (!(is_folder(paths[i]) || IO::is_model_file(paths[i])) || of_input.finds_up()) return {};
     result.is_unknown[i] = is_up_unknown(paths[i], of_input);
   }
   return result;
 }
 
+/// Estimates these axes and sets them in the shapes and in `options.of_pair`. \return warnings
 std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
                                          const std::array<Segmented_shape*, 2>& shapes, Common_options& options)
 {
@@ -145,31 +206,18 @@ std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, 
   return warnings;
 }
 
-std::optional<Point> up_by_roles(const Read_model& model, const Structural_graph& graph, const Role_model& roles)
-{
-  const Segmented_shape& objects = model.objects;
-  const internal::Up_by_roles found = internal::up_by_roles(graph, internal::frames_by_axis(objects), roles);
-  const Point up = Point::Unit(Eigen::Index(found.axis));
-  if (found.is_clear || (found.is_nearer && estimate_up(objects).up == up)) return up;
-  return std::nullopt;
-}
+} // namespace
 
-void turn_by_roles(const Point& up, Read_model& model)
+std::string axis_name(const Point& axis)
 {
-  model.objects.set_up(up);
-  model.up_confidence = 1;
-  std::vector<std::string>& warnings = model.warnings;
-  warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
-                                [](const std::string& warning) { return warning.rfind(warning_of_up, 0) == 0; }),
-                 warnings.end());
-  if (up != Point::UnitY()) warnings.push_back(warning_of(up, likeness, "--up"));
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return (axis[largest] < 0 ? "-" : "") + std::string(1, "xyz"[largest]);
 }
 
 Read_model read_model(const std::string& path, const Common_options& options)
 {
-  return with_path(path, [&] {
-    return model_of_objects(path, IO::read_objects(path, options.up_vector(), options.reading_options()), options);
-  });
+  return with_path(path, [&] { return model_of_objects(path, objects_in(path, options), options); });
 }
 
 Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options)
@@ -184,25 +232,37 @@ Read_model model_of_objects(const std::string& path, IO::Model_objects objects, 
   find_up(path, objects.says_up, options, model);
   model.faces = std::move(objects.faces);
   model.number_of_faces = objects.number_of_faces;
-  if (!options.parts_from.empty() && !options.has_face_labels()) {
-    model.split = IO::split_parts_by_json(model.objects, options.parts_from, objects.materials);
-    return model;
-  }
-  Part_splitting_options splitting;
-  const bool are_parts = is_folder(path) || objects.are_labelled;
-  splitting.mode = options.parts == Part_splitting::AUTO && are_parts ? Part_splitting::FILE : options.parts;
-  splitting.materials = std::move(objects.materials);
-  model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
-  if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);
-  if (splitting.mode == Part_splitting::SEGMENTS)
-    model.warnings.insert(model.warnings.begin(), "The parts come from an automatic segmentation.");
-  if (model.split.pieces_left_out > 0 && splitting.mode != Part_splitting::FILE)
-    model.warnings.push_back("Loose pieces that were left out, since they have no area: " +
-                             std::to_string(model.split.pieces_left_out) + ".");
-  if (model.split.pieces_kept_whole > 0)
-    model.warnings.push_back("Pieces that were not divided into segments, since they have no inside: " +
-                             std::to_string(model.split.pieces_kept_whole) + "; repair their triangles.");
+  split_objects(path, objects, options, model);
+  turn_by_roles(options, model);
   return model;
+}
+
+std::vector<Read_model> read_pair(const std::vector<std::string>& paths, Common_options& options,
+                                  std::vector<std::string>& warnings)
+{
+  Pair_axes axes = unknown_axes(paths, options);
+  if (!axes.is_unknown[0] && !axes.is_unknown[1]) return {};
+  std::array<IO::Model_objects, 2> objects;
+  std::vector<Read_model> models(2);
+  const auto for_both = [&](const auto& work) {
+    internal::for_each_index<CGAL::Parallel_if_available_tag>(
+        2, [&](std::size_t i) { with_path(paths[i], [&] { work(i, options.of_input(i)); }); });
+  };
+  for_both([&](std::size_t i, const Common_options& of_input) { objects[i] = objects_in(paths[i], of_input); });
+  for (std::size_t i = 0; i < 2; ++i)
+    axes.is_unknown[i] = axes.is_unknown[i] && !objects[i].says_up;
+  std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);
+  for_both([&](std::size_t i, const Common_options& of_input) {
+    models[i] = model_of_objects(paths[i], std::move(objects[i]), of_input);
+    if (axes.is_unknown[i]) axes.by_roles[i] = up_by_roles(models[i], options.roles.get());
+  });
+  if (axes.by_roles[0] || axes.by_roles[1]) {
+    of_axes = find_up_of_pair(paths, axes, {&models[0].objects, &models[1].objects}, options);
+    for (Read_model& model : models)
+      model.split.shape.set_up(model.objects.up());
+  }
+  append(warnings, of_axes);
+  return models;
 }
 
 } // namespace CGAL::Shape_correspondence::cli

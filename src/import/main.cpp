@@ -5,10 +5,9 @@
 // meshes with their codecs, and writes the content in the format of io/read/model_stream.h. It is a separate program
 // since these libraries are not robust against damaged files: some crash them, some make them exhaust memory.
 
-#include "import/gltf_codecs.h"
-#include "import/names_in_3mf.h"
+#include "import/beside_assimp.h"
+#include "io/read/model_parts.h"
 #include "io/read/model_stream.h"
-#include "io/read/part_names.h"
 #include "io/read/text_words.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "import/names_in_3mf.h"
+#include "import/beside_assimp.h"
 
 #ifdef SHAPE_CORRESPONDENCE_WITH_MINIZIP
 #include "io/system/input_file.h"

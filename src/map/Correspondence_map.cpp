@@ -4,7 +4,7 @@
 #include "base/check_number.h"
 #include "base/clamped.h"
 #include "base/quantized.h"
-#include "map/Surface_pair.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/Correspondence_map.h>
 

@@ -2,17 +2,128 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/Piece_pair.h"
-
+#include "base/Disjoint_sets.h"
 #include "base/divide_box.h"
+#include "base/optimal_assignment.h"
 #include "base/quantized.h"
+#include "base/quarter_turn.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world)
+{
+  return quarter_turn(quarter_turns) * frame.to_frame(world);
+}
+
+Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
+                            const std::vector<const Points*>& surfaces)
+{
+  const Shape_structure& shape = structure(graph);
+  Charted_shape result;
+  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    const Part_abstraction& part = shape.parts[i];
+    const Points spine = to_common_frame(shape.frame, quarter_turns, part.control_points());
+    const bool known = surfaces[i] && surfaces[i]->cols() > 0;
+    result.surfaces.push_back(known ? to_common_frame(shape.frame, quarter_turns, *surfaces[i]) : spine);
+    result.charts.push_back(Part_chart::around(part, spine, result.surfaces.back()));
+    result.parts.push_back(&part);
+  }
+  return result;
+}
+
+std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_t sources, std::size_t targets)
+{
+  Disjoint_sets connected(sources + targets);
+  for (const auto& [s, t] : pairs)
+    connected.unite(s, sources + t);
+  std::vector<Connected_parts> all(sources + targets), result;
+  for (std::size_t i = 0; i < connected.size(); ++i)
+    (i < sources ? all[connected[i]].source : all[connected[i]].target).push_back(i < sources ? i : i - sources);
+  for (Connected_parts& sets : all)
+    if (!sets.source.empty() && !sets.target.empty()) result.push_back(std::move(sets));
+  return result;
+}
+
+namespace {
+
+/// Relative positions of parts: their centres in the bounding box of all centres.
+Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
+{
+  constexpr double least_extent = 0.02; // ratio to the shape's height; along shorter extents, positions count as equal
+  Points result(3, Eigen::Index(parts.size()));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    result.col(Eigen::Index(i)) = shape.charts[parts[i]](Point::Zero());
+  const Point low = result.rowwise().minCoeff(), extent = result.rowwise().maxCoeff() - low;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (extent[axis] < least_extent)
+      result.row(axis).setConstant(0.5);
+    else
+      result.row(axis) = (result.row(axis).array() - low[axis]) / extent[axis];
+  }
+  return result;
+}
+
+/// Matches the parts of two sets by relative positions: by optimal assignment as far as their numbers allow; every
+/// remaining part with the nearest one, or all about as near, so that symmetric sets are matched symmetrically.
+Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source, const Charted_shape& target)
+{
+  constexpr double as_near = 0.02; // in units of the bounding box; tolerance for parts about as near as the nearest one
+  // Weight of distances between the shapes, so that ties are not settled by the order of parts
+  constexpr double tie = 1e-3;
+  const Points from = places(source, sets.source), to = places(target, sets.target);
+  Eigen::MatrixXd cost(from.cols(), to.cols());
+  for (Eigen::Index i = 0; i < cost.rows(); ++i)
+    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
+      const Point way = source.charts[sets.source[std::size_t(i)]](Point::Zero()) -
+                        target.charts[sets.target[std::size_t(j)]](Point::Zero());
+      cost(i, j) = double(quantized((from.col(i) - to.col(j)).norm() + tie * way.norm())) * comparison_grid;
+    }
+  const bool fewer_sources = cost.rows() <= cost.cols();
+  if (!fewer_sources) cost.transposeInPlace();
+  Part_pairs result;
+  const auto add = [&](std::size_t row, std::size_t col) {
+    result.emplace_back(sets.source[fewer_sources ? row : col], sets.target[fewer_sources ? col : row]);
+  };
+  std::vector<char> taken(std::size_t(cost.cols()), 0);
+  const std::vector<std::size_t> first = optimal_assignment(cost);
+  for (std::size_t row = 0; row < first.size(); ++row) {
+    add(row, first[row]);
+    taken[first[row]] = 1;
+  }
+  for (Eigen::Index col = 0; col < cost.cols(); ++col) {
+    if (taken[std::size_t(col)]) continue;
+    const double least = cost.col(col).minCoeff();
+    for (Eigen::Index row = 0; row < cost.rows(); ++row)
+      if (cost(row, col) <= least + as_near) add(std::size_t(row), std::size_t(col));
+  }
+  return result;
+}
+
+} // namespace
+
+Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs)
+{
+  Part_pairs result;
+  for (const Connected_parts& sets : connected_parts(pairs, source.charts.size(), target.charts.size())) {
+    if (sets.source.size() == 1 || sets.target.size() == 1) {
+      for (std::size_t s : sets.source)
+        for (std::size_t t : sets.target)
+          result.emplace_back(s, t);
+    } else {
+      const Part_pairs matched = matched_by_place(sets, source, target);
+      result.insert(result.end(), matched.begin(), matched.end());
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
 std::vector<Eigen::Matrix3d> cube_rotations()
 {
@@ -141,6 +252,33 @@ Pair_charts pair_charts(const Piece_pair& pair, const Charted_shape& source, con
     return {Part_chart::box(source_piece, source_chart.axes()),
             Part_chart::box(target_piece, target_chart.axes() * pair.turn)};
   }
+}
+
+std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape)
+{
+  std::vector<const Points*> result;
+  for (const Shape_part& part : shape.parts())
+    result.push_back(&part.mesh.points);
+  return result;
+}
+
+Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape, 2>& shapes,
+                          const std::array<const Part_mesh*, 2>& meshes)
+{
+  constexpr double longest_edge = 0.3; // in chart coordinates
+  const std::array<std::size_t, 2> part = {pair.source, pair.target};
+  const std::array<Chart_box, 2> boxes = {pair.source_piece, pair.target_piece};
+  std::array<Part_mesh, 2> wholes, pieces;
+  for (std::size_t s = 0; s < 2; ++s) {
+    wholes[s] = {shapes[s].surfaces[part[s]], meshes[s]->triangles};
+    pieces[s] = piece_of(wholes[s], shapes[s].charts[part[s]], boxes[s]);
+  }
+  Pair_charts charts = pair_charts(pair, shapes[0], shapes[1], pieces[0].points, pieces[1].points);
+  finely_charted(pieces[0], charts.source, longest_edge);
+  finely_charted(pieces[1], charts.target, longest_edge);
+  const double any_length = std::numeric_limits<double>::infinity();
+  return {charts,
+          {charted_mesh(wholes[0], charts.source, any_length), charted_mesh(wholes[1], charts.target, any_length)}};
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -3,9 +3,14 @@
 
 #pragma once
 
-#include "map/matched_members.h"
+#include "map/Charted_mesh.h"
+#include "map/Part_chart.h"
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+#include <CGAL/Shape_correspondence/Part_correspondence.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <Eigen/Geometry>
 
@@ -14,6 +19,45 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// A shape in the common frame: height 1, standing on the ground.
+struct Charted_shape
+{
+  std::vector<Points> surfaces; ///< vertices of the parts' meshes, or samples of their surfaces
+  std::vector<Part_chart> charts;
+  std::vector<Part_abstraction const*> parts;
+};
+
+Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world);
+
+/// \param surfaces points of the parts' surfaces, in the world; if empty, the control points are used
+Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
+                            const std::vector<const Points*>& surfaces);
+
+/// Parts of both shapes that are connected by pairs.
+struct Connected_parts
+{
+  std::vector<std::size_t> source, target;
+};
+
+/// \param sources, targets numbers of parts
+std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_t sources, std::size_t targets);
+
+/// The pairs of parts that are mapped to each other. If one part corresponds to several, these are the given pairs. If
+/// several parts correspond to several, where a method may have paired every part with every other, they are matched by
+/// the positions of their surfaces.
+Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs);
+
+inline void check_model(const Structural_graph& graph, const Segmented_shape& shape)
+{
+  const auto& parts = structure(graph).parts;
+  bool same = parts.size() == shape.parts().size();
+  for (std::size_t i = 0; same && i < parts.size(); ++i)
+    same = parts[i].name == shape.parts()[i].name;
+  if (!same)
+    throw Invalid_input(shape.name() + ": its parts are not those of the structural graph; take the graph that was " +
+                        "built from this model");
+}
 
 using Chart_box = Eigen::AlignedBox3d;
 
@@ -62,5 +106,21 @@ struct Pair_charts
 
 Pair_charts pair_charts(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target,
                         const Points& source_piece, const Points& target_piece);
+
+/// The vertices that represent the surfaces of a shape's parts.
+std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape);
+
+/// The entire surfaces of both parts of a pair, in the charts between which their pieces are mapped.
+struct Surface_pair
+{
+  Pair_charts charts;
+  std::array<Charted_mesh, 2> meshes; ///< with the triangles and vertices of the parts
+};
+
+Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape, 2>& shapes,
+                          const std::array<const Part_mesh*, 2>& meshes);
+
+/// The piece of a part cut out by a box in its chart, closed if the part is closed. The whole part for the whole chart.
+Part_mesh piece_of(const Part_mesh& part, const Part_chart& chart, const Chart_box& box);
 
 } // namespace CGAL::Shape_correspondence::internal

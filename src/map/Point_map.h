@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "map/Surface_pair.h"
+#include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>

@@ -4,7 +4,6 @@
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "structure/Part_surface.h"
-#include "structure/join_pieces.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/detect_contacts.h>

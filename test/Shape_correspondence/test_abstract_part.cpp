@@ -1,4 +1,3 @@
-#include "abstraction/remesh.h"
 #include "abstraction/repair.h"
 #include "abstraction/skeletonize.h"
 #include "part_meshes.h"

@@ -7,8 +7,7 @@
 #include "blend_checks.h"
 #include "box_models.h"
 #include "box_shapes.h"
-#include "map/matched_members.h"
-#include "map/piece_of.h"
+#include "map/Piece_pair.h"
 
 #include <catch2/catch.hpp>
 

@@ -7,7 +7,6 @@
 
 #include "hand_made_graphs.h"
 #include "io/system/atomic_file.h"
-#include "io/system/checked_file.h"
 #include "program.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>

@@ -1,4 +1,4 @@
-#include "abstraction/remesh.h"
+#include "abstraction/repair.h"
 #include "abstraction/reproducible_flow.h"
 #include "abstraction/skeletonize.h"
 #include "part_meshes.h"

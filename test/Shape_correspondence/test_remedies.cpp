@@ -6,7 +6,7 @@
 // Damaged inputs of every format: the error names the file and, after a semicolon, a remedy.
 
 #include "hand_made_graphs.h"
-#include "io/system/remedies.h"
+#include "io/system/input_file.h"
 #include "model_files.h"
 #include "program.h"
 

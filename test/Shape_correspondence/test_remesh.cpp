@@ -1,6 +1,6 @@
 #include "abstraction/Closed_triangulation.h"
 #include "abstraction/bounding_box.h"
-#include "abstraction/remesh.h"
+#include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
 #include "part_meshes.h"
 

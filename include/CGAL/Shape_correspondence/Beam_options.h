@@ -11,8 +11,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_BEAM_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_BEAM_OPTIONS_H
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `Search_method::BEAM`, with the paper's values.
@@ -22,7 +21,6 @@ struct Beam_options
   int expansions = 4;  ///< k, number of expansions kept of each partial solution, at least 1
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_BEAM_OPTIONS_H

@@ -14,8 +14,7 @@
 #include <functional>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// The size of in-between shapes. The two models may be in different units.
@@ -43,7 +42,6 @@ struct Blend_options
   std::function<bool(double)> progress;
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_OPTIONS_H

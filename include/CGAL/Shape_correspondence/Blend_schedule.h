@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// Kinds of changes of a part during a blend.
@@ -72,7 +71,6 @@ struct Blend_schedule
   Blend_quality quality;         ///< largest measures over the in-between shapes by which it is rated
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_SCHEDULE_H

@@ -22,8 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
 /// The direction of the deformation.
@@ -86,7 +85,6 @@ struct Correspondence
   std::vector<std::string> warnings;     ///< sentences on approximations made and limits reached
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_H

@@ -18,8 +18,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// A location on the abstraction of a part.
@@ -59,7 +58,6 @@ private:
   std::shared_ptr<const Pieces> pieces_;
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_MAP_H

@@ -15,8 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// The terms of the deformation energy (paper, Eq. 1), before weighting.
@@ -76,7 +75,6 @@ double split_energy(const std::vector<double>& solidity_ratios);
 /// \param mean_square mean of the squared entries of v
 double norm_loss(double mean_square);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_DEFORMATION_ENERGY_H

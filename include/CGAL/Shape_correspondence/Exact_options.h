@@ -13,8 +13,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `exact_search()`.
@@ -30,7 +29,6 @@ struct Exact_options
   std::size_t solutions = 1; ///< number of best assignments to return, at least 1
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_EXACT_OPTIONS_H

@@ -11,8 +11,7 @@
 #ifndef CGAL_SHAPE_CORRESPONDENCE_GEOTOPO_OPERATION_H
 #define CGAL_SHAPE_CORRESPONDENCE_GEOTOPO_OPERATION_H
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
 /// Operations of the GeoTopo transform on the parts of a group, in the direction of the deformation (paper, section
@@ -35,7 +34,6 @@ inline const char* name_of(Operation operation)
   return names[int(operation)];
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_GEOTOPO_OPERATION_H

@@ -14,8 +14,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// Thrown, in Release as in Debug mode, when input data cannot be used. The message gives the file and part, if any,
@@ -27,7 +26,6 @@ public:
   explicit Invalid_input(const std::string& message) : std::runtime_error(message) {}
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INVALID_INPUT_H

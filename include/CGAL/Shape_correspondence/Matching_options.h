@@ -19,8 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Ways to combine E_d and E_c of the pairs of connected parts.
@@ -72,7 +71,6 @@ struct Matching_options
   Eigen::MatrixXd role_costs;
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_OPTIONS_H

@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// The index of the label of every variable; `unassigned` for a variable without a label.
@@ -71,7 +70,6 @@ struct Pairwise_energy
   double lower_bound() const;
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PAIRWISE_ENERGY_H

@@ -17,8 +17,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
 /// The abstraction of an elongated part: a polyline, parametrized by t in [0, 1], the fraction of its length.
@@ -143,7 +142,6 @@ Point evaluate(const Part_abstraction& part, const Eigen::Vector2d& parameter);
 /// Solidity (paper, section 4.3): volume over that of the convex hull, at most 1; 1 if either is unknown or 0.
 double solidity(double volume, double hull_volume);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PART_ABSTRACTION_H

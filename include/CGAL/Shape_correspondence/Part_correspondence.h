@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
 /// One of several equally long segments of a curve (paper, section 5, cutting); the whole part if there is only one.
@@ -89,7 +88,6 @@ inline Part_pairs part_pairs(const std::vector<Part_correspondence>& pairs)
   return result;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PART_CORRESPONDENCE_H

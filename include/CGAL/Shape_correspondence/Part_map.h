@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 struct Correspondence;
 
@@ -58,7 +57,6 @@ Part_map inverse(const Part_map& map);
 /// maps may be one-to-many. The confidence is the largest product of the two confidences over all intermediate parts.
 Part_map composed(const Part_map& first, const Part_map& second);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PART_MAP_H

@@ -18,8 +18,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Weights, not negative, of the terms in the cost of substituting one part for another; 0 switches a term off. Lengths
@@ -72,7 +71,6 @@ struct Part_matching_options : Role_options
   bool support = true; ///< whether to match the parts that support a seat or table top as a set
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PART_MATCHING_OPTIONS_H

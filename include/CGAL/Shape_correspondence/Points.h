@@ -13,8 +13,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// A point. After reading the input meshes, the package computes with `double` numbers and Eigen types.
@@ -23,7 +22,6 @@ using Point = Eigen::Vector3d;
 /// A list of points, one in each column.
 using Points = Eigen::Matrix3Xd;
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_POINTS_H

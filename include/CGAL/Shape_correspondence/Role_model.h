@@ -23,8 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 namespace internal {
 struct Role_model_data;
@@ -122,7 +121,6 @@ struct Role_training_options
   std::uint64_t seed = 0;      ///< seed of the random numbers
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_ROLE_MODEL_H

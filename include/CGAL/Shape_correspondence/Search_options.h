@@ -22,8 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 class Role_model;
 
@@ -90,7 +89,6 @@ struct Search_options
 /// parts of the source only (section 6.1). For graphs, see `paper_structure_options()`.
 Search_options paper_options();
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H

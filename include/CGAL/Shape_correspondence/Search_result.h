@@ -16,8 +16,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// A complete assignment and its energy.
@@ -40,7 +39,6 @@ struct Search_result
   const Solution& best() const { return solutions.front(); }
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_RESULT_H

@@ -14,8 +14,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// Effort and lower bound of a search.
@@ -27,7 +26,6 @@ struct Search_summary
   double lower_bound = 0;      ///< lower bound of the energy of any correspondence in the direction of the result
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEARCH_SUMMARY_H

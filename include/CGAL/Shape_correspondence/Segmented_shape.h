@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// An indexed triangle mesh as read from a file; it may be open, non-manifold or inconsistently oriented.
@@ -172,7 +171,6 @@ Segmented_shape Segmented_shape::from_segmentation(const TriangleMesh& mesh, Seg
   return result;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEGMENTED_SHAPE_H

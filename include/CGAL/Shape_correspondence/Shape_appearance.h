@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceAppearance
 /// An sRGB image with one byte each for red, green, blue and alpha, row by row from the top.
@@ -90,7 +89,6 @@ struct Shape_appearance
   }
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_APPEARANCE_H

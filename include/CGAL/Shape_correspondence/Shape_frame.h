@@ -13,8 +13,7 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// The frame of a shape (paper, section 5, "Initial alignment"): in it the shape stands on the ground, is centred above
@@ -41,7 +40,6 @@ struct Shape_frame
 /// \param up the upright direction, a unit vector
 Shape_frame compute_shape_frame(const Points& surface, const Point& up);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SHAPE_FRAME_H

@@ -21,8 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceGraph
 /// Kinds of symmetry groups.
@@ -114,7 +113,6 @@ Structural_graph make_structural_graph(Shape_structure shape, std::vector<Part_g
 /// every group has an edge unless there is only one. With `verbose`, it prints errors to `std::cerr`.
 bool is_valid_structural_graph(const Structural_graph& graph, bool verbose = false);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_STRUCTURAL_GRAPH_H

@@ -22,8 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceMaps
 /// A location on the surface of a part.
@@ -103,7 +102,6 @@ std::vector<std::vector<Value>> Surface_map::transferred(const std::vector<std::
   return result;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SURFACE_MAP_H

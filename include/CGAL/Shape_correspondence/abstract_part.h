@@ -24,8 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 struct Abstraction_options;
 
@@ -123,7 +122,6 @@ Points sample_surface(const Part_mesh& mesh, std::size_t n);
 /// Volume of the convex hull of points; 0 if they are flat. \throw Invalid_input if a coordinate is not finite
 double convex_hull_volume(const Points& points);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACT_PART_H

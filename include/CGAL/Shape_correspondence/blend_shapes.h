@@ -21,8 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 namespace internal {
 class Blend_structure;
@@ -115,7 +114,6 @@ private:
   std::vector<Blend_schedule> schedules_;
 };
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_BLEND_SHAPES_H

@@ -15,8 +15,7 @@
 #include <CGAL/Shape_correspondence/detect_contacts.h>
 #include <CGAL/Shape_correspondence/detect_symmetry_groups.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of the three steps of `build_structural_graph()`.
@@ -54,7 +53,6 @@ Structural_graph build_structural_graph(const Segmented_shape& shape, const Stru
 Structural_graph complete_structural_graph(Shape_structure shape, std::vector<Part_group> groups,
                                            const Structure_options& options = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_BUILD_STRUCTURAL_GRAPH_H

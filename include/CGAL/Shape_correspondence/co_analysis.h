@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `co_analysis()`.
@@ -55,7 +54,6 @@ Co_analysis co_analysis(const std::vector<std::size_t>& part_counts, const std::
 /// The maps reduced to pairs of parts in one cluster, which the whole set confirms: fewer pairs of higher precision.
 std::vector<Shape_pair_map> agreeing_maps(std::vector<Shape_pair_map> maps, const Co_analysis& analysis);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_CO_ANALYSIS_H

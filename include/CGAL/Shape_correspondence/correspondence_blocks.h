@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
 /// A set of source parts and a set of target parts that correspond as wholes.
@@ -46,7 +45,6 @@ struct Correspondence_block
 /// Complexity: for <i>p</i> pairs and <i>n</i> parts, O((<i>p</i> + <i>n</i>²) log <i>n</i>).
 std::vector<Correspondence_block> correspondence_blocks(const Correspondence& correspondence);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_CORRESPONDENCE_BLOCKS_H

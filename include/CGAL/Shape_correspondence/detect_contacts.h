@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `detect_contacts()`.
@@ -56,7 +55,6 @@ std::vector<Contact> detect_contacts(const Segmented_shape& shape, const std::ve
 std::vector<Contact> detect_contacts(const std::vector<Part_abstraction>& parts, const Shape_frame& frame,
                                      const Contact_options& options, std::vector<std::string>& warnings);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_DETECT_CONTACTS_H

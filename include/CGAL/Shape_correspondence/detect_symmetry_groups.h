@@ -13,8 +13,7 @@
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `detect_symmetry_groups()`.
@@ -63,7 +62,6 @@ std::vector<Part_group> detect_symmetry_groups(const std::vector<Part_abstractio
                                                const Symmetry_options& options = {},
                                                std::vector<std::string>* warnings = nullptr);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_DETECT_SYMMETRY_GROUPS_H

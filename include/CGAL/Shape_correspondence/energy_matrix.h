@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `energy_matrix()`.
@@ -97,7 +96,6 @@ Energy_matrix energy_matrix(const std::vector<Structural_graph>& shapes, const E
 /// Symmetric distances: the mean of the `energies` of both directions.
 Eigen::MatrixXd symmetric_distances(const Eigen::MatrixXd& energies);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_MATRIX_H

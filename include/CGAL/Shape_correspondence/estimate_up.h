@@ -15,8 +15,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
 /// An estimate of the upright axis of a shape.
@@ -45,7 +44,6 @@ Up_estimate estimate_up(const Segmented_shape& shape, double odds_of_y = 1);
 std::array<Up_estimate, 2> estimate_up_of_pair(const Segmented_shape& source, const Segmented_shape& target,
                                                const std::array<bool, 2>& is_known, double odds_of_y = 1);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_ESTIMATE_UP_H

@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// The agreement of a correspondence with the ground truth; all shares are in [0, 1].
@@ -73,7 +72,6 @@ struct Evaluation
 /// \throw Invalid_input if there are no scores
 Evaluation mean_scores(const std::vector<Scored_correspondence>& scores);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_EVALUATE_CORRESPONDENCE_H

@@ -17,8 +17,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
 /// Finds the assignments of least energy and proves them. Root terms are bounded from below by their tangents, which
@@ -55,7 +54,6 @@ private:
 /// `Exact_search(energy, options).run()`.
 Search_result exact_search(const Pairwise_energy& energy, const Exact_options& options = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_EXACT_SEARCH_H

@@ -20,8 +20,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// A shape to be matched repeatedly: its alignments, by quarter turns, are computed once, also for copies. Thread-safe.
@@ -123,7 +122,6 @@ private:
 Correspondence find_correspondence(const Structural_graph& source, const Structural_graph& target,
                                    const Search_options& options = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_FIND_CORRESPONDENCE_H

@@ -16,8 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceEvaluation
 /// The label of a part: coarse (`leg`) and fine (`leg_front_left`).
@@ -42,7 +41,6 @@ struct Ground_truth
 /// \throw Invalid_input if a coarse label is empty
 Ground_truth ground_truth(const std::vector<Part_label>& source, const std::vector<Part_label>& target);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_GROUND_TRUTH_H

@@ -19,8 +19,7 @@ template <typename Scalar, int Options, typename StorageIndex>
 class SparseMatrix; // avoids <Eigen/SparseCore>, which takes a second to compile
 }
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `markov_clustering()`.
@@ -60,7 +59,6 @@ struct Markov_clustering
 Markov_clustering markov_clustering(const Eigen::SparseMatrix<double, 0, int>& weights,
                                     const Markov_clustering_options& options = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_MARKOV_CLUSTERING_H

@@ -21,8 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// A shape of a set that is near a query.
@@ -72,7 +71,6 @@ Nearest_shapes nearest_shapes(const Structural_graph& query, const std::vector<S
       query, shapes.size(), [&](std::size_t i) { return shapes[i]; }, k, options);
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_NEAREST_SHAPES_H

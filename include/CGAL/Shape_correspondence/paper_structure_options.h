@@ -13,8 +13,7 @@
 
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// Options for structural graphs as in the paper: parts are abstracted by mean curvature flow (section 3,
@@ -27,7 +26,6 @@ inline Structure_options paper_structure_options()
   return options;
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PAPER_STRUCTURE_OPTIONS_H

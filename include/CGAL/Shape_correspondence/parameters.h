@@ -18,8 +18,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// CGAL named parameters of this package, an alternative to the option structures. Each sets one field; all others keep
 /// their defaults. They can be chained: `parameters::beam_width(40).expansions(8)`.
@@ -145,7 +144,6 @@ Correspondence find_correspondence(const Structural_graph& source, const Structu
   return find_correspondence(source, target, parameters::options_from<Search_options>(np));
 }
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_PARAMETERS_H

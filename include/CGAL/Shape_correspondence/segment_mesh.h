@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `segment_mesh()`.
@@ -48,7 +47,6 @@ struct Mesh_segmentation
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options = {},
                                std::string name = "shape", const Point& up = Point(0, 1, 0));
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SEGMENT_MESH_H

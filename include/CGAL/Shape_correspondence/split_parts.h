@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Ways to make parts of the objects of a model.
@@ -125,7 +124,6 @@ Part_split split_parts(const Segmented_shape& objects, const std::map<std::strin
                        const std::vector<std::vector<int>>& materials = {},
                        const std::vector<std::string>& patched_objects = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_SPLIT_PARTS_H

@@ -15,8 +15,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// The representative of a set: the index of the shape with the least sum of distances to the others (paper, section
@@ -25,7 +24,6 @@ namespace Shape_correspondence {
 /// \pre there is at least one shape
 std::size_t topological_medoid(const Eigen::Ref<const Eigen::MatrixXd>& distances);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_TOPOLOGICAL_MEDOID_H

@@ -15,8 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceRoles
 /// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same model, byte for
@@ -34,7 +33,6 @@ Role_model train_role_model(const std::vector<Labelled_graph>& shapes, const Rol
 Role_model extend_role_model(const Role_model& model, const std::vector<Labelled_graph>& shapes,
                              const Role_training_options& options = {});
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_TRAIN_ROLE_MODEL_H

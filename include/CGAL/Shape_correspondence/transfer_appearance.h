@@ -21,8 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of `transfer_appearance()` and `transfer_labels()`.
@@ -122,7 +121,6 @@ Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appe
 Shape_appearance appearance_of_parts(const Segmented_shape& objects, const Shape_appearance& appearance,
                                      const Part_split& split);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_TRANSFER_APPEARANCE_H

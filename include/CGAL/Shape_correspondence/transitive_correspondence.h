@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSets
 /// Two shapes joined by an edge of a tree, the smaller index first.
@@ -69,7 +68,6 @@ struct Transitive_correspondence
 Transitive_correspondence transitive_correspondence(const Energy_matrix& matrix, const std::vector<Shape_pair>& tree,
                                                     std::size_t source, std::size_t target);
 
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_TRANSITIVE_CORRESPONDENCE_H

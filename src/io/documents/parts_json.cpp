@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/Json_field.h"
+#include "io/read/document.h"
 #include "io/write/Json.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "io/read/Json_field.h"
+#include "io/read/document.h"
 #include "io/read/model_parts.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/read/model_stream.h"
-#include "io/system/remedies.h"
+#include "io/system/input_file.h"
 #include "io/system/run_program.h"
 
 #include <csignal>

@@ -144,4 +144,17 @@ void append_looks(Model_content& from, Model_content& to);
 /// Appends the appearance of further triangles; attributes present on only one side are filled with defaults.
 void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all);
 
+struct Tree_node
+{
+  int parent; ///< -1: none
+  std::string name;
+};
+
+/// Names parts with default names, such as `Object_4`, after the nearest ancestor node with a better name that does not
+/// contain all parts, or else after their mesh.
+/// \param tree the nodes, each after its parent \param node_of_part the node of each part
+/// \param meshes names of the parts' meshes
+void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<int>& node_of_part,
+                        const std::vector<std::string>& meshes, std::vector<Model_part>& parts);
+
 } // namespace CGAL::Shape_correspondence::IO

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/part_hierarchy.h"
-#include "io/read/Json_field.h"
+#include "io/read/document.h"
+#include "io/read/read_objects.h"
 #include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -3,7 +3,7 @@
 
 #include "base/limits.h"
 #include "io/read/Gltf_document.h"
-#include "io/read/part_names.h"
+#include "io/read/model_parts.h"
 #include "io/read/text_words.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

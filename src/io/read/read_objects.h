@@ -43,15 +43,24 @@ std::optional<std::string> robot_in(const std::string& folder);
 Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options = {},
                            const Complete_looks& complete = {});
 
-/// A digest of everything that `read_objects()` reads from a folder of part meshes: the names and contents of its
-/// files, and the name of the shape. None if it is not such a folder, or has files that name other files.
-/// \throw Invalid_input if a file cannot be read
-std::optional<std::string> digest_of_folder(const std::string& path);
-
 /// Splits objects like `split_parts()`, but in mode `AUTO` pieces end at changes of the material only if that brings
 /// the parts nearer to labelled parts of a category.
 /// \param roles null: pieces never end at changes of the material
 Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_splitting_options& options,
                                 const Role_model* roles);
+
+struct Part_files
+{
+  std::string name;
+  std::vector<std::string> files;
+};
+
+/// The hierarchy of parts in a PartNet folder: the content of `result_after_merging.json`, or else `result.json`, which
+/// name files in its folder `objs`. None if there is neither file.
+std::optional<std::string> hierarchy_in(const std::string& folder);
+
+/// The parts of such a hierarchy: every node becomes a part of the files listed in the node itself.
+/// \throw Invalid_input
+std::vector<Part_files> parts_of_hierarchy(const std::string& hierarchy);
 
 } // namespace CGAL::Shape_correspondence::IO

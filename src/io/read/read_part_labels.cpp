@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/Json_field.h"
+#include "io/read/document.h"
 #include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
-#include "io/read/part_hierarchy.h"
 #include "io/read/read_objects.h"
 #include "io/read/text_words.h"
-#include "io/system/checked_file.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
-#include "io/system/remedies.h"
 #include "shape/has_area.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -374,18 +371,6 @@ Segmented_shape read_segmented_shape(const std::string& path, const Point& up, s
   Model_objects objects = read_objects(path, up, options);
   if (warnings) warnings->insert(warnings->end(), objects.warnings.begin(), objects.warnings.end());
   return std::move(objects.shape);
-}
-
-std::optional<std::string> digest_of_folder(const std::string& path)
-{
-  // Files of robots and hierarchies name the meshes of their folders
-  if (!fs::is_directory(path) || robot_in(path) || hierarchy_in(path)) return std::nullopt;
-  std::string all = digest(folder_name(path));
-  for (const fs::path& file : model_files(folder_of_parts(path))) {
-    if (!text_reader_of(lower_extension(file.string()))) return std::nullopt; // a glTF file names its buffers
-    all += digest(file.filename().string()) + digest(content_of(file.string()));
-  }
-  return digest(all);
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -2,22 +2,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
-#include "io/read/Json_field.h"
-#include "io/read/graph_documents.h"
+#include "io/read/document.h"
 #include "io/read/report_text.h"
 #include "io/system/input_file.h"
 #include "shape/meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+#include <CGAL/Shape_correspondence/Shape_frame.h>
+#include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <istream>
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
+
+/// The frame of a shape for which only the abstractions are known.
+Shape_frame frame_of_abstractions(const std::vector<Part_abstraction>& parts, const Point& up)
+{
+  constexpr int samples_along = 6; // samples of a curve, or along each side of a sheet
+  Points all(3, 0);
+  for (const Part_abstraction& part : parts) {
+    const Points samples = sample(part, samples_along);
+    all.conservativeResize(Eigen::NoChange, all.cols() + samples.cols());
+    all.rightCols(samples.cols()) = samples;
+  }
+  return compute_shape_frame(all, up);
+}
+
+/// Merges contacts of the same two parts into one with the places of all.
+std::vector<Contact> merged_contacts(std::vector<Contact> contacts)
+{
+  std::vector<Contact> result;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> earlier;
+  for (Contact& contact : contacts) {
+    const auto [place, is_new] = earlier.emplace(std::minmax(contact.parts[0], contact.parts[1]), result.size());
+    if (is_new) {
+      result.push_back(std::move(contact));
+      continue;
+    }
+    Contact& known = result[place->second];
+    contact.further.insert(contact.further.begin(), contact.parameters);
+    for (auto& parameters : contact.further) {
+      if (known.parts != contact.parts) std::swap(parameters[0], parameters[1]);
+      known.further.push_back(parameters);
+    }
+  }
+  return result;
+}
 
 using Part_indices = std::map<std::string, std::size_t>;
 

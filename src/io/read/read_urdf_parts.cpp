@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/limits.h"
+#include "io/read/document.h"
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
-#include "io/read/xml_document.h"
 #include "io/system/colours.h"
 #include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <Eigen/Geometry>
+#include <boost/property_tree/ptree.hpp>
 
 #include <cmath>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/number_text.h"
-#include "io/system/remedies.h"
+#include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Points.h>

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace CGAL::Shape_correspondence::IO {
@@ -39,5 +40,25 @@ void remove_temporaries();
 /// Creates a folder unless it exists. \param use purpose for messages, such as "a store"
 /// \throw Invalid_input on failure; names the folder
 void make_folder(const std::string& path, const std::string& use);
+
+/// A digest (SHA-1) of bytes.
+std::string digest(const std::string& bytes);
+
+/// The content of a file; empty if it cannot be read, or is a pipe or a device.
+std::string bytes_of_file(const std::string& path);
+
+/// A *checked file* starts with a line with a title, for its kind, and a digest. Several processes may use one.
+
+/// Writes a checked file atomically. \throw Invalid_input on failure
+void write_checked_file(const std::string& path, const std::string& title, const std::string& content);
+
+/// Writes a checked file as an entry of a cache or store, see `write_entry()`.
+void write_checked_entry(const std::string& path, const std::string& title, const std::string& content);
+
+/// The content of a checked file, given its entire text; none if it is damaged or has another title.
+std::optional<std::string> checked_content(const std::string& file, const std::string& title);
+
+/// The content of a checked file; none if it does not exist, is damaged or has another title.
+std::optional<std::string> read_checked_file(const std::string& path, const std::string& title);
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/input_file.h"
-#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

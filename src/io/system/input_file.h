@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -10,6 +13,46 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
+
+/// Remedies for kinds of faults. Every message about a file gives the error and, after a semicolon, a remedy.
+namespace remedy {
+
+constexpr const char* correct_text = "correct that place, or save the file again";
+constexpr const char* save_again = "copy the file again, or save it again in the program that made it";
+constexpr const char* check_kind = "check that it is the right file, and that its extension says what it is";
+constexpr const char* check_name = "check its name";
+constexpr const char* check_permissions = "check the path and its permissions";
+constexpr const char* make_smaller = "simplify it, or divide it";
+constexpr const char* save_as_other_format = "save it in another format, such as OBJ, PLY or GLB";
+constexpr const char* install_again = "install the program again";
+constexpr const char* write_elsewhere = "choose another place for the output";
+
+} // namespace remedy
+
+/// Whether a message has a remedy: a semicolon outside of quotes.
+inline bool has_remedy(const std::string& message)
+{
+  bool is_quoted = false;
+  for (std::size_t i = 0; i + 1 < message.size(); ++i) {
+    if (message[i] == '\'') // a quotation mark; an apostrophe is between letters
+      is_quoted = is_quoted ? std::isalnum(static_cast<unsigned char>(message[i + 1])) != 0
+                            : i > 0 && !std::isalnum(static_cast<unsigned char>(message[i - 1]));
+    if (!is_quoted && message[i] == ';' && message[i + 1] == ' ') return true;
+  }
+  return false;
+}
+
+/// The message with the remedy, unless it already has one.
+inline std::string with_remedy(const std::string& message, const char* remedy)
+{
+  return has_remedy(message) ? message : message + "; " + remedy;
+}
+
+/// \throw Invalid_input
+[[noreturn]] inline void refuse(const std::string& message, const char* remedy)
+{
+  throw Invalid_input(with_remedy(message, remedy));
+}
 
 /// Throws `Invalid_input` if there is neither a file nor a folder of this name; gives the reason.
 void check_exists(const std::string& path);

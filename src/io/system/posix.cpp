@@ -1,7 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/system/Descriptor.h"
 #include "io/system/atomic_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/posix_systems.h"

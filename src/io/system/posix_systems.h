@@ -22,6 +22,24 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
+/// An open file descriptor, closed at the end of its scope.
+class Descriptor
+{
+public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor()
+  {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  operator int() const { return number_; }
+
+private:
+  int number_;
+};
+
 #ifdef __APPLE__
 
 constexpr double units_per_megabyte = 1 << 20;             // unit of ru_maxrss: byte

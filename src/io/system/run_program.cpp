@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/system/run_program.h"
-#include "io/system/Descriptor.h"
+#include "io/system/input_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/posix_systems.h"
-#include "io/system/remedies.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

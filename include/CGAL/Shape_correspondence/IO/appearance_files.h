@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Reads a model like `read_segmented_shape()`, with its appearance: materials (base colours of MTL libraries and of
@@ -96,8 +94,6 @@ void write_blend_glb(std::ostream& out, const Shape_blend& blend, const Blend_ap
 /// Writes the shape at `t` as binary glTF 2.0 with materials and textures; here colours change continuously.
 void write_blend_frame_glb(std::ostream& out, const Shape_blend& blend, const Blend_appearance& appearance, double t);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_APPEARANCE_FILES_H

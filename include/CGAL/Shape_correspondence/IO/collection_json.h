@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Largest number of shapes for which the JSON of a collection contains the energies; for more, write a matrix file.
@@ -80,8 +78,6 @@ struct Nearest_in_collection
 /// Writes the nearest shapes `found` in the JSON format `shape_correspondence/nearest`, version 1.
 void write_nearest_json(std::ostream& out, const Nearest_in_collection& found);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_COLLECTION_JSON_H

@@ -20,9 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Seconds of each phase of a match, as written to the result file.
@@ -91,8 +89,6 @@ Correspondence correspondence_of(const Named_correspondence& named, const Struct
 /// \throw Invalid_input if it is not JSON
 bool is_correspondence_json(const std::string& file);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_CORRESPONDENCE_JSON_H

@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a matrix in NumPy's format `.npy`, version 1.0: doubles, row by row; `numpy.load()` reads identical values.
@@ -32,8 +30,6 @@ void write_npy(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matri
 void write_csv(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
                const std::vector<std::string>& names);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_MATRIX_FILES_H

@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes the assignment of a model's pieces to parts, to be edited by hand; the manual describes the format. Link
@@ -39,8 +37,6 @@ void write_parts_json(std::ostream& out, const Part_split& split);
 Part_split split_parts_by_json(const Segmented_shape& objects, const std::string& path,
                                const std::vector<std::vector<int>>& materials = {});
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_PARTS_JSON_H

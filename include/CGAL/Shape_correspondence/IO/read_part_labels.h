@@ -16,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// A shape with labelled parts.
@@ -43,8 +41,6 @@ struct Labelled_shape
 /// \throw Invalid_input if there are no labels, or a file is unusable; the message gives the file and the error
 std::vector<Labelled_shape> read_part_labels(const std::string& path);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_READ_PART_LABELS_H

@@ -16,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Options for reading models.
@@ -65,8 +63,6 @@ struct Reading_options
 Segmented_shape read_segmented_shape(const std::string& path, const Point& up = Point(0, 1, 0),
                                      std::vector<std::string>* warnings = nullptr, const Reading_options& options = {});
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_READ_SEGMENTED_SHAPE_H

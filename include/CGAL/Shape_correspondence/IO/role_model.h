@@ -16,9 +16,7 @@
 #include <memory>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a role model into the file `path`, completely or not at all, with a checksum.
@@ -35,8 +33,6 @@ Role_model read_role_model(const std::string& path);
 /// and velocipedes, read once. `data/roles/manifest.json` lists the training shapes and its accuracy.
 std::shared_ptr<const Role_model> shipped_role_model();
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_ROLE_MODEL_H

@@ -17,9 +17,7 @@
 #include <optional>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Identifies the result of `build_structural_graph()` for a shape: a hash (SHA-1) of all names, coordinates and
@@ -55,8 +53,6 @@ private:
   std::string folder_;
 };
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_CACHE_H

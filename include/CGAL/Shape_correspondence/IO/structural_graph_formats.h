@@ -15,9 +15,7 @@
 
 #include <iosfwd>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes the graph in GraphML: a node for every group, with the names of its `parts`, its `symmetry` and its
@@ -28,8 +26,6 @@ void write_structural_graph_graphml(std::ostream& out, const Structural_graph& g
 /// Writes the graph in the DOT language of Graphviz, every node labelled with its parts.
 void write_structural_graph_dot(std::ostream& out, const Structural_graph& graph);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_FORMATS_H

@@ -18,9 +18,7 @@
 #include <optional>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a structural graph in the JSON format `shape_correspondence/graph`, version 1. Reading gives a bitwise
@@ -47,8 +45,6 @@ Structural_graph read_structural_graph_json(std::istream& in, const std::string&
 std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, const Structural_graph& graph,
                                                 const Reading_options& options = {});
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_STRUCTURAL_GRAPH_JSON_H

@@ -16,9 +16,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a shape as Wavefront OBJ: one object for each part, with the part's name. Reading gives the same coordinates.
@@ -44,8 +42,6 @@ void write_blend_json(std::ostream& out, const Shape_blend& blend, const Structu
                       const Structural_graph& target, const std::string& source_file, const std::string& target_file,
                       const std::string& output, int frames, const std::vector<std::string>& warnings);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_BLEND_H

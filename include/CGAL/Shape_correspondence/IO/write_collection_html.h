@@ -20,9 +20,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Largest number of shapes that a page shows, so that browsers can open it.
@@ -46,8 +44,6 @@ void write_collection_html(std::ostream& out, const Collection& collection,
                            const std::vector<Shape_pair_map>& maps,
                            const std::function<std::optional<Segmented_shape>(std::size_t)>& model = {});
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_COLLECTION_HTML_H

@@ -17,9 +17,7 @@
 
 #include <iosfwd>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a picture of a correspondence as binary glTF 2.0: both shapes in their common frame side by side, source on
@@ -37,8 +35,6 @@ void write_correspondence_glb(std::ostream& out, const Correspondence& correspon
 void write_structural_graph_glb(std::ostream& out, const Structural_graph& graph,
                                 const Segmented_shape* shape = nullptr);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_GLB_H

@@ -17,9 +17,7 @@
 
 #include <iosfwd>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace IO {
+namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
 /// Writes a structural graph as a web page that needs no network: transparent surfaces, curves and sheets, one colour
@@ -39,8 +37,6 @@ void write_correspondence_html(std::ostream& out, const Correspondence& correspo
                                const Structural_graph& target, const Segmented_shape* source_shape = nullptr,
                                const Segmented_shape* target_shape = nullptr);
 
-} // namespace IO
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::IO
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_IO_WRITE_HTML_H

@@ -26,8 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
+namespace CGAL::Shape_correspondence {
 namespace parameters {
 
 /// Tag of the named parameter `part_names` (parameters.h).
@@ -123,7 +122,6 @@ private:
 };
 
 } // namespace internal
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence
 
 #endif // CGAL_SHAPE_CORRESPONDENCE_INTERNAL_PART_MESH_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "cli/load_shape.h"
+
+#include <CGAL/Shape_correspondence/Correspondence.h>
+#include <CGAL/Shape_correspondence/IO/appearance_files.h>
+#include <CGAL/Shape_correspondence/IO/correspondence_json.h>
+#include <CGAL/Shape_correspondence/IO/read_part_labels.h>
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
+#include <CGAL/Shape_correspondence/blend_shapes.h>
+#include <CGAL/Shape_correspondence/find_correspondence.h>
+#include <CGAL/Shape_correspondence/transfer_appearance.h>
+
+#include <cmath>
+#include <functional>
+#include <iosfwd>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL::Shape_correspondence::cli {
+
+// What commands do with shapes that are loaded; the Python module calls these functions, too
+
+/// Correspondences of two shapes, the best first, and the time in seconds that everything took.
+struct Matched_shapes
+{
+  std::vector<Correspondence> ranked;
+  IO::Match_seconds seconds;
+};
+
+Matched_shapes match_shapes(const Loaded_shape& source, const Loaded_shape& target, const Search_options& options);
+
+/// Writes a correspondence as a table, in lines of 80 characters if names allow: one row for each block
+/// (`correspondence_blocks()`) with role, operation and confidence, then unmatched parts, energy and distance.
+/// \param verbose whether to list all parts of large blocks
+void write_match_table(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
+                       const Structural_graph& target, bool verbose);
+
+struct Blend_output
+{
+  std::string path;
+  std::string format = "obj";
+  std::string schedule = "best";
+  std::optional<Blend_size> size; ///< empty: the given heights
+  std::string colours = "auto";   ///< auto, materials or match
+  int frames = 25;
+  double at = std::numeric_limits<double>::quiet_NaN(); ///< time of the only shape to write; NaN: the whole blend
+  bool solid = false;                                   ///< whether that shape is converted to one closed surface
+
+  bool is_one_shape() const { return !std::isnan(at); }
+  bool is_page() const;
+  /// Whether the output is a file rather than a folder.
+  bool is_file() const;
+  /// Whether an output may show the models' own materials.
+  bool may_show_materials() const;
+};
+
+void add_output_options(Option_table::Group& add, Blend_output& output);
+
+/// \throw Usage_error if the name of the output contradicts other options
+void check_output(const Blend_output& output);
+
+Blend_options blend_options(const Blend_output& output);
+
+/// Writes the blend. \param appearance appearance of the models; null: corresponding parts have one colour
+/// \param finish writes related files: after a file, or before a folder gets its name, which makes all appear at once
+void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
+                 const IO::Blend_appearance* appearance, const std::function<void()>& finish);
+
+/// Removes pairs of confidence below `least`. \return a warning for each of them
+std::vector<std::string> remove_unlikely(Correspondence& correspondence, double least, const Loaded_shape& source,
+                                         const Loaded_shape& target);
+
+/// The default size of the frames; `SAME`, with a warning, for shapes that seem to have different units.
+Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
+
+/// Tells which parts are exchanged for their counterparts, and why they do not morph.
+void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
+                       std::vector<std::string>& warnings);
+
+/// What to transfer, and the output.
+struct Transfer_request
+{
+  std::string output; ///< FILE.glb, FILE.obj or FILE.ply
+  std::string labels; ///< `parts`, or a file of labels of the source; empty: transfer the appearance
+  Transfer_options options;
+};
+
+/// The result of a transfer.
+struct Transferred_looks
+{
+  Transferred_appearance result;
+  std::vector<std::string> labels; ///< names; empty: the appearance was transferred
+  std::vector<std::string> warnings;
+};
+
+/// Transfers the appearance or labels along a correspondence, and writes the target with them. \throw Invalid_input
+Transferred_looks transfer_looks(Loaded_shape& source, Loaded_shape& target, const Correspondence& correspondence,
+                                 const Transfer_request& request);
+
+/// Writes what every target part received, in the format `shape_correspondence/transfer`, version 1.
+void write_transfer_json(std::ostream& out, const Loaded_shape& source, const Loaded_shape& target,
+                         const Transfer_request& request, const Transferred_looks& transferred);
+
+/// A result, and the file by which messages and reports name it.
+struct Named_result
+{
+  std::string file;
+  IO::Named_correspondence correspondence;
+};
+
+std::vector<Named_result> read_results(const std::vector<std::string>& inputs);
+
+/// Reads the labels of all shapes in files and folders. \throw Invalid_input
+std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths);
+
+/// Scores the results. \throw Invalid_input if a result has shapes without labels
+void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,
+                           const std::vector<IO::Labelled_shape>& shapes);
+
+} // namespace CGAL::Shape_correspondence::cli
