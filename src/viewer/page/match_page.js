@@ -56,7 +56,7 @@ function isOnePiece(names) {
 /** What has no counterpart, in a sentence. @param shares of the surfaces that have one */
 function uncovered(missing, names, titles, shares) {
   const rest = [0, 1].filter(side => missing[side].length).map(side => `${missing[side].length} of ${counted(names[side].length, 'part')} of ${titles[side]}, ` +
-      `${percent(1 - shares[side])} of its surface`);
+      `${percent(1 - shares[side]).replace(' ', '\u00a0')} of its surface`);
   return rest.length ? ` Grey parts have no counterpart: ${rest.join(', and ')}.` : ' Every part has a counterpart.';
 }
 

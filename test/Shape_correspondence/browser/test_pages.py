@@ -464,6 +464,12 @@ class Pages(unittest.TestCase):
         self.assertTrue(browser.evaluate(f"[...document.querySelectorAll('td')].some(cell => cell.title.includes({json.dumps(evil)}))"))
         del pages["evil"]
 
+    def test_the_first_lines_say_how_sure_and_of_how_much(self):
+        self.open("match")
+        self.assertRegex(browser.evaluate("document.querySelector('#facts').textContent"),
+                         r"On average they are \d+ % sure\. (Grey parts have no counterpart: \d+ of .*\d\s% of its surface|Every part has a counterpart)")
+        self.assertIn("chair_four_legged → chair_spindle", browser.evaluate("[...document.querySelectorAll('th')].map(cell => cell.textContent)"))
+
     def test_a_page_is_small(self):
         self.assertLess(os.path.getsize(pages["match"]), LARGEST_PAGE)
         self.open("match")
