@@ -78,20 +78,18 @@ const IO::Labelled_shape& shape_of(const std::string& path, const std::vector<IO
   const auto complaint = [&](const std::string& what) {
     return Invalid_input(result_file + ": its shape '" + path + "' " + what);
   };
+  const auto folder_above = [](const IO::Labelled_shape& shape) {
+    return fs::absolute(shape.file).lexically_normal().parent_path().parent_path().filename();
+  };
   for (fs::path rest = fs::path(path).lexically_normal(); rest.has_relative_path(); rest = rest.parent_path()) {
-    std::vector<const IO::Labelled_shape*> named;
-    for (const IO::Labelled_shape& shape : shapes)
-      if (shape.name == rest.filename() || shape.name == rest.stem()) named.push_back(&shape);
-    if (named.empty()) continue;
-    if (named.size() > 1) {
-      const fs::path around = rest.parent_path().filename();
-      named.erase(std::remove_if(named.begin(), named.end(),
-                                 [&](const IO::Labelled_shape* shape) {
-                                   const fs::path folder = fs::absolute(shape->file).lexically_normal().parent_path();
-                                   return folder.parent_path().filename() != around;
-                                 }),
-                  named.end());
+    std::vector<const IO::Labelled_shape*> named, in_this_folder;
+    for (const IO::Labelled_shape& shape : shapes) {
+      if (shape.name != rest.filename() && shape.name != rest.stem()) continue;
+      named.push_back(&shape);
+      if (folder_above(shape) == rest.parent_path().filename()) in_this_folder.push_back(&shape);
     }
+    if (named.empty()) continue;
+    if (named.size() > 1) named = in_this_folder;
     if (named.size() != 1) throw complaint("has the name of several labelled shapes; give the labels of one of them");
     return *named[0];
   }
@@ -196,31 +194,6 @@ struct Judged
   }
 };
 
-} // namespace
-
-std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
-{
-  std::vector<IO::Labelled_shape> shapes;
-  for (const std::string& path : paths)
-    append(shapes, IO::read_part_labels(path));
-  return shapes;
-}
-
-std::vector<Named_result> read_results(const std::vector<std::string>& inputs)
-{
-  return mapped(result_files(inputs), [](const std::string& file) {
-    return Named_result{file, IO::read_correspondence_json(file)};
-  });
-}
-
-void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,
-                           const std::vector<IO::Labelled_shape>& shapes)
-{
-  Judged(results, shapes).write_json(out);
-}
-
-namespace {
-
 class Evaluate_command : public Command
 {
 public:
@@ -248,6 +221,27 @@ private:
 };
 
 } // namespace
+
+std::vector<IO::Labelled_shape> read_labels(const std::vector<std::string>& paths)
+{
+  std::vector<IO::Labelled_shape> shapes;
+  for (const std::string& path : paths)
+    append(shapes, IO::read_part_labels(path));
+  return shapes;
+}
+
+std::vector<Named_result> read_results(const std::vector<std::string>& inputs)
+{
+  return mapped(result_files(inputs), [](const std::string& file) {
+    return Named_result{file, IO::read_correspondence_json(file)};
+  });
+}
+
+void write_evaluation_json(std::ostream& out, const std::vector<Named_result>& results,
+                           const std::vector<IO::Labelled_shape>& shapes)
+{
+  Judged(results, shapes).write_json(out);
+}
 
 std::unique_ptr<Command> evaluate_command() { return std::make_unique<Evaluate_command>(); }
 

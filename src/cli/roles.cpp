@@ -139,14 +139,6 @@ private:
   Roles_options roles_;
 };
 
-} // namespace
-
-std::unique_ptr<Command> roles_command() { return std::make_unique<Roles_command>(); }
-
-namespace fs = std::filesystem;
-
-namespace {
-
 const char* const label_help =
     R"(Usage: shape_correspondence label SHAPE [--output labels.json] [options]
 
@@ -261,40 +253,6 @@ void print(const Collection_shapes& shapes, const std::vector<Labels>& labels)
   write_table(std::cout, rows);
 }
 
-} // namespace
-
-Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
-                           const std::string& category)
-{
-  Part_roles found = part_roles(graph, model, category);
-  if (found.category.empty())
-    throw Invalid_input(path +
-                        ": the shape is not clearly of a category that the role model knows; name one with --category");
-  return found;
-}
-
-void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
-{
-  labels_json(part_names(graph), found.category, likeliest_labels(found)).write(out);
-}
-
-void transfer_labels(const Collection_shapes& shapes, const Collection_options& options, const Search_options& search,
-                     const Common_options& common)
-{
-  const Labelled_model source = labelled_source(options.labels_from, common);
-  const Correspondence_finder finder(source.graph, search);
-  std::vector<Labels> labels(shapes.size());
-  internal::for_each_index(shapes.size(), true, [&](std::size_t i) {
-    const Structural_graph target = shapes.graph(i);
-    labels[i] = finder.transfer_labels(source.part_labels, Prepared_shape(target));
-  });
-  if (!options.labels_to.empty()) write_files(shapes, source.labels.category, labels, options.labels_to);
-  write_output(common.json, [&](std::ostream& out) { document(source, shapes, labels).write(out); });
-  if (common.prints_table()) print(shapes, labels);
-}
-
-namespace {
-
 class Label_command : public Command
 {
 public:
@@ -340,6 +298,40 @@ private:
 };
 
 } // namespace
+
+std::unique_ptr<Command> roles_command() { return std::make_unique<Roles_command>(); }
+
+namespace fs = std::filesystem;
+
+Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
+                           const std::string& category)
+{
+  Part_roles found = part_roles(graph, model, category);
+  if (found.category.empty())
+    throw Invalid_input(path +
+                        ": the shape is not clearly of a category that the role model knows; name one with --category");
+  return found;
+}
+
+void write_labels_json(std::ostream& out, const Structural_graph& graph, const Part_roles& found)
+{
+  labels_json(part_names(graph), found.category, likeliest_labels(found)).write(out);
+}
+
+void transfer_labels(const Collection_shapes& shapes, const Collection_options& options, const Search_options& search,
+                     const Common_options& common)
+{
+  const Labelled_model source = labelled_source(options.labels_from, common);
+  const Correspondence_finder finder(source.graph, search);
+  std::vector<Labels> labels(shapes.size());
+  internal::for_each_index(shapes.size(), true, [&](std::size_t i) {
+    const Structural_graph target = shapes.graph(i);
+    labels[i] = finder.transfer_labels(source.part_labels, Prepared_shape(target));
+  });
+  if (!options.labels_to.empty()) write_files(shapes, source.labels.category, labels, options.labels_to);
+  write_output(common.json, [&](std::ostream& out) { document(source, shapes, labels).write(out); });
+  if (common.prints_table()) print(shapes, labels);
+}
 
 std::unique_ptr<Command> label_command() { return std::make_unique<Label_command>(); }
 

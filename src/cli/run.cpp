@@ -51,6 +51,36 @@ std::vector<std::string>& whole_outputs()
   return result;
 }
 
+/// Number of characters of a UTF-8 text.
+std::size_t width(const std::string& text)
+{
+  return std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; });
+}
+
+/// Levenshtein distance: the least number of insertions, deletions and replacements of a letter.
+std::size_t edit_distance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// Length of the first part of a long word: up to the last separator that fits; 0 if there is none.
+std::size_t end_of_piece(const std::string& word, std::size_t length)
+{
+  const std::size_t sign = word.find_last_of("_-./#", length - 1);
+  return sign == std::string::npos || sign + 1 == word.size() ? 0 : sign + 1;
+}
+
 } // namespace
 
 void start_outputs() { whole_outputs().clear(); }
@@ -105,40 +135,6 @@ void Progress_bar::show(std::size_t done, std::size_t total)
   last_shown_ = time;
   shown_ = true;
 }
-
-namespace {
-
-/// Number of characters of a UTF-8 text.
-std::size_t width(const std::string& text)
-{
-  return std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; });
-}
-
-/// Levenshtein distance: the least number of insertions, deletions and replacements of a letter.
-std::size_t edit_distance(const std::string& a, const std::string& b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// Length of the first part of a long word: up to the last separator that fits; 0 if there is none.
-std::size_t end_of_piece(const std::string& word, std::size_t length)
-{
-  const std::size_t sign = word.find_last_of("_-./#", length - 1);
-  return sign == std::string::npos || sign + 1 == word.size() ? 0 : sign + 1;
-}
-
-} // namespace
 
 void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows)
 {

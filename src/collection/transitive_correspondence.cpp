@@ -70,33 +70,6 @@ Shape_chain chain_of(const Eigen::MatrixXd& energies, std::vector<std::size_t> s
   return chain;
 }
 
-} // namespace
-
-std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::MatrixXd>& distances)
-{
-  const auto n = std::size_t(distances.rows());
-  std::vector<Shape_pair> tree;
-  if (n == 0) return tree;
-  std::vector<double> distance(n, std::numeric_limits<double>::infinity()); // distance from the tree
-  std::vector<std::size_t> nearest(n, 0);                                   // nearest shape in the tree
-  std::vector<char> is_in_tree(n, 0);
-  for (std::size_t last = 0; tree.size() + 1 < n;) {
-    is_in_tree[last] = 1;
-    std::size_t next = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (is_in_tree[i]) continue;
-      const double d = distances(Eigen::Index(i), Eigen::Index(last));
-      if (d < distance[i]) distance[i] = d, nearest[i] = last;
-      if (next == n || distance[i] < distance[next]) next = i;
-    }
-    tree.emplace_back(std::min(nearest[next], next), std::max(nearest[next], next));
-    last = next;
-  }
-  return tree;
-}
-
-namespace {
-
 constexpr std::size_t no_shape = std::size_t(-1);
 
 // The parent of each shape in the tree; `no_shape` for the root and for shapes outside of the tree.
@@ -163,6 +136,29 @@ Shape_chain best_chain(const Eigen::MatrixXd& energies, std::size_t source, std:
 }
 
 } // namespace
+
+std::vector<Shape_pair> minimum_spanning_tree(const Eigen::Ref<const Eigen::MatrixXd>& distances)
+{
+  const auto n = std::size_t(distances.rows());
+  std::vector<Shape_pair> tree;
+  if (n == 0) return tree;
+  std::vector<double> distance(n, std::numeric_limits<double>::infinity()); // distance from the tree
+  std::vector<std::size_t> nearest(n, 0);                                   // nearest shape in the tree
+  std::vector<char> is_in_tree(n, 0);
+  for (std::size_t last = 0; tree.size() + 1 < n;) {
+    is_in_tree[last] = 1;
+    std::size_t next = n;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (is_in_tree[i]) continue;
+      const double d = distances(Eigen::Index(i), Eigen::Index(last));
+      if (d < distance[i]) distance[i] = d, nearest[i] = last;
+      if (next == n || distance[i] < distance[next]) next = i;
+    }
+    tree.emplace_back(std::min(nearest[next], next), std::max(nearest[next], next));
+    last = next;
+  }
+  return tree;
+}
 
 std::vector<Shape_chain> best_chains(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree,
                                      std::size_t source)

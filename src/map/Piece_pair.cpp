@@ -106,42 +106,6 @@ Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& so
   return result;
 }
 
-} // namespace
-
-Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs)
-{
-  Part_pairs result;
-  for (const Connected_parts& sets : connected_parts(pairs, source.charts.size(), target.charts.size())) {
-    if (sets.source.size() == 1 || sets.target.size() == 1) {
-      for (std::size_t s : sets.source)
-        for (std::size_t t : sets.target)
-          result.emplace_back(s, t);
-    } else {
-      const Part_pairs matched = matched_by_place(sets, source, target);
-      result.insert(result.end(), matched.begin(), matched.end());
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-std::vector<Eigen::Matrix3d> cube_rotations()
-{
-  std::vector<Eigen::Matrix3d> result;
-  std::array<int, 3> order = {0, 1, 2};
-  do {
-    for (int signs = 0; signs < 8; ++signs) {
-      Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-      for (int i = 0; i < 3; ++i)
-        m(order[std::size_t(i)], i) = signs >> i & 1 ? -1 : 1;
-      if (m.determinant() > 0) result.push_back(m);
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return result;
-}
-
-namespace {
-
 /// The rotation between the coordinates of two charts that best aligns their longest extents (paper, section 5,
 /// "Deform-to-fit": extremities are matched by proximity).
 Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pair_kind kind)
@@ -191,6 +155,38 @@ struct Division
 };
 
 } // namespace
+
+Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs)
+{
+  Part_pairs result;
+  for (const Connected_parts& sets : connected_parts(pairs, source.charts.size(), target.charts.size())) {
+    if (sets.source.size() == 1 || sets.target.size() == 1) {
+      for (std::size_t s : sets.source)
+        for (std::size_t t : sets.target)
+          result.emplace_back(s, t);
+    } else {
+      const Part_pairs matched = matched_by_place(sets, source, target);
+      result.insert(result.end(), matched.begin(), matched.end());
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<Eigen::Matrix3d> cube_rotations()
+{
+  std::vector<Eigen::Matrix3d> result;
+  std::array<int, 3> order = {0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+      for (int i = 0; i < 3; ++i)
+        m(order[std::size_t(i)], i) = signs >> i & 1 ? -1 : 1;
+      if (m.determinant() > 0) result.push_back(m);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return result;
+}
 
 std::array<Part_chart, 2> piece_charts(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target)
 {

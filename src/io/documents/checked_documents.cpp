@@ -68,6 +68,14 @@ void append_options(const Abstraction_options& options, std::string& bytes)
 
 std::string title(const std::string& content) { return "shape_correspondence cache entry " + content; }
 
+constexpr const char* model_title = "shape_correspondence role model";
+
+internal::Stored_bytes bytes_of(std::string_view text, std::shared_ptr<const void> owner)
+{
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(text.data());
+  return {begin, begin + text.size(), std::move(owner)};
+}
+
 } // namespace
 
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options)
@@ -120,18 +128,6 @@ void Structural_graph_cache::insert(const Structural_graph& graph) const
   write_structural_graph_json(text, graph);
   write_checked_entry(path(shape.content), title(shape.content), text.str());
 }
-
-namespace {
-
-constexpr const char* model_title = "shape_correspondence role model";
-
-internal::Stored_bytes bytes_of(std::string_view text, std::shared_ptr<const void> owner)
-{
-  const auto* const begin = reinterpret_cast<const std::uint8_t*>(text.data());
-  return {begin, begin + text.size(), std::move(owner)};
-}
-
-} // namespace
 
 void write_role_model(const std::string& path, const Role_model& model)
 {

@@ -112,6 +112,24 @@ Json clusters_json(const Collection& collection)
   return result;
 }
 
+constexpr std::size_t npy_alignment = 64;
+
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "files of doubles are written as they are in memory");
+
+constexpr Eigen::Index rows_at_a_time = 512; // number of entries of a column that fill a page of a file
+
+/// Calls `take` with every row. Columns are contiguous, so that rows are read in blocks.
+template <typename Take>
+void for_each_row(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const Take& take)
+{
+  for (Eigen::Index first = 0; first < matrix.rows(); first += rows_at_a_time) {
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows =
+        matrix.middleRows(first, std::min(rows_at_a_time, matrix.rows() - first));
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+      take(first + i, rows.row(i));
+  }
+}
+
 } // namespace
 
 Json collection_outline_json(const Collection& collection)
@@ -157,28 +175,6 @@ void write_nearest_json(std::ostream& out, const Nearest_in_collection& found)
   result["warnings"] = found.warnings;
   result.write(out);
 }
-
-namespace {
-
-constexpr std::size_t npy_alignment = 64;
-
-static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "files of doubles are written as they are in memory");
-
-constexpr Eigen::Index rows_at_a_time = 512; // number of entries of a column that fill a page of a file
-
-/// Calls `take` with every row. Columns are contiguous, so that rows are read in blocks.
-template <typename Take>
-void for_each_row(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const Take& take)
-{
-  for (Eigen::Index first = 0; first < matrix.rows(); first += rows_at_a_time) {
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows =
-        matrix.middleRows(first, std::min(rows_at_a_time, matrix.rows() - first));
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-      take(first + i, rows.row(i));
-  }
-}
-
-} // namespace
 
 void write_npy(std::ostream& out, const Eigen::Ref<const Eigen::MatrixXd>& matrix)
 {

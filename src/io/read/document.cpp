@@ -74,6 +74,35 @@ void check_xml_depth(std::string_view text, const std::string& file)
   }
 }
 
+/// Whether a value is a point with coordinates of at most `largest_coordinate`.
+bool is_point(const nlohmann::json& value)
+{
+  return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& coordinate) {
+           return coordinate.is_number() && std::abs(coordinate.template get<double>()) <= internal::largest_coordinate;
+         });
+}
+
+/// Upper estimate of the memory, in bytes, for the values of a document, including reallocated lists.
+std::uint64_t memory_of_values(std::string_view text)
+{
+  constexpr std::uint64_t of_value = 40, of_list = 64, of_object = 96, of_quote = 32;
+  std::uint64_t result = of_value;
+  for (char c : text)
+    result += c == ',' ? of_value : c == '[' ? of_list : c == '{' ? of_object : c == '"' ? of_quote : 0;
+  return result;
+}
+
+/// Throws `std::bad_alloc` if there is no memory for the values of a document. The parser would crash instead, since it
+/// needs memory to destroy a partial document.
+void check_memory(std::string_view text, const std::string& file)
+{
+  const std::uint64_t bytes = memory_of_values(text);
+  if (bytes > internal::most_memory_of_values)
+    throw Invalid_input(file + ": its values would take more than " +
+                        std::to_string(internal::most_memory_of_values >> 30) + " GB of memory; divide it");
+  ::operator delete(::operator new(std::size_t(bytes)));
+}
+
 } // namespace
 
 std::string read_document(std::istream& in, const std::string& file)
@@ -121,39 +150,6 @@ boost::property_tree::ptree parse_xml(const std::string& text, const std::string
   }
   return result;
 }
-
-namespace {
-
-/// Whether a value is a point with coordinates of at most `largest_coordinate`.
-bool is_point(const nlohmann::json& value)
-{
-  return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& coordinate) {
-           return coordinate.is_number() && std::abs(coordinate.template get<double>()) <= internal::largest_coordinate;
-         });
-}
-
-/// Upper estimate of the memory, in bytes, for the values of a document, including reallocated lists.
-std::uint64_t memory_of_values(std::string_view text)
-{
-  constexpr std::uint64_t of_value = 40, of_list = 64, of_object = 96, of_quote = 32;
-  std::uint64_t result = of_value;
-  for (char c : text)
-    result += c == ',' ? of_value : c == '[' ? of_list : c == '{' ? of_object : c == '"' ? of_quote : 0;
-  return result;
-}
-
-/// Throws `std::bad_alloc` if there is no memory for the values of a document. The parser would crash instead, since it
-/// needs memory to destroy a partial document.
-void check_memory(std::string_view text, const std::string& file)
-{
-  const std::uint64_t bytes = memory_of_values(text);
-  if (bytes > internal::most_memory_of_values)
-    throw Invalid_input(file + ": its values would take more than " +
-                        std::to_string(internal::most_memory_of_values >> 30) + " GB of memory; divide it");
-  ::operator delete(::operator new(std::size_t(bytes)));
-}
-
-} // namespace
 
 void Json_field::fail(const std::string& what) const
 {

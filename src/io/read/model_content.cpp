@@ -22,6 +22,21 @@ std::string with_slashes(std::string name)
   return name;
 }
 
+/// Whether a name is a default for unnamed objects: a number, or one of these words with or without a number.
+bool only_counts(const std::string& name)
+{
+  std::string word;
+  for (char c : name)
+    if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80)
+      word += char(std::tolower(static_cast<unsigned char>(c)));
+  const auto words = {
+      "",         "object", "obj",      "mesh",      "node",  "group",          "geometry",    "geom",
+      "meshnode", "shape",  "objectid", "polygon",   "part",  "primitive",      "polysurface", "submesh",
+      "root",     "scene",  "rootnode", "component", "gltf",  "gltfnode",       "meshobject",  "instance",
+      "default",  "model",  "untitled", "unnamed",   "solid", "sketchfabmodel", "transform",   "entity"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 } // namespace
 
 Named_file Named_files::read(const std::string& given) const
@@ -88,25 +103,6 @@ void add_looks(const Part_appearance& more, std::size_t more_triangles, std::siz
   append(all.coordinates, 3 * triangles, more.coordinates, 3 * more_triangles, Eigen::Vector2f(0, 0));
   append(all.colours, 3 * triangles, more.colours, 3 * more_triangles, Eigen::Vector3f(1, 1, 1));
 }
-
-namespace {
-
-/// Whether a name is a default for unnamed objects: a number, or one of these words with or without a number.
-bool only_counts(const std::string& name)
-{
-  std::string word;
-  for (char c : name)
-    if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80)
-      word += char(std::tolower(static_cast<unsigned char>(c)));
-  const auto words = {
-      "",         "object", "obj",      "mesh",      "node",  "group",          "geometry",    "geom",
-      "meshnode", "shape",  "objectid", "polygon",   "part",  "primitive",      "polysurface", "submesh",
-      "root",     "scene",  "rootnode", "component", "gltf",  "gltfnode",       "meshobject",  "instance",
-      "default",  "model",  "untitled", "unnamed",   "solid", "sketchfabmodel", "transform",   "entity"};
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-} // namespace
 
 void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<int>& node_of_part,
                         const std::vector<std::string>& meshes, std::vector<Model_part>& parts)

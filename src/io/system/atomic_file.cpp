@@ -147,6 +147,11 @@ void check_existing(const std::string& path, const fs::path& file)
   if (fs::exists(file, error)) fail_if(write_access(file), path);
 }
 
+std::string heading(const std::string& title, const std::string& content)
+{
+  return title + ' ' + digest(content) + '\n';
+}
+
 } // namespace
 
 fs::path written_file(const std::string& path)
@@ -233,15 +238,6 @@ void make_folder(const std::string& path, const std::string& use)
     throw Invalid_input(path + ": it cannot be used as " + use + " (" + (error ? error.message() : "it is a file") +
                         "); choose another folder");
 }
-
-namespace {
-
-std::string heading(const std::string& title, const std::string& content)
-{
-  return title + ' ' + digest(content) + '\n';
-}
-
-} // namespace
 
 std::string digest(const std::string& bytes)
 {

@@ -103,6 +103,68 @@ void append(const Drawn_mesh& more, Drawn_mesh& all)
   all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + static_cast<int>(points);
 }
 
+constexpr std::size_t fewest_triangles = 24; // limit for a part: two boxes
+constexpr double margin = 0.05;              // around the triangles at an edge, over the diagonal of their bounding box
+
+/// The placement of Lindstrom and Turk, or the midpoint of the edge where that is far away, as on thin pieces, where
+/// the planes that determine it nearly meet in a line.
+class Near_placement
+{
+public:
+  template <class Profile>
+  auto operator()(const Profile& profile) const
+  {
+    auto place = anywhere_(profile);
+    if (place && !box_of(profile).contains(internal::to_point(*place)))
+      *place = CGAL::midpoint(profile.p0(), profile.p1());
+    return place;
+  }
+
+private:
+  /// The bounding box of the triangles at an edge, with a margin.
+  template <class Profile>
+  static Eigen::AlignedBox3d box_of(const Profile& profile)
+  {
+    Eigen::AlignedBox3d box(internal::to_point(profile.p0()));
+    box.extend(internal::to_point(profile.p1()));
+    for (const auto vertex : profile.link())
+      box.extend(internal::to_point(get(profile.vertex_point_map(), vertex)));
+    const Point side = Point::Constant(margin * box.diagonal().norm());
+    return {box.min() - side, box.max() + side};
+  }
+
+  Surface_mesh_simplification::LindstromTurk_placement<internal::Halfedge_mesh> anywhere_;
+};
+
+/// Stops when few enough edges are left; the names of CGAL's own predicate differ between versions.
+struct Edge_limit
+{
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t, std::size_t edges) const
+  {
+    return edges < limit;
+  }
+
+  std::size_t limit;
+};
+
+Part_mesh collapsed(const Part_mesh& mesh, std::size_t most_triangles)
+{
+  internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
+  const std::size_t edges = most_triangles * 3 / 2; // exact for a closed surface
+  Surface_mesh_simplification::edge_collapse(surface, Edge_limit{edges},
+                                             CGAL::parameters::get_placement(Near_placement()));
+  surface.collect_garbage();
+  return surface.number_of_faces() > 0 ? internal::to_part_mesh(surface) : mesh;
+}
+
+Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
+{
+  if (std::size_t(mesh.triangles.cols()) <= most_triangles) return mesh;
+  return internal::library_call(
+      "simplification", [&] { return collapsed(mesh, most_triangles); }, [&] { return mesh; });
+}
+
 } // namespace
 
 Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
@@ -175,72 +237,6 @@ Drawn_mesh patch(const Points& grid, int rows, int cols)
 {
   return shaded(grid, grid_triangles(rows, cols, false, false));
 }
-
-namespace {
-
-constexpr std::size_t fewest_triangles = 24; // limit for a part: two boxes
-constexpr double margin = 0.05;              // around the triangles at an edge, over the diagonal of their bounding box
-
-/// The placement of Lindstrom and Turk, or the midpoint of the edge where that is far away, as on thin pieces, where
-/// the planes that determine it nearly meet in a line.
-class Near_placement
-{
-public:
-  template <class Profile>
-  auto operator()(const Profile& profile) const
-  {
-    auto place = anywhere_(profile);
-    if (place && !box_of(profile).contains(internal::to_point(*place)))
-      *place = CGAL::midpoint(profile.p0(), profile.p1());
-    return place;
-  }
-
-private:
-  /// The bounding box of the triangles at an edge, with a margin.
-  template <class Profile>
-  static Eigen::AlignedBox3d box_of(const Profile& profile)
-  {
-    Eigen::AlignedBox3d box(internal::to_point(profile.p0()));
-    box.extend(internal::to_point(profile.p1()));
-    for (const auto vertex : profile.link())
-      box.extend(internal::to_point(get(profile.vertex_point_map(), vertex)));
-    const Point side = Point::Constant(margin * box.diagonal().norm());
-    return {box.min() - side, box.max() + side};
-  }
-
-  Surface_mesh_simplification::LindstromTurk_placement<internal::Halfedge_mesh> anywhere_;
-};
-
-/// Stops when few enough edges are left; the names of CGAL's own predicate differ between versions.
-struct Edge_limit
-{
-  template <class Cost, class Profile>
-  bool operator()(const Cost&, const Profile&, std::size_t, std::size_t edges) const
-  {
-    return edges < limit;
-  }
-
-  std::size_t limit;
-};
-
-Part_mesh collapsed(const Part_mesh& mesh, std::size_t most_triangles)
-{
-  internal::Halfedge_mesh surface = internal::manifold_surface(mesh);
-  const std::size_t edges = most_triangles * 3 / 2; // exact for a closed surface
-  Surface_mesh_simplification::edge_collapse(surface, Edge_limit{edges},
-                                             CGAL::parameters::get_placement(Near_placement()));
-  surface.collect_garbage();
-  return surface.number_of_faces() > 0 ? internal::to_part_mesh(surface) : mesh;
-}
-
-Part_mesh simplified_part(const Part_mesh& mesh, std::size_t most_triangles)
-{
-  if (std::size_t(mesh.triangles.cols()) <= most_triangles) return mesh;
-  return internal::library_call(
-      "simplification", [&] { return collapsed(mesh, most_triangles); }, [&] { return mesh; });
-}
-
-} // namespace
 
 std::size_t number_of_triangles(const Segmented_shape& shape)
 {

@@ -131,34 +131,6 @@ void add_contact(Json& list, const Contact& contact, const Shape_structure& shap
     add(parameters);
 }
 
-} // namespace
-
-void write_structural_graph_json(std::ostream& out, const Structural_graph& graph)
-{
-  const Shape_structure& shape = structure(graph);
-  Json result;
-  result["format"] = "shape_correspondence/graph";
-  result["version"] = 1;
-  result["name"] = shape.name;
-  if (!shape.content.empty()) result["content"] = shape.content;
-  if (shape.automatic_parts) result["segmentation"] = "automatic";
-  result["up"] = point(shape.frame.axes.col(1));
-  result["frame"] = frame(shape.frame);
-  result["parts"] = Json::array();
-  for (const Part_abstraction& p : shape.parts)
-    result["parts"].push_back(part(p));
-  result["groups"] = Json::array();
-  for (std::size_t v = 0; v < num_vertices(graph); ++v)
-    result["groups"].push_back(group(graph[v], shape));
-  result["contacts"] = Json::array();
-  for (const Contact& c : shape.contacts)
-    add_contact(result["contacts"], c, shape);
-  result["warnings"] = shape.warnings;
-  result.write(out);
-}
-
-namespace {
-
 using Vertex = boost::graph_traits<Structural_graph>::vertex_descriptor;
 using Edge = boost::graph_traits<Structural_graph>::edge_descriptor;
 
@@ -185,6 +157,30 @@ boost::dynamic_properties graphml_columns(const Structural_graph& graph)
 }
 
 } // namespace
+
+void write_structural_graph_json(std::ostream& out, const Structural_graph& graph)
+{
+  const Shape_structure& shape = structure(graph);
+  Json result;
+  result["format"] = "shape_correspondence/graph";
+  result["version"] = 1;
+  result["name"] = shape.name;
+  if (!shape.content.empty()) result["content"] = shape.content;
+  if (shape.automatic_parts) result["segmentation"] = "automatic";
+  result["up"] = point(shape.frame.axes.col(1));
+  result["frame"] = frame(shape.frame);
+  result["parts"] = Json::array();
+  for (const Part_abstraction& p : shape.parts)
+    result["parts"].push_back(part(p));
+  result["groups"] = Json::array();
+  for (std::size_t v = 0; v < num_vertices(graph); ++v)
+    result["groups"].push_back(group(graph[v], shape));
+  result["contacts"] = Json::array();
+  for (const Contact& c : shape.contacts)
+    add_contact(result["contacts"], c, shape);
+  result["warnings"] = shape.warnings;
+  result.write(out);
+}
 
 void write_structural_graph_graphml(std::ostream& out, const Structural_graph& graph)
 {
