@@ -10,20 +10,15 @@
 #include "command_line.h"
 #include "roles/Part_model.h"
 #include "roles/Role_model_data.h"
-#include "shape/Loose_piece.h"
-#include "shape/meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -36,17 +31,15 @@ using namespace CGAL::Shape_correspondence::internal;
 namespace {
 
 const char* const usage =
-    "Usage: train_parts [--test FOLDER]... [--folds] [--found FOLDER] [--roles FILE -o FILE] FOLDER...\n"
+    "Usage: train_parts [--test FOLDER]... [--folds] [--roles FILE -o FILE] FOLDER...\n"
     "Learns what parts look like from labelled shapes. --test leaves out the sources of the shapes in a folder and\n"
-    "prints how well their parts are found again; --folds does so with each fifth of all sources. --found writes the\n"
-    "shapes with the parts that are found, labelled by what they are mostly of, as CATEGORY/SHAPE/{labels.json, "
-    "parts/};\n"
-    "-o writes the role model of --roles with what was learned.\n";
+    "prints how well their parts are found again; --folds does so with each fifth of all sources; -o writes the role\n"
+    "model of --roles with what was learned.\n";
 
 struct Options
 {
   std::vector<std::string> folders, test;
-  std::string roles, output, found;
+  std::string roles, output;
   bool folds = false;
 };
 
@@ -97,10 +90,9 @@ Joined joined(const Segmented_shape& labelled, const std::vector<std::string>& r
   return result;
 }
 
-/// The labels of a shape's parts, and what is learned from it.
+/// A shape as it is read, and what is learned from it.
 struct Example
 {
-  IO::Labelled_shape labels; // sorted as the parts
   Joined model;
   Part_example shape;
 };
@@ -109,15 +101,12 @@ Example example_of(const IO::Labelled_shape& labels, bool one)
 {
   const Segmented_shape labelled =
       IO::read_segmented_shape((std::filesystem::path(labels.file).parent_path() / "parts").string());
-  Example result;
   std::vector<std::string> roles;
-  result.labels = labels;
-  result.labels.labels.clear();
   for (const Shape_part& part : labelled.parts()) {
     const std::size_t i = labels.index(part.name);
-    result.labels.labels.push_back(i < labels.labels.size() ? labels.labels[i] : Part_label());
-    roles.push_back(result.labels.labels.back().coarse);
+    roles.push_back(i < labels.labels.size() ? labels.labels[i].coarse : "");
   }
+  Example result;
   result.model = joined(labelled, roles, one);
   result.shape = part_example(result.model.shape, result.model.parts, labels.category,
                               labels.source.empty() ? labels.name : labels.source);
@@ -190,8 +179,6 @@ Options parsed(int argc, char** argv)
       options.test.push_back(words.value());
     else if (word == "--folds")
       options.folds = true;
-    else if (word == "--found")
-      options.found = words.value();
     else if (word == "--roles")
       options.roles = words.value();
     else if (word == "-o")
@@ -235,61 +222,7 @@ std::vector<std::size_t> ideal_cut(const Part_example& shape, const std::vector<
   return best_cut(nodes, values);
 }
 
-/// The triangles of some patches.
-Part_mesh mesh_of(const Example& example, const Part_node& node)
-{
-  const std::set<std::size_t> patches(node.patches.begin(), node.patches.end());
-  std::vector<Part_mesh> meshes;
-  std::vector<const Part_mesh*> pointers;
-  for (std::size_t o = 0; o < example.model.shape.parts().size(); ++o) {
-    const Part_mesh& object = example.model.shape.parts()[o].mesh;
-    std::vector<std::size_t> triangles;
-    for (std::size_t t = 0; t < example.shape.surface.of_triangles[o].size(); ++t)
-      if (patches.count(example.shape.surface.of_triangles[o][t])) triangles.push_back(t);
-    std::vector<int> number(std::size_t(object.points.cols()), -1);
-    meshes.push_back(extracted(object, triangles, number));
-  }
-  for (const Part_mesh& mesh : meshes)
-    pointers.push_back(&mesh);
-  return internal::joined(pointers);
-}
-
-/// Writes found parts, each with the role of most of its area, as CATEGORY/SHAPE/{labels.json, parts/}.
-void write_found(const std::string& folder, const Example& example, const std::vector<Part_node>& nodes,
-                 const std::vector<std::size_t>& cut)
-{
-  const IO::Labelled_shape& labels = example.labels;
-  const std::filesystem::path target = std::filesystem::path(folder) / labels.category / labels.name;
-  std::filesystem::create_directories(target / "parts");
-  nlohmann::json parts = nlohmann::json::array();
-  const Eigen::MatrixXd areas = example.shape.areas_of(nodes);
-  for (std::size_t i : cut) {
-    std::map<std::string, double> of_role;
-    for (Eigen::Index j = 0; j < areas.cols(); ++j)
-      of_role[labels.labels[std::size_t(j)].coarse] += areas(Eigen::Index(i), j);
-    const auto role = std::max_element(of_role.begin(), of_role.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    Eigen::Index most = 0;
-    areas.row(Eigen::Index(i)).maxCoeff(&most);
-    const Part_label& label = labels.labels[std::size_t(most)];
-    const std::string name = "part_" + std::to_string(parts.size());
-    parts.push_back({{"name", name}, {"coarse", role->first}});
-    if (label.coarse == role->first && !label.fine.empty()) parts.back()["fine"] = label.fine;
-    const Part_mesh mesh = mesh_of(example, nodes[i]);
-    std::ofstream out(target / "parts" / (name + ".obj"));
-    out.precision(9);
-    for (Eigen::Index v = 0; v < mesh.points.cols(); ++v)
-      out << "v " << mesh.points.col(v).transpose() << '\n';
-    for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-      out << "f " << (mesh.triangles.col(t).array() + 1).transpose() << '\n';
-  }
-  std::ofstream(target / "labels.json")
-      << nlohmann::json{{"category", labels.category}, {"source", labels.source}, {"parts", parts}}.dump(1);
-}
-
-/// \param found folder to write the shapes with found parts to, or empty
-void measure(const std::vector<const Example*>& examples, const Part_model& model, const std::string& found,
-             Tables& tables)
+void measure(const std::vector<const Example*>& examples, const Part_model& model, Tables& tables)
 {
   std::vector<std::array<Row, 3>> rows(examples.size());
   for_each_index(examples.size(), true, [&](std::size_t i) {
@@ -299,7 +232,6 @@ void measure(const std::vector<const Example*>& examples, const Part_model& mode
                                    cut = likeliest_parts(shape.surface, nodes, model, category_of(shape, model));
     rows[i] = {measured(shape, nodes, ideal), measured(shape, nodes, cut),
                measured(shape, nodes, likeliest_parts(shape.surface, nodes, model, nullptr))};
-    if (!found.empty() && examples[i]->model.is_one && cut.size() > 1) write_found(found, *examples[i], nodes, cut);
   });
   for (std::size_t i = 0; i < examples.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -316,16 +248,21 @@ Part_model learned(const std::vector<Example>& examples, const std::set<std::str
     if (unseen.count(example.shape.source) == 0) training.push_back(example.shape);
   std::printf("%zu shapes to learn from\n", training.size() / 2);
   std::fflush(stdout);
-  return train_part_model(training);
+  Part_model result = train_part_model(training);
+  for (const Part_model::Category& category : result.categories)
+    std::printf("%s %.2f%s", category.name.c_str(), category.worth,
+                &category == &result.categories.back() ? "\n" : ", ");
+  std::fflush(stdout);
+  return result;
 }
 
 void measure_unseen(const std::vector<Example>& training, const std::vector<Example>& test,
-                    const std::set<std::string>& sources, const std::string& found, Tables& tables)
+                    const std::set<std::string>& sources, Tables& tables)
 {
   std::vector<const Example*> unseen;
   for (const Example& example : test)
     if (sources.count(example.shape.source)) unseen.push_back(&example);
-  measure(unseen, learned(training, sources), found, tables);
+  measure(unseen, learned(training, sources), tables);
 }
 
 void run(const Options& options)
@@ -337,7 +274,7 @@ void run(const Options& options)
     std::set<std::string> sources;
     for (const Example& example : test)
       sources.insert(example.shape.source);
-    measure_unseen(training, test, sources, options.found, tables);
+    measure_unseen(training, test, sources, tables);
   }
   if (options.folds) {
     std::vector<std::set<std::string>> folds(training_folds);
@@ -347,7 +284,7 @@ void run(const Options& options)
     for (const auto& [source, fold] : folds_of_sources(sources))
       folds[fold].insert(source);
     for (const std::set<std::string>& of_fold : folds)
-      measure_unseen(training, training, of_fold, options.found, tables);
+      measure_unseen(training, training, of_fold, tables);
   }
   for (const auto& [title, rows] : tables)
     print(title, rows);

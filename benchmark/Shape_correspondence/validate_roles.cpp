@@ -391,7 +391,8 @@ Json json_of(const Validated_shapes& set, const std::vector<Row>& rows, const st
                                     {"labels", labels(row, &Validated_pair::labels_by_geometry)},
                                     {"labels_with_roles", labels(row, &Validated_pair::labels_joined)}});
   result["weights"] = json_of(set.validation->weights());
-  for (const Category_roles& fitted : Role_model_access::data(set.validation->fitted_model()).categories) {
+  const Role_model model = set.validation->fitted_model();
+  for (const Category_roles& fitted : Role_model_access::data(model).categories) {
     Json& entry = result["fitted"][fitted.name];
     entry["weights"] = json_of(fitted.weights);
     entry["confidence"] = json_of(fitted.confidence);

@@ -38,7 +38,7 @@ public:
 
   double logit(const std::uint8_t* features) const;
   double probability(const std::uint8_t* features) const;
-  std::size_t number_of_nodes() const { return nodes_.size(); }
+  bool is_empty() const { return nodes_.empty(); }
 
   void write(std::ostream& out) const;
   // \return false if the bytes are not those of trees for so many features

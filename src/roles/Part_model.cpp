@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <ostream>
@@ -23,9 +24,7 @@ namespace {
 constexpr Boosting_options affinity_options{150, 16, 0.1, 5, 0.5, 1}, partness_options{60, 12, 0.15, 5, 0.3, 1};
 constexpr double pure_enough = 0.85;             // share of a node in one true part, from which on it tells of it
 constexpr std::size_t most_pairs_of_shape = 250; // that affinities are learned from
-// What a part must be more probable than to be worth one more: about half of the F1 with which parts are found, for
-// which the expected number of right parts less this for each one found makes F1 greatest.
-constexpr double worth_a_part = 0.45;
+constexpr double worth_unit = 0.01;              // in a file
 
 // Examples of pairs of nodes, and whether they are of one part.
 struct Node_pairs
@@ -87,15 +86,17 @@ Boosted_trees learned_affinity(const std::vector<const Node_pairs*>& shapes)
 // The nodes of a shape, and how much each is a part.
 struct Judged_nodes
 {
+  std::vector<Part_node> nodes;
   Byte_rows features;
   std::vector<double> targets;
 };
 
 Judged_nodes judged_nodes(const Part_example& example, const Part_model& model)
 {
-  const std::vector<Part_node> nodes = part_candidates(example.surface, model);
+  std::vector<Part_node> nodes = part_candidates(example.surface, model);
   const Eigen::MatrixXd overlaps = example.overlaps_of(nodes);
-  Judged_nodes result{part_features(example.surface, nodes, 0), {}};
+  Judged_nodes result{{}, part_features(example.surface, nodes, 0), {}};
+  result.nodes = std::move(nodes);
   for (Eigen::Index i = 0; i < overlaps.rows(); ++i) {
     const double overlap = overlaps.row(i).maxCoeff();
     result.targets.push_back(((overlap >= same_part_overlap) + overlap) / 2);
@@ -119,6 +120,80 @@ Boosted_trees learned_partness(const std::vector<const Judged_nodes*>& shapes)
   }
   return Boosted_trees(features, targets, weights, partness_options);
 }
+
+Boosted_trees partness_of(const std::vector<Judged_nodes>& shapes, const std::function<bool(std::size_t)>& is_seen)
+{
+  std::vector<const Judged_nodes*> training;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (is_seen(i)) training.push_back(&shapes[i]);
+  return training.empty() ? Boosted_trees() : learned_partness(training);
+}
+
+// Chooses what a part of a category is worth by the shapes of each source.
+class Worth_choice
+{
+public:
+  // \param unseen learned without the source, in which a part of the only category is worth 0
+  void add(const Part_example& example, const Judged_nodes& judged, const Part_model& unseen)
+  {
+    const Eigen::MatrixXd overlaps = example.overlaps_of(judged.nodes);
+    const std::vector<double> of_none = part_values(judged.nodes, judged.features, unseen, &unseen.categories[0]);
+    Sums& sums = sources_[example.source];
+    ++sums.shapes;
+    for (std::size_t w = 0; w < worths.size(); ++w) {
+      std::vector<double> values = of_none;
+      for (double& value : values)
+        value -= worths[w];
+      const std::vector<std::size_t> cut = best_cut(judged.nodes, values);
+      std::set<Eigen::Index> recovered;
+      for (std::size_t i : cut)
+        for (Eigen::Index part = 0; part < overlaps.cols(); ++part)
+          if (overlaps(Eigen::Index(i), part) >= same_part_overlap) recovered.insert(part);
+      const double parts = double(overlaps.cols()), found = double(cut.size()), right = double(recovered.size());
+      sums.quality[w] += right / (2 * parts) + right / (parts + found);
+      sums.ratio[w] += found / parts;
+    }
+  }
+
+  // Another worth than the usual one only if it is clearly better, whatever the source.
+  double best() const
+  {
+    constexpr double standard_errors = 1.5, most_divided = 1.25; // of the gain; found parts over true ones
+    if (sources_.empty()) return usual_worth_of_part;
+    double best = 0, result = usual_worth_of_part;
+    for (std::size_t w = 0; w < worths.size(); ++w) {
+      double sum = 0, weights = 0, variance = 0, ratio = 0, shapes = 0;
+      for (const auto& [source, sums] : sources_) {
+        sum += std::sqrt(sums.shapes) * sums.gain(w);
+        weights += std::sqrt(sums.shapes);
+        ratio += sums.ratio[w];
+        shapes += sums.shapes;
+      }
+      for (const auto& [source, sums] : sources_)
+        variance += sums.shapes * std::pow(sums.gain(w) - sum / weights, 2);
+      const double few = double(sources_.size()) / std::max(1., double(sources_.size()) - 1);
+      const double score = (sum - standard_errors * std::sqrt(variance * few)) / weights;
+      if (ratio > most_divided * shapes || quantized(score) <= quantized(best)) continue;
+      best = score;
+      result = worths[w];
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::array<double, 12> worths{usual_worth_of_part, .05, .1, .15, .2, .25, .3, .35, .4, .5, .55, .6};
+
+  struct Sums
+  {
+    double shapes = 0;
+    std::array<double, worths.size()> quality{}; // mean of the share of true parts that are found and its F1
+    std::array<double, worths.size()> ratio{};   // of found parts over true ones
+
+    double gain(std::size_t w) const { return (quality[w] - quality[0]) / shapes; }
+  };
+
+  std::map<std::string, Sums> sources_;
+};
 
 } // namespace
 
@@ -149,7 +224,7 @@ std::vector<double> part_values(const std::vector<Part_node>& nodes, const Byte_
   std::vector<double> result;
   for (const Part_node& node : nodes) {
     const Mean& mean = copies[node.shapes];
-    result.push_back(mean.sum / mean.count - worth_a_part);
+    result.push_back(mean.sum / mean.count - (category ? category->worth : usual_worth_of_part));
   }
   return result;
 }
@@ -223,6 +298,7 @@ void Part_model::write(std::ostream& out) const
   for (const Category& category : categories) {
     out.put(char(category.name.size()));
     out << category.name;
+    out.put(char(std::lround(category.worth / worth_unit)));
     category.partness.write(out);
   }
 }
@@ -237,6 +313,8 @@ bool Part_model::read(Stored_bytes& bytes)
     const std::size_t length = *bytes.next++;
     category.name.assign(reinterpret_cast<const char*>(bytes.next), length);
     bytes.next += length;
+    if (bytes.size() < 1) return false;
+    category.worth = *bytes.next++ * worth_unit;
     if (!category.partness.read(bytes, part_feature_count)) return false;
   }
   return true;
@@ -287,12 +365,31 @@ Part_model train_part_model(const std::vector<Part_example>& examples)
     names.insert(example.category);
   for (const std::string& name : names)
     result.categories.push_back({name, {}});
-  for_each_index(result.categories.size() + 1, true, [&](std::size_t c) {
-    std::vector<const Judged_nodes*> training;
-    for (std::size_t i = 0; i < examples.size(); ++i)
-      if (c == result.categories.size() || examples[i].category == result.categories[c].name)
-        training.push_back(&nodes[i]);
-    (c == result.categories.size() ? result.partness : result.categories[c].partness) = learned_partness(training);
+  const auto fold_of = [&](std::size_t i) { return folds.at(examples[i].source); };
+  for_each_index(result.categories.size() + 1 + training_folds, true, [&](std::size_t c) {
+    if (c < result.categories.size())
+      result.categories[c].partness =
+          partness_of(nodes, [&](std::size_t i) { return examples[i].category == result.categories[c].name; });
+    else if (c == result.categories.size())
+      result.partness = partness_of(nodes, [](std::size_t) { return true; });
+    else
+      by_fold[c - result.categories.size() - 1].partness =
+          partness_of(nodes, [&](std::size_t i) { return fold_of(i) + result.categories.size() + 1 != c; });
+  });
+  for_each_index(result.categories.size(), true, [&](std::size_t c) {
+    Part_model::Category& category = result.categories[c];
+    Worth_choice choice;
+    for (std::size_t fold = 0; fold < training_folds; ++fold) {
+      const auto is_known = [&](std::size_t i) { return examples[i].category == category.name && fold_of(i) != fold; };
+      Part_model unseen;
+      unseen.partness = by_fold[fold].partness;
+      unseen.categories.push_back({category.name, partness_of(nodes, is_known), 0});
+      if (unseen.partness.is_empty() || unseen.categories[0].partness.is_empty()) continue;
+      for (std::size_t i = 0; i < examples.size(); ++i)
+        if (examples[i].category == category.name && fold_of(i) == fold && examples[i].surface.of_triangles.size() == 1)
+          choice.add(examples[i], nodes[i], unseen); // an object, where nothing else tells parts
+    }
+    category.worth = choice.best();
   });
   return result;
 }

@@ -15,6 +15,10 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+// What a part must be more probable than to be worth one more: about half of the F1 with which parts are found, for
+// which the expected number of right parts less this for each one found makes F1 greatest.
+constexpr double usual_worth_of_part = 0.45;
+
 // What tells the parts of a model that has none, learned from labelled shapes.
 struct Part_model
 {
@@ -23,13 +27,14 @@ struct Part_model
   {
     std::string name;
     Boosted_trees partness;
+    double worth = usual_worth_of_part;
   };
 
   Boosted_trees affinity;           // of two nodes: the probability that they are of one part
   Boosted_trees partness;           // of a node: the probability that it is a part, whatever the category
   std::vector<Category> categories; // sorted by name
 
-  bool is_empty() const { return affinity.number_of_nodes() == 0; }
+  bool is_empty() const { return affinity.is_empty(); }
 
   void write(std::ostream& out) const;
   // \return false if the bytes are not those of a model
@@ -73,7 +78,8 @@ constexpr std::size_t training_folds = 5; // of sources
 // \param sources by shape
 std::map<std::string, std::size_t> folds_of_sources(const std::vector<std::string>& sources);
 
-// Learns from examples. Which nodes are parts is learned on trees whose affinities have not seen the shape's source.
+// Learns from examples. Which nodes are parts is learned on trees whose affinities have not seen the shape's source;
+// what a part of a category is worth, on shapes whose source nothing has seen.
 Part_model train_part_model(const std::vector<Part_example>& examples);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -22,6 +22,7 @@ namespace internal {
 namespace {
 
 constexpr double steps_per_deviation = 32; // of a feature: a byte covers four standard deviations either way
+constexpr double least_area_that_counts = 4; // of a part, in the unit of the feature: the smallest tell the least
 
 } // namespace
 
@@ -75,7 +76,7 @@ double Role_distances::mean_distance(const Role_features& parts, std::size_t cat
 {
   const Rows queries = standardised(parts.rows(), [&](Eigen::Index i) { return &parts(i, 0); });
   const Rows& examples = examples_[category];
-  double sum = 0;
+  double sum = 0, weights = 0;
   for (Eigen::Index i = 0; i < queries.rows(); ++i) {
     const std::uint8_t* const query = &queries(i, 0);
     int least = std::numeric_limits<int>::max();
@@ -86,9 +87,11 @@ double Role_distances::mean_distance(const Role_features& parts, std::size_t cat
         distance += std::abs(int(query[k]) - int(example[k]));
       least = std::min(least, distance);
     }
-    sum += least;
+    const double weight = std::sqrt(parts(i, AREA) + least_area_that_counts);
+    sum += weight * least;
+    weights += weight;
   }
-  return sum / (double(queries.rows()) * int(ROLE_FEATURE_COUNT) * steps_per_deviation);
+  return sum / (weights * int(ROLE_FEATURE_COUNT) * steps_per_deviation);
 }
 
 Role_evidence role_evidence(const Structural_graph& graph, const Aligned_shape& shape)
@@ -123,7 +126,7 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
                       (known.empty() ? "train it" : "use one of these: " + known));
 }
 
-constexpr const char* magic = "shape_correspondence roles 7";
+constexpr const char* magic = "shape_correspondence roles 8";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
 constexpr long most_weight_steps = 1000000000; // of a weight, either way
 

@@ -273,6 +273,25 @@ TEST_CASE("Parts are learned from examples and found in others")
   model.write(first);
   train_part_model(examples).write(second);
   CHECK(first.str() == second.str());
+
+  Part_model changed = model;
+  const auto number_of_parts = [&](double worth) {
+    changed.categories[1].worth = worth;
+    return likeliest_parts(surface, nodes, changed, &changed.categories[1]).size();
+  };
+  CHECK(number_of_parts(2) < 5); // nothing is so probable
+  CHECK(number_of_parts(0) >= 5);
+  std::ostringstream out;
+  changed.categories[0].worth = 0.3;
+  changed.write(out);
+  const std::string bytes = out.str();
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  Stored_bytes stored{begin, begin + bytes.size(), nullptr};
+  Part_model read;
+  REQUIRE(read.read(stored));
+  CHECK(stored.size() == 0);
+  CHECK(read.categories[0].worth == Approx(0.3));
+  CHECK(read.categories[1].worth == 0);
 }
 
 TEST_CASE("What is found is said in words: the parts of each role, and their pieces")

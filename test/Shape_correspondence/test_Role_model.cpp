@@ -56,6 +56,21 @@ TEST_CASE("Roles of shapes that the training did not see")
   CHECK_THROWS_WITH(part_roles(unknown.graph, model, "boat"), Contains("'boat'") && Contains("chair, shelf"));
 }
 
+TEST_CASE("Large parts tell the category more than small ones")
+{
+  const Role_model model = train_role_model(labelled(examples()));
+  const Category_roles& chairs = Role_model_access::data(model).categories[0];
+  Role_features parts(2, ROLE_FEATURE_COUNT);
+  std::copy_n(chairs.examples[0].features.begin(), std::size_t(ROLE_FEATURE_COUNT), &parts(0, 0));
+  for (int k = 0; k < ROLE_FEATURE_COUNT; ++k)
+    parts(1, k) = parts(0, k) < 127 ? 254 : 0; // as unlike as can be
+  const auto distance = [&](int area) {
+    parts(1, AREA) = std::uint8_t(area);
+    return Role_model_access::distances(model).mean_distance(parts, 0);
+  };
+  CHECK(3 * distance(0) < distance(254));
+}
+
 TEST_CASE("What stands on the ground is no seat, such as a star base in one piece")
 {
   std::deque<Furniture> chairs;

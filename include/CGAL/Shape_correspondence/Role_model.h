@@ -68,10 +68,10 @@ private:
 struct Role_options
 {
   /// Limit for the distance from a category's labelled parts over that from any other's for a shape to belong to it.
-  double category_ratio = 0.85;
+  double category_ratio = 0.82;
   /// Largest mean distance from a category's labelled parts of a shape that belongs to it, in standard deviations of a
   /// feature.
-  double category_distance = 0.35;
+  double category_distance = 0.45;
   /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
   double clearly_better = 0.05;
 };
@@ -85,7 +85,7 @@ struct Part_roles
   Eigen::MatrixXd probabilities;  ///< part × role; rows sum to 1
   std::vector<Part_label> labels; ///< the most probable label of every part
   /// Distance from the labelled parts of the category: the mean, over parts and features, of the difference from the
-  /// nearest labelled part, in standard deviations of the feature.
+  /// nearest labelled part, in standard deviations of the feature. Large parts weigh more than small ones.
   double distance = 0;
 };
 

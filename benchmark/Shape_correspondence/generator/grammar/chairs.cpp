@@ -71,14 +71,14 @@ void add_legs_with_posts(Sketch& s, const Chair& at, double width)
 void add_support(Sketch& s, const Chair& at)
 {
   switch (s.count(0, 7)) {
-  case 0:
-    if (s.chance(.4)) {
+  case 0: // of an office
+    if (s.chance(.7)) {
       const double height = s.in(.02, .06);
       s.add("seat_frame", s.block({0, at.low - height / 2, 0}, {at.x * s.in(.5, 1.2), height, at.z * s.in(.5, 1.2)}),
             "seat_mount");
-      return add_column(s, {at.x, at.z, at.low - height});
+      return add_column(s, {at.x, at.z, at.low - height}, true);
     }
-    [[fallthrough]];
+    return add_column(s, at.carried(), true);
   case 1:
     return add_column(s, at.carried());
   case 2:

@@ -33,10 +33,11 @@ Solid caster(Sketch& s, const Point& top, double radius)
   return joined({wheel, s.stick(top - Point(0, radius, 0), top, radius / 2)});
 }
 
-void add_star(Sketch& s, double radius, double low, double hub)
+void add_star(Sketch& s, double radius, double low, double hub, bool on_casters)
 {
   const int count = s.count(3, 6);
-  const double width = s.in(.08, .16) * radius, caster_radius = s.chance(.5) ? s.in(.06, .12) * radius : 0;
+  const double width = s.in(.08, .16) * radius,
+               caster_radius = on_casters || s.chance(.5) ? s.in(.06, .12) * radius : 0;
   const double foot = 2 * caster_radius + width / 2;
   const Solid branch = s.stick({0, std::max(low, foot), 0}, {0, foot, radius}, width, width * s.in(.5, 1));
   Solids casters;
@@ -51,7 +52,7 @@ void add_star(Sketch& s, double radius, double low, double hub)
       s.add("leg", one);
     if (s.chance(.4)) s.add("leg", Sketch::block({0, low, 0}, {2 * hub, 2 * width, 2 * hub}, .5));
   }
-  if (!casters.empty()) s.add_several("leg", casters, "", Place::none, .2);
+  if (!casters.empty()) s.add_several("caster", casters, "", Place::none, .1);
 }
 
 Solids trestle(Sketch& s, const Carried& at, double x, double width)
@@ -120,11 +121,11 @@ void add_legs(Sketch& s, const Carried& at, bool may_have_stretchers)
   }
 }
 
-void add_column(Sketch& s, const Carried& at)
+void add_column(Sketch& s, const Carried& at, bool on_casters)
 {
   const double radius = at.size() / 2 * s.in(.5, 1.2), hub = at.size() * s.in(.02, .1);
   const double low = at.height * s.in(.06, .25);
-  const int foot = s.count(0, 3);
+  const int foot = on_casters ? 3 : s.count(0, 3);
   const Solid post = s.chance(.3)
                          ? s.turned({0, low, 0}, {0, at.height, 0}, hub * .5, hub * 1.5)
                          : s.stick({0, foot == 0 ? 0 : low, 0}, {0, at.height, 0}, 2 * hub, 2 * hub * s.in(.5, 1.2));
@@ -136,7 +137,7 @@ void add_column(Sketch& s, const Carried& at)
   } else if (foot == 1 && s.chance(.5)) {
     s.add_several("leg", {plate, post}, "", Place::none, .4);
   } else {
-    add_star(s, radius, low, hub);
+    add_star(s, radius, low, hub, on_casters);
     s.add("leg", post, "pedestal_post");
   }
 }

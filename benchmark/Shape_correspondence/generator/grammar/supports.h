@@ -27,7 +27,7 @@ Solid leg(Sketch& s, const Point& foot, const Point& top, double width);
 void add_legs(Sketch& s, const Carried& at, bool may_have_stretchers = true);
 
 /// A column on a disc, a block, or three to six branches with or without casters; in one part or in several.
-void add_column(Sketch& s, const Carried& at);
+void add_column(Sketch& s, const Carried& at, bool on_casters = false);
 
 /// Two sides: panels, loops, sledges, trestles or crossed bars; may be joined by a bar.
 void add_sides(Sketch& s, const Carried& at, const std::string& role_of_bar = "stretcher");
