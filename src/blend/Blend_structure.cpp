@@ -83,7 +83,8 @@ std::vector<Point> places_of(const std::vector<Blend_part>& parts, const std::ve
     const std::size_t other = touch[0] == number ? touch[1] : touch[0];
     if (!parts[other].is_at(part.end())) continue;
     if (depths[number] == 0 || depths[other] < depths[number])
-      result.push_back(part.trees[0].nearly_closest(parts[other].end_tree(part.end())).first);
+      // The overlap of the boxes, or the gap between them
+      result.push_back(part.trees[0].box().intersection(parts[other].end_tree(part.end()).box()).center());
   }
   if (stands(part) || result.empty()) result.push_back(foot_of(part.mesh.points));
   return result;
@@ -109,7 +110,7 @@ Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<
   box.sizes().cwiseProduct(chart.half_extents()).maxCoeff(&axis_);
   const auto key = [&](const Point& k) {
     const Point p = chart(k);
-    return std::tuple(quantized(p.y()), quantized(p.z()), quantized(p.x()));
+    return std::tuple(quantized(p.y()), quantized(p.z()));
   };
   std::sort(sorted.begin(), sorted.end(), [&](const Point& a, const Point& b) {
     return std::tuple(quantized(a[axis_]), key(a)) < std::tuple(quantized(b[axis_]), key(b));
@@ -119,6 +120,8 @@ Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<
       places_.push_back(place);
     else if (key(place) < key(places_.back()))
       places_.back() = place;
+    else if (!(key(places_.back()) < key(place)))
+      places_.back() = (places_.back() + place) / 2; // mirror images
 }
 
 /// The point of the line through the places that is next to a point along the axis.

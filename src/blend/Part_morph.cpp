@@ -58,6 +58,7 @@ Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, const std
 Points places_on(const Chart_outline& outline, const Part_chart& chart, const Charted_mesh& mesh)
 {
   constexpr double inwards = -0.3; // cosine
+  constexpr double nearer = 0.83;  // ratio of distances, far from 1, so that rounding does not matter in a cube
   const Points normals = chart_normals(mesh);
   const Point half = chart.half_extents();
   Points result(3, mesh.coordinates.cols());
@@ -70,11 +71,17 @@ Points places_on(const Chart_outline& outline, const Part_chart& chart, const Ch
       const double depth = (at_rim - mesh.coordinates.col(i)).cwiseProduct(half).norm();
       const double to_end = (1 - std::abs(q[0])) * half[0];
       const bool is_inner = normals.col(i).tail<2>().dot(off) < inwards * share * normals.col(i).norm();
-      if (share > 1 || (!is_inner && depth < to_end)) q.tail<2>() /= share;
+      if (share > 1 || (!is_inner && depth < nearer * to_end)) q.tail<2>() /= share;
     }
     result.col(i) = q;
   }
   return result;
+}
+
+/// What two offsets have in common: of each coordinate the smaller one, if both have the same sign.
+Point common(const Point& a, const Point& b)
+{
+  return (a.array() * b.array() > 0).select((a.array().abs() < b.array().abs()).select(a, b), 0.);
 }
 
 /// The root mean square of offsets over a surface, over its diagonal.
@@ -124,7 +131,7 @@ void Part_morph::add(const Part_chart& chart, const Part_mesh& mesh)
   const Charted_mesh fine = charted_mesh(mesh, chart, longest_edge);
   const Chart_outline& outline = outlines_.emplace_back(fine.coordinates, fine.triangles);
   Sliding_surface surface = {fine.triangles, places_on(outline, chart, fine), Points(3, fine.points.cols()),
-                             Points::Zero(3, fine.points.cols())};
+                             Points::Zero(3, fine.points.cols()), Points::Zero(3, fine.points.cols())};
   for (Eigen::Index i = 0; i < fine.points.cols(); ++i) {
     const Point k = outline.absolute(surface.places.col(i));
     surface.offsets.col(i) = chart.frame(k).inverse() * (fine.points.col(i) - chart(k));
@@ -142,10 +149,13 @@ void Part_morph::meet()
   for (std::size_t side : {0u, 1u}) {
     const contacts::Triangle_tree other = tree_of(at_change[1 - side], surfaces_[1 - side].triangles);
     Sliding_surface& surface = surfaces_[side];
-    std::size_t nearest = 0;
     for (Eigen::Index i = 0; i < surface.meets.cols(); ++i) {
-      const Point p = at_change[side].col(i), way = other.nearest(p, nearest) - p;
-      surface.meets.col(i) = chart.frame(outline.absolute(surface.places.col(i))).inverse() * way;
+      const Point p = at_change[side].col(i), k = outline.absolute(surface.places.col(i));
+      const Mesh_place place = nearest_place(other, p);
+      surface.meets.col(i) =
+          chart.frame(k).inverse() * (place.of(at_change[1 - side], surfaces_[1 - side].triangles) - p);
+      const Point detail = place.of(surfaces_[1 - side].offsets, surfaces_[1 - side].triangles);
+      surface.details.col(i) = common(surface.offsets.col(i), detail);
     }
     misfit_ = std::max(misfit_, spread_of(surface.meets, at_change[side], surface.triangles));
   }
@@ -169,13 +179,14 @@ Points Part_morph::points(int surface, double t) const
   constexpr double meeting = 0.25; // time in which a surface slides onto the other one, or from there
   const Part_chart chart = Part_chart::between(charts_[0], charts_[1], t);
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
-  const auto& [triangles, places, offsets, meets] = surfaces_[std::size_t(surface)];
+  const auto& [triangles, places, offsets, details, meets] = surfaces_[std::size_t(surface)];
   const double left = std::clamp(surface == 0 ? 1 - t / change : (t - change) / (1 - change), 0., 1.),
                met = std::max(0., 1 - std::abs(t - change) / meeting);
   Points result(3, places.cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
     const Point k = outline.absolute(places.col(i));
-    result.col(i) = chart(k) + chart.frame(k) * (left * offsets.col(i) + met * meets.col(i));
+    result.col(i) =
+        chart(k) + chart.frame(k) * (left * offsets.col(i) + (1 - left) * details.col(i) + met * meets.col(i));
   }
   return result;
 }

@@ -26,8 +26,8 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
 ///
 /// A *stand-in*, the surface of the outlines of cross-sections, moves evenly from the source to the target. The
-/// source's surface slides onto it, and then onto the target's surface, which has slid onto the source's and takes
-/// over.
+/// source's surface slides onto it, but for details that both have, and then onto the target's surface, which has slid
+/// onto the source's and takes over.
 class Part_morph
 {
 public:
@@ -55,7 +55,8 @@ private:
     Eigen::Matrix3Xi triangles;
     Points places;  ///< on the stand-in, in relative coordinates
     Points offsets; ///< from there to the surface at its end, in the frames of the chart
-    Points meets;   ///< likewise from there to the other surface, at the change
+    Points details; ///< likewise, what the offsets have in common with those of the other surface
+    Points meets;   ///< likewise, from there to the other surface, at the change
   };
 
   void add(const Part_chart& chart, const Part_mesh& mesh);

@@ -43,8 +43,7 @@ Point sizes_of(const Points& points)
 Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles)
     : triangles_(triangles), sizes_(sizes_of(points)), longest_(triangles.cols())
 {
-  constexpr double smooth = 0.5;           // cosine of the angle between normals
-  constexpr double least_thickness = 1e-9; // volume over area^1.5, below which both sides of the surface coincide
+  constexpr double smooth = 0.5; // cosine of the angle between normals
   constexpr int samples = 24;
   const Points normals = doubled_normals(points, triangles_);
   const Eigen::VectorXd areas = normals.colwise().norm();
@@ -61,13 +60,7 @@ Rest_surface::Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangl
       sides[std::minmax(a, b)].push_back(t);
     }
   }
-  const Point middle = points.rowwise().mean();
-  double volume = 0; // signed volume
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t)
-    volume += normals.col(t).dot(contacts::centre(triangle_of(points, triangles_, t)) - middle) / 6;
-  is_closed_ = std::abs(volume) > least_thickness * std::pow(area(points), 1.5);
   for (const auto& [edge, there] : sides) {
-    is_closed_ = is_closed_ && there.size() % 2 == 0;
     if (there.size() != 2) continue;
     const int a = there[0], b = there[1];
     if (normals.col(a).dot(normals.col(b)) >= smooth * areas[a] * areas[b]) smooth_.push_back({a, b});

@@ -16,7 +16,6 @@ class Rest_surface
 public:
   Rest_surface(const Points& points, const Eigen::Matrix3Xi& triangles);
 
-  bool is_closed() const { return is_closed_; }
   /// The area of the surface with deformed points.
   double area(const Points& points) const;
 
@@ -29,7 +28,6 @@ public:
 
 private:
   Eigen::Matrix3Xi triangles_;
-  bool is_closed_;
   Point sizes_;                            ///< extents of its bounding box, bounded away from 0
   std::vector<std::array<int, 2>> smooth_; ///< pairs of adjacent triangles that smoothly continue each other
   Eigen::VectorXd longest_;                ///< for each triangle, the square of its longest edge

@@ -78,27 +78,37 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
       known = std::max(known, cross(a, side) / slope);
     }
   }
-  if (!(section.radii.array() > 0).any()) return false;
+  for (std::size_t i = 0; i < segments.size(); ++i) { // of flat sections, only the ends are at some angle
+    const Eigen::Vector2d end = place(i);
+    double& known = section.radii[int(std::lround(turn_of(end, angles))) % angles];
+    if (known < least_radius) known = end.norm();
+  }
+  if (!(section.radii.array() > least_radius).any()) return false;
   const Radii found = section.radii;
   for (int i = 0; i < angles; ++i) { // gaps are bridged
-    if (found[i] > 0) continue;
+    if (found[i] > least_radius) continue;
     int before = 1, after = 1;
-    while (!(found[(i - before + angles) % angles] > 0))
+    while (!(found[(i - before + angles) % angles] > least_radius))
       ++before;
-    while (!(found[(i + after) % angles] > 0))
+    while (!(found[(i + after) % angles] > least_radius))
       ++after;
     section.radii[i] =
         (after * found[(i - before + angles) % angles] + before * found[(i + after) % angles]) / (before + after);
   }
-  section.radii = section.radii.cwiseMax(least_radius);
   return true;
 }
 
 Chart_outline::Chart_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles) : sections_(stations)
 {
+  for (Section& section : sections_)
+    section.radii.setOnes(); // without an outline, coordinates stay as they are
   std::vector<int> known;
-  for (int i = 0; i < stations; ++i)
-    if (set_outline(sections_[std::size_t(i)], crossed(coordinates, triangles, station(i)))) known.push_back(i);
+  for (int i = 0; i < stations; ++i) {
+    Section section;
+    if (!set_outline(section, crossed(coordinates, triangles, station(i)))) continue;
+    sections_[std::size_t(i)] = section;
+    known.push_back(i);
+  }
   for (int i = 0; i < stations && !known.empty(); ++i) {
     const auto nearest =
         std::min_element(known.begin(), known.end(), [&](int a, int b) { return std::abs(a - i) < std::abs(b - i); });

@@ -55,12 +55,12 @@ const Part_mesh* mesh_of(const Segmented_shape& shape, const std::string& name)
   return nullptr;
 }
 
-/// A stand whose top is five bars with gaps, which a surface from a board would have to bridge.
+/// A stand whose top is three bars with gaps, which a surface from a board would have to bridge.
 Box_model grille()
 {
   std::vector<Named_box> boxes;
-  for (int i = -2; i <= 2; ++i)
-    boxes.push_back({"", {0.22 * i, 0.95, 0}, {0.12, 0.1, 0.6}});
+  for (int i = -1; i <= 1; ++i)
+    boxes.push_back({"", {0.46 * i, 0.95, 0}, {0.08, 0.1, 0.6}});
   return with_mesh(model_of(stand()), "top", bars(boxes));
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("A part that would be torn moves to the box of its counterpart, which 
     CHECK(task_of(blend, 0).type == Blend_task_type::MORPH);
     CHECK(task_of(blend, 2).obstacle == Blend_obstacle::TORN);
     const double change = task_of(blend, 2).end;
-    for (double t : {0.05, 0.2, 0.5, 0.8, 0.95}) {
+    for (double t : {0.05, 0.2, 0.6, 0.8, 0.95}) {
       INFO("t " << t << " forward " << forward);
       const Segmented_shape shape = blend(t);
       const Part_mesh *old_top = mesh_of(shape, "top~"), *new_top = mesh_of(shape, "~top");
@@ -221,6 +221,6 @@ TEST_CASE("Blends of models stay connected, and main parts become their counterp
       names.insert(part.name);
     CHECK(std::includes(names.begin(), names.end(), matched.begin(), matched.end()));
     // Parts of the bicycle with distant counterparts, such as pedals, come apart
-    CHECK(blend.schedules()[0].quality.apart <= (from == "bicycle" ? 0.05 : 0.02));
+    CHECK(blend.schedules()[0].quality.apart <= (from == "bicycle" ? 0.05 : 0.03));
   }
 }

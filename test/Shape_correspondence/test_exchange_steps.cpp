@@ -142,10 +142,13 @@ TEST_CASE("A part that would lose its support is exchanged together with it")
                                        {"rod", {-0.4, 0.35, 0}, {0.3, 0.5, 0.3}},
                                        {"other", {0.5, 0.35, 0}, {0.1, 0.5, 0.12}},
                                        {"bar", {0.0, 0.65, 0}, {1.0, 0.1, 0.3}}};
-  const std::vector<Named_box> to = {
-      base, wall, {"pin", {-0.4, 0.35, 0}, {0.03, 0.5, 0.03}}, {"sail", {-0.4, 0.78, 0}, {0.5, 0.36, 0.5}}};
+  const std::vector<Named_box> to = {base,
+                                     wall,
+                                     {"pin", {-0.4, 0.35, 0}, {0.03, 0.5, 0.03}},
+                                     {"sail", {-0.53, 0.78, 0}, {0.2, 0.36, 0.5}},
+                                     {"jib", {-0.27, 0.78, 0}, {0.2, 0.36, 0.5}}};
   Correspondence correspondence = same_parts(2);
-  correspondence.pairs.insert(correspondence.pairs.end(), {{2, 2}, {3, 2}, {4, 3}});
+  correspondence.pairs.insert(correspondence.pairs.end(), {{2, 2}, {3, 2}, {4, 3}, {4, 4}});
   auto found = steps(from, to, correspondence);
   CHECK(found.at("rod~") == found.at("other~"));
   CHECK(found.at("bar~") != Exchange_step::NONE);

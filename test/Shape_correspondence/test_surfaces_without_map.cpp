@@ -155,17 +155,6 @@ TEST_CASE("A cylinder becomes a cone: every section shrinks evenly")
   }
 }
 
-TEST_CASE("A sheet whose two sides coincide is not closed")
-{
-  Part_mesh sheet = part_meshes::without_triangles(ball, 1);
-  const Eigen::Index half = sheet.triangles.cols();
-  CHECK(internal::Rest_surface(ball.points, ball.triangles).is_closed());
-  CHECK_FALSE(internal::Rest_surface(sheet.points, sheet.triangles).is_closed());
-  sheet.triangles.conservativeResize(3, 2 * half);
-  sheet.triangles.rightCols(half) = sheet.triangles.leftCols(half).colwise().reverse().eval();
-  CHECK_FALSE(internal::Rest_surface(sheet.points, sheet.triangles).is_closed());
-}
-
 TEST_CASE("A cube becomes a ball: the surface that takes over lies on the other one, and nothing is torn")
 {
   const Part_mesh cube = box_shapes::box({0, 0, 0}, {1, 1, 1});
