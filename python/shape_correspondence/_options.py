@@ -72,7 +72,7 @@ def with_options(function: Function) -> Function:
     lines = "".join(_line(name, text, keywords) for name, _, text in options if name not in signature.parameters)
     result = with_names_of_program(function, [parameter.name for parameter in listed])
     result.__signature__ = signature.replace(parameters=own + listed + rest)  # type: ignore[attr-defined]
-    result.__doc__ = (function.__doc__ or "").replace("    :raises", lines + "    :raises", 1)
+    result.__doc__ = inspect.cleandoc(function.__doc__ or "").replace(":raises", lines + ":raises", 1)  # as Python 3.13 has it
     return result
 
 
@@ -113,4 +113,4 @@ def _type_of(default: Any) -> Any:
 
 def _line(name: str, text: str, keywords: Dict[str, str]) -> str:
     text = re.sub(r"--([a-z][a-z-]*)", lambda match: f"`{keywords.get(match[1], match[1])}`", text)
-    return textwrap.fill(f":param {name}: {text}", 120, initial_indent="    ", subsequent_indent="        ") + "\n"
+    return textwrap.fill(f":param {name}: {text}", 116, subsequent_indent="    ") + "\n"
