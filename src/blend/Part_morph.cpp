@@ -127,7 +127,7 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
 
 void Part_morph::add(const Part_chart& chart, const Part_mesh& mesh)
 {
-  constexpr double longest_edge = 0.25; // in chart coordinates, which range from -1 to 1
+  constexpr double longest_edge = 0.3; // in chart coordinates, from -1 to 1; no part of 2, which rounding would decide
   const Charted_mesh fine = charted_mesh(mesh, chart, longest_edge);
   const Chart_outline& outline = outlines_.emplace_back(fine.coordinates, fine.triangles);
   Sliding_surface surface = {fine.triangles, places_on(outline, chart, fine), Points(3, fine.points.cols()),
