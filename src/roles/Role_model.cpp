@@ -21,7 +21,7 @@ namespace internal {
 
 namespace {
 
-constexpr double steps_per_deviation = 32; // of a feature: a byte covers four standard deviations either way
+constexpr double steps_per_deviation = 32;   // of a feature: a byte covers four standard deviations either way
 constexpr double least_area_that_counts = 4; // of a part, in the unit of the feature: the smallest tell the least
 
 } // namespace
