@@ -26,6 +26,7 @@
 
 namespace CGAL::Shape_correspondence::cli {
 using namespace internal;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -300,8 +301,6 @@ private:
 } // namespace
 
 std::unique_ptr<Command> roles_command() { return std::make_unique<Roles_command>(); }
-
-namespace fs = std::filesystem;
 
 Part_roles predicted_roles(const std::string& path, const Structural_graph& graph, const Role_model& model,
                            const std::string& category)
