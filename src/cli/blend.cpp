@@ -416,7 +416,8 @@ void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, con
   };
   for (const auto& [reason, why] :
        {std::pair(Blend_obstacle::TORN, "no outlines of cross-sections describe both"),
-        std::pair(Blend_obstacle::UNLIKE, "their proportions, places or numbers differ too much, or they would come off what they touch")}) {
+        std::pair(Blend_obstacle::UNLIKE,
+                  "their proportions, places or numbers differ too much, or they would come off what they touch")}) {
     std::string names, others;
     for (const Blend_task& task : tasks) {
       if (task.obstacle != reason) continue;

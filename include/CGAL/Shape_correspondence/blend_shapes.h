@@ -34,7 +34,7 @@ struct Blend_surface
   std::string name; ///< `s~t` for a source part s that becomes t; `s~` for s that vanishes; `~t` for t that grows
   Blend_task task;  ///< the task to which the surface belongs
   Eigen::Matrix3Xi triangles; ///< one triangle in each column: indices into the points of the surface
-  double begin = 0; ///< the surface exists at times t with `begin` <= t < `end`; a growing one starts as a point or a line
+  double begin = 0; ///< exists at times t with `begin` <= t < `end`; a growing surface starts as a point or a line
   double end = 1;   ///< see `begin`
   int side = 0;     ///< the shape whose materials it has: 0, the source, or 1, the target
 };

@@ -11,8 +11,8 @@ namespace CGAL::Shape_correspondence::IO {
 /// The names of a shape's parts as people read them, all different and of at most 24 characters: without the prefix
 /// that most of them have; without the second OBJECT and the material where an exporter wrote OBJECT_OBJECT_MATERIAL;
 /// without words and numbers of modellers, such as Cylinder.001; pieces of an object with numbers (arm 1, arm 2). A
-/// name that says nothing (Object_4), that has no English word for a part (silla_pata), or that parts of different roles
-/// share, becomes the role with a number (leg 3).
+/// name that says nothing (Object_4), that has no English word for a part (silla_pata), or that parts of different
+/// roles share, becomes the role with a number (leg 3).
 /// \param roles of the parts; empty if they are not known, as the roles of single parts may be
 std::vector<std::string> part_labels(const std::vector<std::string>& names, const std::vector<std::string>& roles = {});
 
