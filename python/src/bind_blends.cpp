@@ -53,7 +53,7 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model, pairs,
                                 options);
     SC::cli::warn_of_obstacles(blend, source.shape, target.shape, warnings);
-    return std::make_shared<Blend>(Blend{match, blend, warnings});
+    return std::make_shared<Blend>(Blend{match, pairs, blend, warnings});
   });
 }
 
@@ -77,7 +77,7 @@ std::vector<std::shared_ptr<Blend>> different_blends(const Blend& blend)
 {
   std::vector<std::shared_ptr<Blend>> result;
   for (const SC::Shape_blend& other : blend.blend.different_blends())
-    result.push_back(std::make_shared<Blend>(Blend{blend.match, other, blend.warnings}));
+    result.push_back(std::make_shared<Blend>(Blend{blend.match, blend.pairs, other, blend.warnings}));
   return result;
 }
 
@@ -104,7 +104,7 @@ void save_glb(const Blend& blend, const std::string& path, int frames)
   SC::cli::read_appearance(target);
   SC::IO::write_atomically(path, [&](std::ostream& out) {
     if (source.appearance.empty() && target.appearance.empty())
-      SC::IO::write_blend_glb(out, blend.blend, blend.match->best(), frames);
+      SC::IO::write_blend_glb(out, blend.blend, blend.pairs, frames);
     else
       SC::IO::write_blend_glb(out, blend.blend, {source.appearance, target.appearance}, frames);
   });
@@ -115,9 +115,9 @@ void save_page(const Blend& blend, const std::string& path, int frames)
   const std::string json = json_of(blend, path, frames);
   const Graph &source = *blend.match->source, &target = *blend.match->target;
   SC::IO::Page page =
-      SC::IO::match_page({blend.match->best()}, source.shape.graph, target.shape.graph, source.shape.model_pointer(),
+      SC::IO::match_page({blend.pairs}, source.shape.graph, target.shape.graph, source.shape.model_pointer(),
                          target.shape.model_pointer(), source.file, target.file, {});
-  SC::IO::add_blend(page, json, blend.blend, blend.match->best(), frames);
+  SC::IO::add_blend(page, json, blend.blend, blend.pairs, frames);
   SC::IO::write_atomically(path, [&](std::ostream& out) { SC::IO::write_page(out, page); });
 }
 

@@ -47,6 +47,7 @@ struct Match
 struct Blend
 {
   std::shared_ptr<const Match> match;
+  SC::Correspondence pairs; ///< pairs of the match without the unlikely ones
   SC::Shape_blend blend;
   std::vector<std::string> warnings; ///< of the shapes, the match and the blend
 };
