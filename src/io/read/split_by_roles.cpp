@@ -161,9 +161,12 @@ Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_split
   if (!divided) divided = split_parts(objects, options);
   if (!may_be_matched(split) || !may_be_matched(*divided) || are_same_parts(split, *divided)) return split;
   const auto distance = [&](const Part_split& parts) {
-    return internal::quantized(internal::distance_of_nearest_category(internal::outline_graph(parts.shape), *roles));
+    return internal::distance_of_nearest_category(internal::outline_graph(parts.shape), *roles);
   };
-  return distance(*divided) < distance(split) ? *divided : split;
+  const double least_gain = Role_options().clearly_better;
+  const bool is_better =
+      internal::quantized(distance(*divided)) < internal::quantized((1 - least_gain) * distance(split));
+  return is_better ? *divided : split;
 }
 
 } // namespace CGAL::Shape_correspondence::IO
