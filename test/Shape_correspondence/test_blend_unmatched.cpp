@@ -75,6 +75,16 @@ double distance(const Segmented_shape& shape, const std::string& first, const st
 
 constexpr double touching = 0.02; // ratio to the shape's height
 
+/// Two posts on a base.
+Segmented_shape two_posts(const std::string& name)
+{
+  Segmented_shape result(name);
+  result.add_part("base", box({0, 0.1, 0}, {1, 0.2, 0.5}));
+  result.add_part("left", box({-0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
+  result.add_part("right", box({0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
+  return result;
+}
+
 } // namespace
 
 TEST_CASE("A chain of parts vanishes from its middle: all are attached to what carries them until then")
@@ -152,12 +162,8 @@ TEST_CASE("An unmatched part moves with the place that it touches")
 
 TEST_CASE("Unmatched parts shrink to where they are held")
 {
-  Segmented_shape plain("plain"), full("full");
-  for (Segmented_shape* shape : {&plain, &full}) {
-    shape->add_part("base", box({0, 0.1, 0}, {1, 0.2, 0.5}));
-    shape->add_part("left", box({-0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
-    shape->add_part("right", box({0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
-  }
+  const Segmented_shape plain = two_posts("plain");
+  Segmented_shape full = two_posts("full");
   full.add_part("rail", box({0, 0.7, 0}, {0.7, 0.06, 0.06}));
   full.add_part("vase", box({0, 0.35, 0}, {0.1, 0.3, 0.1}));
   const Model source(full), target(plain);
@@ -189,12 +195,8 @@ TEST_CASE("Unmatched parts shrink to where they are held")
 
 TEST_CASE("What grows is attached to what carries it at any time")
 {
-  Segmented_shape plain("plain"), full("full");
-  for (Segmented_shape* shape : {&plain, &full}) {
-    shape->add_part("base", box({0, 0.1, 0}, {1, 0.2, 0.5}));
-    shape->add_part("left", box({-0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
-    shape->add_part("right", box({0.4, 0.6, 0}, {0.1, 0.8, 0.1}));
-  }
+  const Segmented_shape plain = two_posts("plain");
+  Segmented_shape full = two_posts("full");
   full.add_part("rail", box({0, 0.7, 0}, {0.7, 0.06, 0.06}));
   full.add_part("hook", box({0.1, 0.64, 0}, {0.04, 0.06, 0.04})); // hangs on the rail
   const Model source(plain), target(full);
