@@ -29,7 +29,8 @@ constexpr int matching_version = 9;
 
 // Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t blocks_of_process = 8; // of a small collection, for each process
+constexpr std::size_t most_kept_shapes = 512; // prepared ones in memory, some .2 MB each
+constexpr std::size_t blocks_of_process = 8;  // of a small collection, for each process
 
 constexpr const char* extension = ".row";
 constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";
@@ -222,7 +223,7 @@ void Collection_work::for_each_pair(const std::function<void(std::size_t, std::s
 std::vector<Prepared_shape> Collection_work::prepared(const std::vector<std::size_t>& shapes)
 {
   const std::set<std::size_t> wanted(shapes.begin(), shapes.end());
-  if (shapes_.size() > 2 * largest_block)
+  if (shapes_.size() > most_kept_shapes)
     for (auto kept = kept_.begin(); kept != kept_.end();)
       kept = wanted.count(kept->first) > 0 ? std::next(kept) : kept_.erase(kept);
   std::vector<Prepared_shape> result;
