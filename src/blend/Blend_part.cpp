@@ -41,7 +41,7 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
 std::vector<Pair_charts> likely_charts(const Blend_stage& stage, const Piece_pair& pair, const Part_mesh& source,
                                        const Part_mesh& target)
 {
-  constexpr double any = 10; // ratio of volumes above all, with which own axes are taken
+  constexpr double any = 10; // ratio of volumes with which own axes are always taken
   const auto& [from, to] = stage.charted;
   const std::array<Eigen::Matrix3d, 2> own = {from.charts[pair.source].axes(), to.charts[pair.target].axes()};
   std::vector<Pair_charts> result;
@@ -107,7 +107,7 @@ std::set<std::array<std::size_t, 2>> contacts_at(int end, const Blend_stage& sta
 /// have parted at the other end, where others hold both: of both, the one that changes more.
 Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  constexpr double widest = 0.05; // gap, over the height
+  constexpr double widest = 0.05; // ratio of the gap to the height
   const auto come_off = [&](std::size_t a, std::size_t b) {
     for (double t : {0.25, 0.5, 0.75})
       if (!tree_at(parts[a], t).is_within(tree_at(parts[b], t), widest * widest)) return true;

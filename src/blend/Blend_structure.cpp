@@ -36,7 +36,7 @@ std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_
 
 bool stands(const Blend_part& part) { return part.trees[0].box().min().y() <= Blend_part::on_ground; }
 
-/// The middle of what is lowest.
+/// The mean of the lowest points.
 Point foot_of(const Points& points)
 {
   const double lowest = points.row(1).minCoeff() + Blend_part::on_ground;

@@ -51,7 +51,7 @@ public:
   Part_pairs unlike;             ///< pairs of the given parts that correspond but do not morph
   std::vector<Touch> touches;
   std::vector<std::optional<Growth>> growths; ///< for each part, defined if it is unmatched
-  /// For each part, the number of parts that are that carry it, from what morphs, is exchanged, or stands on the
+  /// For each part, the number of parts between it and what carries it: what morphs, is exchanged, or stands on the
   /// ground.
   std::vector<int> depths;
   std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts

@@ -163,7 +163,7 @@ void Part_morph::meet()
 
 bool Part_morph::is_faithful() const
 {
-  constexpr double most = 0.04, most_together = 0.05; // of error and misfit
+  constexpr double most = 0.04, most_together = 0.05; // error, misfit, and their sum
   constexpr double most_torn = 0.3;                   // share of a surface
   if (!(error_ <= most && misfit_ <= most && error_ + misfit_ <= most_together)) return false;
   for (int side : {0, 1}) {
@@ -194,7 +194,7 @@ Points Part_morph::points(int surface, double t) const
 std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& charts, const Part_mesh& source,
                                              const Part_mesh& target)
 {
-  constexpr double good = 0.015; // error and misfit up to which further charts are not tried
+  constexpr double good = 0.015; // sum of error and misfit, below which further charts are not tried
   std::shared_ptr<const Part_morph> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Pair_charts& pair : charts) {

@@ -121,7 +121,7 @@ private:
   Mirror_plane scored(Mirror_plane plane, double limit = std::numeric_limits<double>::infinity()) const
   {
     constexpr Eigen::Index few = 50;
-    constexpr double hopeless = 1.5; // relative to the limit: mean of few queries that needs no look at all of them
+    constexpr double hopeless = 1.5; // ratio of the mean over few queries to the limit, at which a plane goes
     const Eigen::Index n = queries_.size() / few;
     plane.residual = std::numeric_limits<double>::infinity();
     if (n > 1 && mean_distance(plane, n, hopeless * limit) >= hopeless * limit) return plane;
