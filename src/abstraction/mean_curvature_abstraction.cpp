@@ -47,8 +47,8 @@ struct Meso_thresholds
 
 Meso_kind meso_kind(const Meso_measures& measures, const Meso_thresholds& thresholds = {})
 {
-  const double blob_width = 0.2; // ratio to the length
-  const double blob_depth = 0.5; // ratio to the width
+  const double blob_width = 0.2; // least width over the length
+  const double blob_depth = 0.5; // least depth over the width
   const Eigen::Vector3d& extents = measures.extents;
   const bool is_thin_sheet =
       measures.area_kept > thresholds.thin_sheet_area && extents[1] > thresholds.thin_sheet_width * measures.thickness;

@@ -78,7 +78,7 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
       known = std::max(known, cross(a, side) / slope);
     }
   }
-  for (std::size_t i = 0; i < segments.size(); ++i) { // of flat sections, only the ends are at some angle
+  for (std::size_t i = 0; i < segments.size(); ++i) { // flat sections have radii only at the angles of their ends
     const Eigen::Vector2d end = place(i);
     double& known = section.radii[int(std::lround(turn_of(end, angles))) % angles];
     if (known < least_radius) known = end.norm();

@@ -329,7 +329,7 @@ public:
     found_.push_back(std::move(candidate));
   }
 
-  /// What was added, the best first, and nothing any more.
+  /// Returns the candidates, the best first, and leaves the set empty.
   std::vector<Symmetry_candidate> take_out()
   {
     std::sort(found_.begin(), found_.end());

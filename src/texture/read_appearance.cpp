@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes of a library or a texture
 constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // bytes of all files of a model
-constexpr float largest_coordinate_of_texture = 1e4f; // in repetitions; single precision is too coarse beyond
+constexpr float largest_coordinate_of_texture =
+    1e4f; // number of repetitions beyond which single precision is too coarse
 
 /// A material of a library: its colour, and its texture before it is loaded; without a name: no texture.
 struct Library_material

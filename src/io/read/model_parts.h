@@ -57,7 +57,7 @@ struct Model_content
   bool materials_are_names = false;            ///< whether materials are defined in libraries
   std::vector<std::string> libraries = {};     ///< files that define materials
   std::vector<std::string> warnings_of_looks = {};
-  Point up = Point::Zero(); ///< as given by the file; zero: not given
+  Point up = Point::Zero(); ///< the up direction that the file gives; zero: none
 };
 
 /// Readers of the formats. They throw `Invalid_input` that names the file. Names may be empty, equal, and of any bytes.

@@ -375,7 +375,8 @@ private:
   bool is_written_ = false;         ///< whether the file was written by this program
   std::size_t parts_written_ = 0;   ///< number of nodes marked as parts
   std::vector<std::string> meshes_; ///< names of the parts' meshes
-  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image and wrap modes
+  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int>
+      textures_; ///< indices of textures by image and wrap modes
 };
 
 } // namespace

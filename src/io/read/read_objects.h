@@ -29,7 +29,7 @@ struct Model_objects
   /// For each object and triangle, the index of its face in the file, and the number of faces; empty for a folder.
   std::vector<std::vector<std::size_t>> faces = {};
   std::size_t number_of_faces = 0;
-  Shape_appearance appearance = {}; ///< from the model's own file, completed from the files that it names
+  Shape_appearance appearance = {}; ///< appearance in the model's own file, completed from the files that it names
 };
 
 /// Completes and checks materials and textures, using the files that a model file names.

@@ -247,7 +247,7 @@ private:
 
   void read_header()
   {
-    // In a header with CR line ends, the first byte of binary data may equal LF
+    // If lines end with CR, the first byte of the binary data may equal LF
     const std::size_t end = text_.find_first_of("\r\n");
     const bool has_cr_alone = end != std::string_view::npos && text_[end] == '\r' && text_.substr(end, 2) != "\r\n";
     if (trimmed(next_line(text_)) != "ply")

@@ -27,8 +27,8 @@ using Element = boost::property_tree::ptree;
 using Transform = Eigen::Affine3d;
 
 constexpr int round_sides = 32;                                      // number of sides of a cylinder or a sphere
-constexpr double angle_of_side = double(2 * EIGEN_PI) / round_sides; // in radians
-constexpr double largest_value = 1e9;                                // in metres, more than any robot
+constexpr double angle_of_side = double(2 * EIGEN_PI) / round_sides; // angle in radians
+constexpr double largest_value = 1e9;                                // largest coordinate in metres, beyond any robot
 
 std::string attribute(const Element& element, const std::string& name)
 {
