@@ -228,6 +228,7 @@ void read_appearance(Loaded_shape& shape)
   for (const Model_piece& piece : shape.split.pieces)
     if (piece.object >= objects.parts().size())
       throw Invalid_input(shape.path + ": the file has changed since it was read; try again");
+  of_objects.warnings = mapped(of_objects.warnings, in_program_words);
   shape.appearance = appearance_of_parts(objects, of_objects, shape.split);
 }
 

@@ -49,7 +49,7 @@ Named_file Named_files::read(const std::string& given) const
     for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
       if (!fs::is_regular_file(path, error)) continue;
       if (!options.allow_outside_files && !is_in_folder_of(model, path.string())) {
-        fault = "is outside the model's folder, and not read without --allow-outside-files";
+        fault = "is outside the model's folder, and not read without `Reading_options::allow_outside_files`";
         continue;
       }
       const std::uintmax_t size = fs::file_size(path, error);

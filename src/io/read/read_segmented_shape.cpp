@@ -85,7 +85,7 @@ void label_faces(const std::string& file, const Reading_options& options, Model_
     const std::string name = fs::path(file).filename().string();
     if (!labels.model.empty() && labels.model != name)
       throw Invalid_input(list.string() + ": it was written for the faces of " + cited_file(labels.model) +
-                          "; if it is for this model, say so with --parts-from");
+                          "; if it is for this model, name it in `Reading_options::face_labels`");
     divide_by_labels(labels, content);
     if (content.are_labelled)
       content.warnings.push_back("The objects are the labels of faces in " + list.filename().string() + ".");

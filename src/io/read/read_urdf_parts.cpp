@@ -362,7 +362,7 @@ private:
       fail_at(part.name,
               "has the mesh " + cited_file(uri) +
                   ", which is not in the folder of the file or below; put it there, name the folder that has "
-                  "all of the robot or, if it is elsewhere, add --allow-outside-files");
+                  "all of the robot or, if it is elsewhere, set `Reading_options::allow_outside_files`");
     Transform scaled = place;
     scaled.scale(scale);
     for (const Model_part& object : mesh_of(path, part.name))
