@@ -41,7 +41,7 @@ Meso_measures meso_measures(const Part_mesh& meso_skeleton, double area_kept, do
 struct Meso_thresholds
 {
   double sheet_area = 0.36;      ///< share of the area that only sheets keep; that of a rod falls as √volume, to 0.14
-  double thin_sheet_area = 0.14; ///< share of the area that thin sheets keep, whose rims the flow draws in far
+  double thin_sheet_area = 0.14; ///< share of the area that thin sheets keep: the flow draws their rims far inwards
   double thin_sheet_width = 5;   ///< least width of a thin sheet, over its thickness
 };
 

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t bar_width = 30;
 constexpr const char* erase_line = "\r\033[K";
-constexpr double interval = 0.1; // seconds
+constexpr double interval = 0.1; // seconds between two drawings of the bar
 constexpr double moment = 2;     // seconds before the remaining time is estimated
 
 std::string time_text(double seconds)

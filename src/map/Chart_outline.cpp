@@ -4,6 +4,7 @@
 #include "map/Chart_outline.h"
 
 #include "base/clamped.h"
+#include "base/planar_hull.h"
 
 #include <Eigen/Geometry>
 
@@ -47,8 +48,6 @@ double turn_of(const Eigen::Vector2d& direction, int angles)
   const auto turn = double(std::atan2(direction.y(), direction.x()) / (2 * EIGEN_PI));
   return (turn - std::floor(turn)) * angles;
 }
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 } // namespace
 

@@ -25,9 +25,9 @@ namespace {
 /// Factor of the tolerance, so that a gap of exactly the tolerance is a contact in every pose.
 constexpr double slack = 1 + 1e-9;
 constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
-constexpr double region_gap = 1.0 / 6;  ///< samples of either surface for finding the regions of a contact
-constexpr int region_samples = 64;      ///< samples of a curve, or along each side of a sheet
-constexpr int abstraction_samples = 16; ///< number on a curve, or along each side of a sheet
+constexpr double region_gap = 1.0 / 6;  ///< distance between regions, over the diagonal of all near samples
+constexpr int region_samples = 64;      ///< samples of either surface for finding the regions of a contact
+constexpr int abstraction_samples = 16; ///< samples of a curve, or along each side of a sheet
 
 /// Samples of two surfaces near the respective other surface.
 struct Near_samples

@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::uint64_t most_numbers = 200'000'000; // enough for ten million triangles
-constexpr std::size_t most_zeros = 1'000'000;       // elements of an accessor without data
+constexpr std::size_t most_zeros = 1'000'000;       // number of elements of an accessor without data
 constexpr const char* version_1 = "glTF 1.0";
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr const char* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};

@@ -103,8 +103,8 @@ void append(const Drawn_mesh& more, Drawn_mesh& all)
   all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + static_cast<int>(points);
 }
 
-constexpr std::size_t fewest_triangles = 24; // limit for a part: two boxes
-constexpr double margin = 0.05;              // around the triangles at an edge, over the diagonal of their bounding box
+constexpr std::size_t fewest_triangles = 24; // least number for a part: that of two boxes
+constexpr double margin = 0.05; // width around the triangles at an edge, over the diagonal of their bounding box
 
 /// The placement of Lindstrom and Turk, or the midpoint of the edge where that is far away, as on thin pieces, where
 /// the planes that determine it nearly meet in a line.
