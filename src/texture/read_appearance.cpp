@@ -168,7 +168,7 @@ void bound(Model_part& part, const std::vector<bool>& known)
 
 void complete_appearance(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
 {
-  warnings.insert(warnings.end(), content.warnings_of_looks.begin(), content.warnings_of_looks.end());
+  warnings.insert(warnings.end(), content.appearance_warnings.begin(), content.appearance_warnings.end());
   const std::vector<bool> known = look_up_materials(files, content, warnings);
   load_textures(files, content, warnings);
   for (Surface_material& material : content.materials) {

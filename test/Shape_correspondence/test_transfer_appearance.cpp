@@ -8,7 +8,7 @@
 
 #include "generator/models.h"
 #include "generator/textures.h"
-#include "texture/Looks_sampler.h"
+#include "texture/Appearance_sampler.h"
 #include "texture/Texture_layout.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
@@ -87,7 +87,7 @@ Segmented_shape plate()
 // The largest difference in colour at the centroids of the second shape's triangles.
 double greatest_difference(const Shape_appearance& a, const Shape_appearance& b, const Segmented_shape& shape)
 {
-  const Looks_sampler from(a, Eigen::Vector3d::Zero()), to(b, Eigen::Vector3d::Zero());
+  const Appearance_sampler from(a, Eigen::Vector3d::Zero()), to(b, Eigen::Vector3d::Zero());
   double result = 0;
   for (std::size_t part = 0; part < shape.parts().size(); ++part)
     for (Eigen::Index t = 0; t < shape.parts()[part].mesh.triangles.cols(); ++t) {
@@ -110,7 +110,7 @@ TEST_CASE("A shape that is mapped to itself keeps its appearance, in new texture
       transfer_appearance(graph, shape, looks, graph, shape, {}, identity(shape), options);
   CHECK_FALSE(result.has_given_coordinates);
   for (const Transferred_part& part : result.parts)
-    CHECK(part.origin == Looks_origin::SOURCE);
+    CHECK(part.origin == Appearance_origin::SOURCE);
   // Tolerance for the resolution and depth of the texture
   CHECK(greatest_difference(looks, result.appearance, shape) < 0.03);
 }
@@ -190,8 +190,8 @@ TEST_CASE(
       transfer_appearance(graph_of(source), source, painted(source, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
                           graph_of(target), target, {}, pairing({{0, 0}, {1, 0}, {2, 0}}));
   CHECK(result.parts[0].sources == std::vector<std::size_t>{1, 0, 2});
-  CHECK(result.parts[0].origin == Looks_origin::SOURCE);
-  CHECK(result.parts[1].origin == Looks_origin::NEIGHBOUR); // the knob has no appearance of its own
+  CHECK(result.parts[0].origin == Appearance_origin::SOURCE);
+  CHECK(result.parts[1].origin == Appearance_origin::NEIGHBOUR); // the knob has no appearance of its own
   CHECK(result.parts[1].neighbour == 0);
   CHECK(greatest_difference(painted(target, {{0, 1, 0}, {0, 1, 0}}), result.appearance, target) < 0.02);
 }
@@ -233,13 +233,13 @@ TEST_CASE("A part without counterpart looks like the part of its material that i
   const Transferred_appearance result = transferred(own);
   CHECK(result.parts[1].neighbour == 0);
   CHECK(result.parts[2].neighbour == 1);
-  CHECK(result.parts[2].origin == Looks_origin::NEIGHBOUR);
-  CHECK(result.parts[3].origin == Looks_origin::TARGET);
+  CHECK(result.parts[2].origin == Appearance_origin::NEIGHBOUR);
+  CHECK(result.parts[3].origin == Appearance_origin::TARGET);
   const Shape_appearance expected = painted(target, {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}});
   CHECK(greatest_difference(expected, result.appearance, target) < 0.02);
   own.parts[3] = {};
   CHECK(transferred(own).parts[3].neighbour == 0);
-  CHECK(transferred(own).parts[3].origin == Looks_origin::NEIGHBOUR);
+  CHECK(transferred(own).parts[3].origin == Appearance_origin::NEIGHBOUR);
 }
 
 TEST_CASE("Labels of faces have straight borders, and parts without counterpart none")
@@ -268,9 +268,9 @@ TEST_CASE("A part without counterpart keeps its own appearance; of one to many a
   const Transferred_appearance result = transfer_appearance(
       graph_of(source), source, painted(source, {{1, 0, 0}, {0, 1, 0}}), graph_of(target), target,
       painted(target, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}), pairing({{0, 0}, {0, 1}, {0, 2}}));
-  const Looks_sampler sampler(result.appearance, Eigen::Vector3d::Zero());
+  const Appearance_sampler sampler(result.appearance, Eigen::Vector3d::Zero());
   for (std::size_t part = 0; part < 4; ++part) {
-    CHECK(result.parts[part].origin == (part < 3 ? Looks_origin::SOURCE : Looks_origin::TARGET));
+    CHECK(result.parts[part].origin == (part < 3 ? Appearance_origin::SOURCE : Appearance_origin::TARGET));
     CHECK(sampler(part, 0, Eigen::Vector3d::Constant(1. / 3)).isApprox(Eigen::Vector3d::Unit(part < 3 ? 0 : 2), 0.02));
   }
 }

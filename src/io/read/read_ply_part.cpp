@@ -40,7 +40,7 @@ public:
         polygon.push_back(points_[checked_index(index)]);
       for (std::size_t corner : triangles_of_polygon(polygon)) {
         part.corners.push_back(polygon[corner]);
-        add_looks(i, corner, std::size_t(face[corner]), part.appearance);
+        add_appearance(i, corner, std::size_t(face[corner]), part.appearance);
       }
       part.faces.resize(part.corners.size() / 3, numbers_[i]);
       part.appearance.materials.resize(part.faces.size(), texture_of(i));
@@ -73,7 +73,7 @@ private:
     Eigen::Vector2f at = Eigen::Vector2f::Zero(); ///< texture coordinates
     std::vector<double> corners;                  ///< texture coordinates of the corners of a face
 
-    bool has_looks() const { return has_colours || has_coordinates || has_texture || !corners.empty(); }
+    bool has_appearance() const { return has_colours || has_coordinates || has_texture || !corners.empty(); }
 
     void set(const Ply_property& property, double number)
     {
@@ -97,13 +97,13 @@ private:
     }
   };
 
-  void add_looks(std::size_t face, std::size_t corner, std::size_t vertex, Part_appearance& appearance) const
+  void add_appearance(std::size_t face, std::size_t corner, std::size_t vertex, Part_appearance& appearance) const
   {
     const auto colour = [](const Values& looks) -> Eigen::Vector3f {
       return linear_colour(looks.colour).cast<float>();
     };
     const Values* of_vertex = vertex < vertices_.size() ? &vertices_[vertex] : nullptr;
-    const Values* of_face = face < face_looks_.size() ? &face_looks_[face] : nullptr;
+    const Values* of_face = face < face_values_.size() ? &face_values_[face] : nullptr;
     if (of_vertex && of_vertex->has_colours)
       appearance.colours.push_back(colour(*of_vertex));
     else if (of_face && of_face->has_colours)
@@ -121,9 +121,9 @@ private:
   int texture_of(std::size_t face) const
   {
     const auto vertex = std::size_t(faces_[face][0]);
-    const Values* looks = face < face_looks_.size() && face_looks_[face].has_texture ? &face_looks_[face]
-                          : vertex < vertices_.size()                                ? &vertices_[vertex]
-                                                                                     : nullptr;
+    const Values* looks = face < face_values_.size() && face_values_[face].has_texture ? &face_values_[face]
+                          : vertex < vertices_.size()                                  ? &vertices_[vertex]
+                                                                                       : nullptr;
     const int number = looks ? looks->texture : 0;
     return number < int(header_.textures.size()) ? number : -1;
   }
@@ -195,10 +195,10 @@ private:
         else
           values.set(property, next(*property.type));
       if (is_face && !header_.part_property.empty() && !header_.vertices_are_labelled) labels_.push_back(values.label);
-      if (is_face && (values.has_looks() || !face_looks_.empty())) {
+      if (is_face && (values.has_appearance() || !face_values_.empty())) {
         faces_have_coordinates_ = faces_have_coordinates_ || !values.corners.empty();
-        face_looks_.resize(faces_.size());
-        face_looks_.back() = std::move(values);
+        face_values_.resize(faces_.size());
+        face_values_.back() = std::move(values);
       } else if (element.name == "vertex") {
         add_vertex(std::move(values));
       }
@@ -210,7 +210,7 @@ private:
     if (values.coordinates != 3) fail("its vertices do not have the properties x, y and z");
     points_.push_back(values.point);
     if (header_.vertices_are_labelled) labels_of_vertices_.push_back(values.label);
-    if (!values.has_looks()) return;
+    if (!values.has_appearance()) return;
     vertices_.resize(points_.size());
     vertices_.back() = std::move(values);
   }
@@ -294,8 +294,8 @@ private:
   Ply_header header_;
   std::vector<Point> points_;
   std::vector<std::vector<double>> faces_;
-  std::vector<Values> vertices_, face_looks_; ///< values for `points_` and `faces_`; may be shorter
-  std::vector<std::size_t> numbers_;          ///< indices in the file of `faces_`
+  std::vector<Values> vertices_, face_values_; ///< values for `points_` and `faces_`; may be shorter
+  std::vector<std::size_t> numbers_;           ///< indices in the file of `faces_`
   bool faces_have_coordinates_ = false;
   std::vector<double> labels_, labels_of_vertices_; ///< values of the property for `faces_` and `points_`
   Model_content result_;

@@ -292,8 +292,8 @@ private:
       const auto found = materials_.find(name);
       if (found != materials_.end()) return found->second;
       if (!link.empty())
-        content_.warnings_of_looks.push_back("Link " + cited(link) + " has the material " + cited(name) +
-                                             ", which has no <color>; it has no colour.");
+        content_.appearance_warnings.push_back("Link " + cited(link) + " has the material " + cited(name) +
+                                               ", which has no <color>; it has no colour.");
       return -1;
     }
     const Eigen::Vector4d rgba = numbers<4>(*colour, "color", "rgba", link.empty() ? "material " + name : link);
@@ -343,7 +343,7 @@ private:
     looks.materials.resize(corners.size() / 3, -1);
     for (int& of_triangle : looks.materials)
       if (of_triangle < 0) of_triangle = material;
-    add_looks(looks, corners.size() / 3, part.corners.size() / 3, part.appearance);
+    add_appearance(looks, corners.size() / 3, part.corners.size() / 3, part.appearance);
     for (const Point& corner : corners)
       part.corners.push_back(place * corner);
   }
@@ -387,7 +387,7 @@ private:
       for (Point& corner : part.corners)
         corner = turn * corner;
     content_.faces_left_out += content.faces_left_out;
-    append_looks(content, content_);
+    append_appearance(content, content_);
     return meshes_[path] = std::move(content.parts);
   }
 
