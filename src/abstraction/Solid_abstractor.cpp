@@ -33,7 +33,7 @@ double target_edge_length(const Part_mesh& solid, const Abstraction_options& opt
 /// CGAL.
 bool are_in_line(const Points& points)
 {
-  const double thinnest = 5e-7; // over the length
+  const double thinnest = 5e-7; // largest thickness over the length
   const Eigen::Vector3d variances = principal_variances(points);
   return variances[1] < thinnest * thinnest * variances[0];
 }

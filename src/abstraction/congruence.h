@@ -70,7 +70,7 @@ struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 
 inline bool may_be_congruent(const Mesh_signature& a, const Mesh_signature& b)
 {
-  const double tolerance = 1e-3; // ratio to the area, and to the greatest length
+  const double tolerance = 1e-3; // difference of areas and of lengths, over the area and the greatest length
   return std::abs(a.area - b.area) <= tolerance * a.area &&
          (a.lengths - b.lengths).cwiseAbs().maxCoeff() <= tolerance * a.lengths[2];
 }

@@ -68,8 +68,8 @@ inline std::vector<int> longest_path(const Spatial_graph_view& graph)
 /// branching, or than a tenth of the longest path.
 inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
 {
-  const double smallest_fraction = 0.1; // ratio to the length of the longest path
-  const double smallest_radii = 2;      // ratio to the distance of the surface at the branching
+  const double smallest_fraction = 0.1; // length of a twig, over that of the longest path
+  const double smallest_radii = 2;      // length of a twig, over the distance of the surface at the branching
   const double smallest_length = smallest_fraction * chain_length(graph, longest_path(graph));
   while (true) {
     std::vector<int> shortest;
@@ -192,7 +192,7 @@ inline Curve smoothed(const Curve& raw, int samples)
 inline void centre(Curve& curve, const Points& axis, const Points& surface)
 {
   const int rounds = 3;
-  const double reach = 1.5; // ratio to the distance of the axis from the surface
+  const double reach = 1.5; // distance of medial points from the curve, over its distance from the surface
   const Eigen::Index n = curve.points.cols();
   Curve offsets{Points::Zero(3, n), curve.closed};
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(n);
@@ -248,7 +248,7 @@ inline int number_of_points(int control_points, int turns) { return control_poin
 inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_points& surface, int control_points)
 {
   const int samples = 4;     // number for each control point
-  const double nearly = 0.1; // fraction of a full turn
+  const double nearly = 0.1; // tolerance, as a fraction of a full turn
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
   Skeleton_path result;

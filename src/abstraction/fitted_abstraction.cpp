@@ -76,7 +76,7 @@ std::optional<Revolution_axis> revolution_axis(const Points& surface, double spa
 {
   // Largest distance by which rotation moves points off the surface, over the largest radius
   const double tolerance = 0.16;
-  const double clearly = 0.02; // least difference of that by which a later axis is better
+  const double clearly = 0.02; // least difference of these ratios by which a later axis is better
   const double gap = 0.6;      // distance between two samplings of the same surface, over their spacing
   const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};
   const Point centre = surface.rowwise().mean();
@@ -199,8 +199,8 @@ std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& 
 /// that of a pebble is hardly more than a point.
 bool is_layer(const Intrinsic_layout& layout, double thickness)
 {
-  const double most_depth = 0.28;        // ratio to the width of the axis
-  const double most_thickness = 2. / 3.; // ratio to the length of the axis
+  const double most_depth = 0.28;        // largest depth of the medial axis, over its width
+  const double most_thickness = 2. / 3.; // largest thickness of the part, over the length of the medial axis
   return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
 }
 

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <vector>
 
-// What different versions of CGAL have under other names or with other parameters
+// Functions of CGAL whose names or parameters differ between its versions
 
 namespace CGAL::Shape_correspondence::internal {
 

@@ -37,24 +37,17 @@ Meso_measures meso_measures(const Part_mesh& meso_skeleton, double area_kept, do
   return {area_kept, box_over_root_mean_square * intrinsic_layout(Spatial_graph_view(graph)).extents, thickness};
 }
 
-/// Thresholds at 2 % of the volume, chosen on the generated parts, whose kinds are known.
-struct Meso_thresholds
+/// Thresholds are for 2 % of the volume, chosen on the generated parts, whose kinds are known.
+Meso_kind meso_kind(const Meso_measures& measures)
 {
-  double sheet_area = 0.36;      ///< share of the area that only sheets keep; that of a rod falls as √volume, to 0.14
-  double thin_sheet_area = 0.14; ///< share of the area that thin sheets keep, whose rims the flow draws in far
-  double thin_sheet_width = 5;   ///< least width of a thin sheet, over its thickness
-};
-
-Meso_kind meso_kind(const Meso_measures& measures, const Meso_thresholds& thresholds = {})
-{
-  const double blob_width = 0.2; // ratio to the length
-  const double blob_depth = 0.5; // ratio to the width
+  const double sheet_area = 0.36; // share of the area that only sheets keep; that of a rod falls as √volume, to 0.14
+  const double thin_sheet_area = 0.14; // share of the area that thin sheets keep: the flow draws their rims far inwards
+  const double thin_sheet_width = 5;   // least width of a thin sheet, over its thickness
+  const double blob_width = 0.2;       // least width over the length
+  const double blob_depth = 0.5;       // least depth over the width
   const Eigen::Vector3d& extents = measures.extents;
-  const bool is_thin_sheet =
-      measures.area_kept > thresholds.thin_sheet_area && extents[1] > thresholds.thin_sheet_width * measures.thickness;
-  if (is_thin_sheet || measures.area_kept > thresholds.sheet_area) {
-    return Meso_kind::SHEET;
-  }
+  const bool is_thin_sheet = measures.area_kept > thin_sheet_area && extents[1] > thin_sheet_width * measures.thickness;
+  if (is_thin_sheet || measures.area_kept > sheet_area) return Meso_kind::SHEET;
   return extents[1] > blob_width * extents[0] && extents[2] >= blob_depth * extents[1] ? Meso_kind::BLOB
                                                                                        : Meso_kind::CURVE;
 }

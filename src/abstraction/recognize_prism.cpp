@@ -56,7 +56,7 @@ Point largest_face_normal(const Points& normals, const std::vector<Eigen::Index>
 /// cross product. The axis of a prism is among them.
 std::optional<std::array<Point, 3>> face_axes(const Part_mesh& mesh)
 {
-  const double right_angle = 0.01; // largest cosine
+  const double right_angle = 0.01; // largest cosine of the angle between perpendicular normals
   const Points normals = area_vectors(mesh);
   std::vector<Eigen::Index> order(std::size_t(normals.cols()));
   std::iota(order.begin(), order.end(), Eigen::Index(0));

@@ -280,7 +280,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     return result;
   }
   deadline.check();
-  // With the spokes, the wrap would close the ring.
+  // The wrap of a wheel with its spokes would close the ring.
   const Halfedge_mesh wrapped = wrap(stands_alone ? to_part_mesh(components[0]) : part, deadline);
   if (!all_solid) result.volume = PMP::volume(wrapped);
   Halfedge_mesh outer = components_by_area(wrapped).at(0);

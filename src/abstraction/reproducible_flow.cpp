@@ -45,7 +45,7 @@ std::optional<Point> circumcentre(const Delaunay::Cell& cell, double flattest)
 Point circumcentre(const Delaunay::Cell& cell)
 {
   using Long_number = boost::multiprecision::cpp_bin_float_100;
-  constexpr double flattest = 1e-6; // loses half of the digits
+  constexpr double flattest = 1e-6; // relative volume at which half of the digits are lost
   if (const std::optional<Point> result = circumcentre<double>(cell, flattest)) return *result;
   return circumcentre<Long_number>(cell, 0).value_or(to_point(cell.vertex(0)->point()));
 }

@@ -24,10 +24,10 @@ using Flow_edge = boost::graph_traits<Flow_mesh>::edge_descriptor;
 
 } // namespace CGAL::Shape_correspondence::internal
 
-/// The flow collapses short edges in the order of a `std::set` of edges. In CGAL 5 that is the order of their
-/// addresses, which makes the skeleton differ from run to run. The flow numbers all halfedges before each collapse, in
-/// the order of its mesh; comparing the numbers makes the result reproducible. CGAL 6 does so itself, in the same
-/// order.
+/// The flow collapses short edges in the order of a `std::set` of edges, which is inside of its function. In CGAL 5
+/// that is the order of their addresses, which makes the skeleton differ from run to run, and no other order can be
+/// given. The flow numbers all halfedges before each collapse, in the order of its mesh; comparing the numbers makes
+/// the result reproducible. CGAL 6 does so itself, in the same order.
 template <>
 struct std::less<CGAL::Shape_correspondence::internal::Flow_edge>
 {

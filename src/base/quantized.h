@@ -18,7 +18,7 @@ using Steps = std::int64_t;
 /// The nearest step of the grid, saturated at both ends; the lowest step for NaN.
 inline Steps quantized(double value)
 {
-  constexpr double last = 9e18; // below 2^63
+  constexpr double last = 9e18; // a number below 2^63
   const double steps = std::min(last, std::max(-last, value / comparison_grid));
   // faster than std::lround(), which is a function call
   return Steps(steps < 0 ? steps - 0.5 : steps + 0.5);

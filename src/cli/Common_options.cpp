@@ -202,9 +202,6 @@ void add_common_options(Option_table& table, Common_options& options)
       .between(1, most_threads)
       .without_default()
       .in_python();
-  add("seed", "N", &options.seed,
-      "seed of random choices, which evaluate and roles make; default: 0. Results are reproducible")
-      .without_default();
   add("quiet,q", &options.quiet, "print errors only").usual();
   add("verbose,v", &options.verbose,
       "print more: all notes, time and memory; match also prints the energy of every symmetry group, blend the "

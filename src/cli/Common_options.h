@@ -48,7 +48,6 @@ struct Common_options
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false, verbose = false, help = false, help_all = false;
   int threads = 0; ///< 0: as many as the machine has
-  std::int64_t seed = 0;
 
   Common_options of_input(std::size_t index) const;
   /// The options for reading model files, including the labels of faces that define parts.

@@ -97,7 +97,7 @@ po::options_description described(const std::deque<Option>& options, bool all)
 {
   constexpr unsigned least_description = 48;
   po::options_description result;
-  std::vector<std::string> titles; // in the order of their options
+  std::vector<std::string> titles; // titles of groups, in the order of their options
   for (const Option& option : options)
     if ((all || !option.is_rare) && std::find(titles.begin(), titles.end(), option.group) == titles.end())
       titles.push_back(option.group);

@@ -24,7 +24,7 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-// What commands do with shapes that are loaded; the Python module calls these functions, too
+// The work of the commands on loaded shapes; the Python module calls these functions, too
 
 /// Correspondences of two shapes, the best first, and the time in seconds that everything took.
 struct Matched_shapes

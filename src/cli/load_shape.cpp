@@ -175,7 +175,7 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
     shape.split = std::move(model.split);
     shape.model = shape.split.shape;
     shape.graph = graph_of(*shape.model, common, options, shape);
-    // Not cached, since the same parts may have been found in other ways
+    // This is not cached, since the same parts may have been found in other ways
     structure(shape.graph).automatic_parts = shape.split.by_segments;
     std::vector<std::string>& warnings = structure(shape.graph).warnings;
     warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
@@ -228,6 +228,7 @@ void read_appearance(Loaded_shape& shape)
   for (const Model_piece& piece : shape.split.pieces)
     if (piece.object >= objects.parts().size())
       throw Invalid_input(shape.path + ": the file has changed since it was read; try again");
+  of_objects.warnings = mapped(of_objects.warnings, in_program_words);
   shape.appearance = appearance_of_parts(objects, of_objects, shape.split);
 }
 

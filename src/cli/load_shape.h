@@ -20,7 +20,7 @@ namespace CGAL::Shape_correspondence::cli {
 /// A model, its parts, and warnings about them.
 struct Read_model
 {
-  Segmented_shape objects; ///< as in the file
+  Segmented_shape objects; ///< the objects of the file
   Part_split split;
   double up_confidence = 1; ///< confidence of the upright axis; 1 if it is given
   bool is_up_estimated = false;

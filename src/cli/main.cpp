@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
+#include "cli/run.h"
 #include "io/system/input_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/quoting.h"
@@ -21,7 +22,7 @@ enum Exit_status { done = 0, unusable_input = 1, bad_usage = 2 };
 
 int complain(const std::string& message, Exit_status status)
 {
-  std::cerr << "shape_correspondence: " << IO::quote_terminal(message, true) << '\n';
+  std::cerr << "shape_correspondence: " << IO::quote_terminal(in_program_words(message), true) << '\n';
   return status;
 }
 

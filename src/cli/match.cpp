@@ -50,7 +50,7 @@ using Parts = std::vector<std::size_t>;
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t narrowest_names = 16; // width of a column of part names, in characters
-constexpr std::size_t folded_lines = 4;     // lines of a cell if parts are not listed in full
+constexpr std::size_t folded_lines = 4;     // largest number of lines of a cell if not all parts are listed
 
 /// The labels of a shape's parts, for readers.
 Lines labels_of(const Structural_graph& graph, const Lines& roles)

@@ -225,7 +225,7 @@ Read_model model_of_objects(const std::string& path, IO::Model_objects objects, 
   internal::check_library_call("reading");
   Read_model model;
   model.objects = std::move(objects.shape);
-  model.warnings = std::move(objects.warnings);
+  model.warnings = mapped(objects.warnings, in_program_words);
   for (const std::string& warning : model.warnings)
     if (options.quiet && warning.rfind(IO::labels_left_out, 0) == 0)
       std::cerr << "shape_correspondence: note: " + IO::quote_terminal(message_about(path, warning)) + '\n';

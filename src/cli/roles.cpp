@@ -52,6 +52,7 @@ struct Roles_options
 {
   Role_training training;
   std::string output, manifest, date;
+  std::int64_t seed = 0;
 };
 
 void add_weights(const Match_weights& weights, IO::Json& result)
@@ -120,6 +121,7 @@ public:
         "of a "
         "category at most. Can be repeated");
     add("trees", "N", &roles_.training.options.trees, "trees in the forest of a category").at_least(1);
+    add("seed", "N", &roles_.seed, "seed of the random choices; the same seed gives the same model");
     add_model_options(table, common);
     add_common_options(table, common);
   }
@@ -132,7 +134,7 @@ private:
                         "'; known is: train. `label` predicts roles, and `evaluate` scores matches");
     if (roles_.output.empty()) throw Usage_error("'roles train' needs --output MODEL");
     roles_.training.folders.assign(inputs.begin() + 1, inputs.end());
-    roles_.training.options.seed = std::uint64_t(common.seed);
+    roles_.training.options.seed = std::uint64_t(roles_.seed);
   }
 
   void work() override { train(roles_, common); }

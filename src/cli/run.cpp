@@ -10,6 +10,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +19,6 @@
 #include <iostream>
 #include <numeric>
 #include <ostream>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t bar_width = 30;
 constexpr const char* erase_line = "\r\033[K";
-constexpr double interval = 0.1; // seconds
+constexpr double interval = 0.1; // seconds between two drawings of the bar
 constexpr double moment = 2;     // seconds before the remaining time is estimated
 
 std::string time_text(double seconds)
@@ -99,9 +99,22 @@ void write_output(const std::string& file, const std::function<void(std::ostream
 
 void output_is_whole(const std::string& file) { whole_outputs().push_back(file == "-" ? "standard output" : file); }
 
+std::string in_program_words(std::string message)
+{
+  for (const auto& [of_library, of_program] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"set `Reading_options::allow_outside_files`", "add --allow-outside-files"},
+           {"`Reading_options::allow_outside_files`", "--allow-outside-files"},
+           {"name it in `Reading_options::face_labels`", "say so with --parts-from"},
+           {"`write_parts_json()`", "`shape_correspondence graph --parts-json`"},
+           {"`train_role_model()`", "`shape_correspondence roles train`"}})
+    boost::algorithm::replace_all(message, of_library, of_program);
+  return message;
+}
+
 void warn(const Common_options& options, const std::string& message)
 {
-  if (!options.quiet) std::cerr << "shape_correspondence: note: " + IO::quote_terminal(message) + '\n';
+  if (!options.quiet)
+    std::cerr << "shape_correspondence: note: " + IO::quote_terminal(in_program_words(message)) + '\n';
 }
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -180,13 +193,12 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t length)
 
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all)
 {
-  static const std::regex library_option(R"( \(`[^`]*`\))");
   if (notes.size() > 1 && !all) {
     out << notes.size() << " notes; -v shows them\n";
     return;
   }
   for (const std::string& note : notes)
-    out << "note: " << IO::quote_terminal(std::regex_replace(note, library_option, "")) << '\n';
+    out << "note: " << IO::quote_terminal(in_program_words(note)) << '\n';
 }
 
 std::string short_number(double number)

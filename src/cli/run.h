@@ -26,6 +26,9 @@ void write_output(const std::string& file, const std::function<void(std::ostream
 /// Records an output that was written in another way.
 void output_is_whole(const std::string& file);
 
+/// A message of the library in which options and functions are named by switches and commands of the program.
+std::string in_program_words(std::string message);
+
 /// Prints a warning to standard error unless the options are quiet.
 void warn(const Common_options& options, const std::string& message);
 
@@ -64,8 +67,7 @@ constexpr std::size_t line_width = 80; ///< characters
 /// Words wrapped to lines of at most `width` characters; a longer word is broken after a separator, if it has one.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes one note in each line, or unless `all` only the number of several. Names of the library's options are
-/// removed.
+/// Writes one note in each line, or unless `all` only the number of several.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
 
 /// A number with four significant digits.

@@ -82,7 +82,7 @@ Source_labels source_labels(const Segmented_shape& source, const std::string& fr
   return result;
 }
 
-const char* origin_name(Looks_origin origin)
+const char* origin_name(Appearance_origin origin)
 {
   static constexpr const char* names[] = {"source", "neighbour", "target", "neutral"};
   return names[int(origin)];
@@ -109,30 +109,30 @@ void write_transfer_table(std::ostream& out, const Loaded_shape& source, const L
                           const Transferred_looks& transferred)
 {
   const bool has_labels = !transferred.labels.empty();
-  std::vector<std::vector<std::string>> rows{{"target part", has_labels ? "label" : "looks of", "source parts"}};
+  std::vector<std::vector<std::string>> rows{{"target part", has_labels ? "label" : "appearance of", "source parts"}};
   for (std::size_t i = 0; i < transferred.result.parts.size(); ++i) {
     const Transferred_part& part = transferred.result.parts[i];
     const int label = main_label(part);
     const std::string first = has_labels ? (label < 0 ? "-" : transferred.labels[std::size_t(label)])
-                              : part.origin == Looks_origin::SOURCE ? "the source"
-                              : part.origin == Looks_origin::NEIGHBOUR
+                              : part.origin == Appearance_origin::SOURCE ? "the source"
+                              : part.origin == Appearance_origin::NEIGHBOUR
                                   ? structure(target.graph).parts[part.neighbour].name
-                              : part.origin == Looks_origin::TARGET ? "its own"
-                                                                    : "none: grey";
+                              : part.origin == Appearance_origin::TARGET ? "its own"
+                                                                         : "none: grey";
     rows.push_back({structure(target.graph).parts[i].name, first,
                     part.sources.empty() ? "-" : listed(names_of(part.sources, source))});
   }
   write_table(out, rows);
-  const std::vector<Looks_origin> origins = mapped(transferred.result.parts, &Transferred_part::origin);
-  const auto count = [&](Looks_origin origin) { return std::count(origins.begin(), origins.end(), origin); };
-  const auto neutral = count(Looks_origin::NEUTRAL), own = count(Looks_origin::TARGET),
-             taken = count(Looks_origin::NEIGHBOUR);
+  const std::vector<Appearance_origin> origins = mapped(transferred.result.parts, &Transferred_part::origin);
+  const auto count = [&](Appearance_origin origin) { return std::count(origins.begin(), origins.end(), origin); };
+  const auto neutral = count(Appearance_origin::NEUTRAL), own = count(Appearance_origin::TARGET),
+             taken = count(Appearance_origin::NEIGHBOUR);
   out << "\ntexture coordinates: "
       << (transferred.result.has_given_coordinates ? "those of the target" : "laid out anew") << '\n';
   if (own + neutral + taken > 0)
     out << "parts that nothing was transferred to: " << own + neutral + taken << " ("
         << (has_labels ? "" : std::to_string(taken) + " look like a part that they touch, ") << own
-        << " keep their own looks, " << neutral << " are grey)\n";
+        << " keep their own appearance, " << neutral << " are grey)\n";
 }
 
 class Transfer_command : public Pair_command
@@ -242,7 +242,8 @@ void write_transfer_json(std::ostream& out, const Loaded_shape& source, const Lo
     const Transferred_part& part = transferred.result.parts[i];
     IO::Json line = {{"name", structure(target.graph).parts[i].name}, {"looks", origin_name(part.origin)}};
     line["sources"] = names_of(part.sources, source);
-    if (part.origin == Looks_origin::NEIGHBOUR) line["neighbour"] = structure(target.graph).parts[part.neighbour].name;
+    if (part.origin == Appearance_origin::NEIGHBOUR)
+      line["neighbour"] = structure(target.graph).parts[part.neighbour].name;
     if (const int label = main_label(part); label >= 0) line["label"] = transferred.labels[std::size_t(label)];
     json["parts"].push_back(line);
   }

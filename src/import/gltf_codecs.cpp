@@ -16,51 +16,16 @@ namespace {
 
 #ifdef SHAPE_CORRESPONDENCE_WITH_DRACO
 
-template <typename Number>
-void read_attribute(const draco::PointAttribute& attribute, Eigen::MatrixXd& numbers)
-{
-  Number components[4];
-  for (Eigen::Index point = 0; point < numbers.cols(); ++point) {
-    attribute.GetMappedValue(draco::PointIndex(std::uint32_t(point)), components);
-    for (Eigen::Index k = 0; k < numbers.rows(); ++k)
-      numbers(k, point) = double(components[k]);
-  }
-}
-
-/// The stored numbers, one column for each vertex; none if glTF does not have their type.
-Eigen::MatrixXd numbers_of(const draco::PointAttribute& attribute, std::uint32_t points)
+/// The stored numbers, one column for each vertex; none if they cannot be read.
+Eigen::MatrixXd numbers_of(draco::PointAttribute& attribute, std::uint32_t points)
 {
   constexpr int most_components = 4;
   if (attribute.num_components() > most_components) return {};
+  attribute.set_normalized(false); // the document says whether the numbers are
   Eigen::MatrixXd result(attribute.num_components(), points);
-  switch (attribute.data_type()) {
-  case draco::DT_INT8:
-    read_attribute<std::int8_t>(attribute, result);
-    break;
-  case draco::DT_UINT8:
-    read_attribute<std::uint8_t>(attribute, result);
-    break;
-  case draco::DT_INT16:
-    read_attribute<std::int16_t>(attribute, result);
-    break;
-  case draco::DT_UINT16:
-    read_attribute<std::uint16_t>(attribute, result);
-    break;
-  case draco::DT_INT32:
-    read_attribute<std::int32_t>(attribute, result);
-    break;
-  case draco::DT_UINT32:
-    read_attribute<std::uint32_t>(attribute, result);
-    break;
-  case draco::DT_FLOAT32:
-    read_attribute<float>(attribute, result);
-    break;
-  case draco::DT_FLOAT64:
-    read_attribute<double>(attribute, result);
-    break;
-  default:
-    return {};
-  }
+  for (std::uint32_t point = 0; point < points; ++point)
+    if (!attribute.ConvertValue<double>(attribute.mapped_index(draco::PointIndex(point)), result.col(point).data()))
+      return {};
   return result;
 }
 
@@ -71,16 +36,14 @@ Draco_mesh decoded_by_draco(std::string_view bytes)
   buffer.Init(bytes.data(), bytes.size());
   const auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok()) return {};
-  const draco::Mesh& mesh = *decoded.value();
+  draco::Mesh& mesh = *decoded.value();
   Draco_mesh result;
   result.corners.reserve(3 * std::size_t(mesh.num_faces()));
   for (std::uint32_t f = 0; f < mesh.num_faces(); ++f)
     for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(f)))
       result.corners.push_back(corner.value());
-  for (int i = 0; i < mesh.num_attributes(); ++i) {
-    const draco::PointAttribute& attribute = *mesh.attribute(i);
-    result.attributes[int(attribute.unique_id())] = numbers_of(attribute, mesh.num_points());
-  }
+  for (int i = 0; i < mesh.num_attributes(); ++i)
+    result.attributes[int(mesh.attribute(i)->unique_id())] = numbers_of(*mesh.attribute(i), mesh.num_points());
   return result;
 }
 

@@ -158,12 +158,12 @@ private:
       }
       for (unsigned k = 0; k < 3; ++k)
         part.corners.push_back(vertex(mesh, face.mIndices[k], to_world, part.name));
-      add_looks(mesh, face, part);
+      add_appearance(mesh, face, part);
     }
   }
 
   /// Adds the texture coordinates and colours of the last triangle; earlier triangles without them get defaults.
-  void add_looks(const aiMesh& mesh, const aiFace& face, Model_part& part) const
+  void add_appearance(const aiMesh& mesh, const aiFace& face, Model_part& part) const
   {
     Part_appearance& looks = part.appearance;
     const std::size_t before = part.corners.size() - 3;

@@ -4,6 +4,7 @@
 #include "map/Chart_outline.h"
 
 #include "base/clamped.h"
+#include "base/planar_hull.h"
 
 #include <Eigen/Geometry>
 
@@ -48,8 +49,6 @@ double turn_of(const Eigen::Vector2d& direction, int angles)
   return (turn - std::floor(turn)) * angles;
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 } // namespace
 
 /// \return whether there is an outline
@@ -78,7 +77,7 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
       known = std::max(known, cross(a, side) / slope);
     }
   }
-  for (std::size_t i = 0; i < segments.size(); ++i) { // of flat sections, only the ends are at some angle
+  for (std::size_t i = 0; i < segments.size(); ++i) { // flat sections have radii only at the angles of their ends
     const Eigen::Vector2d end = place(i);
     double& known = section.radii[int(std::lround(turn_of(end, angles))) % angles];
     if (known < least_radius) known = end.norm();

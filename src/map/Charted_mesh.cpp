@@ -118,7 +118,7 @@ Place_finder::Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& tr
 
 Mesh_place Place_finder::operator()(const Point& p, const Point& normal) const
 {
-  constexpr double far = 1;       // in coordinates; normals do not count for farther places
+  constexpr double far = 1;       // distance in coordinates beyond which normals do not count
   constexpr double averse = -0.2; // cosine of two normals on different sides
   const Mesh_place nearest = nearest_place(all_, p);
   if (normal.dot(nearest.of(normals_, triangles_)) >= averse) return nearest;

@@ -17,10 +17,10 @@ namespace CGAL::Shape_correspondence::internal {
 /// A mesh with the coordinates of its points in a chart.
 struct Charted_mesh
 {
-  Points points; ///< in space
+  Points points; ///< positions in space
   Eigen::Matrix3Xi triangles;
-  Points coordinates; ///< in the chart
-  Points offsets;     ///< from the chart's points with these coordinates to `points`, in the chart's frames
+  Points coordinates; ///< positions in the chart
+  Points offsets;     ///< vectors from the chart's points with these coordinates to `points`, in the chart's frames
 };
 
 /// Subdivides a mesh until its edges are short in the chart, so that it can be bent.

@@ -65,12 +65,12 @@ struct Correspondence_map::Pieces
   struct Piece_map
   {
     Side source, target;
-    Eigen::Matrix2d turn; ///< from parameters of one piece, in [-1, 1], to those of the other
+    Eigen::Matrix2d turn; ///< maps parameters of one piece, in [-1, 1], to those of the other
     bool closed = false;  ///< whether both are closed curves: then t becomes shift + step t
     double shift = 0, step = 1;
   };
 
-  std::vector<std::vector<Piece_map>> of_part; ///< indexed by source part
+  std::vector<std::vector<Piece_map>> of_part; ///< maps by source part
   std::size_t targets = 0;
 };
 

@@ -235,9 +235,9 @@ Eigen::Vector2d Part_chart::nearest_on_sheet(const Point& p) const
   return k.cwiseMax(-2.).cwiseMin(2.);
 }
 
-Point Part_chart::coordinates_of_station(Eigen::Index station) const
+Point Part_chart::coordinates_of_station(Eigen::Index station, bool is_sheet)
 {
-  if (!is_sheet_) return {station_coordinate(station, curve_stations), 0, 0};
+  if (!is_sheet) return {station_coordinate(station, curve_stations), 0, 0};
   const int n = sheet_stations;
   return {station_coordinate(station / n, n), station_coordinate(station % n, n), 0};
 }
@@ -256,35 +256,22 @@ Point Part_chart::coordinates(const Point& p) const
   return k;
 }
 
-Part_chart Part_chart::box(const Points& surface, const Eigen::Matrix3d& axes)
+Part_chart Part_chart::straight(const Points& surface, const Eigen::Matrix3d& axes, bool is_sheet)
 {
   const Points local = axes.transpose() * surface;
   const Point low = local.rowwise().minCoeff(), high = local.rowwise().maxCoeff();
   const Point half = ((high - low) / 2).cwiseMax(least_half_extent), middle = (low + high) / 2;
-  Points spine(3, curve_stations);
-  for (int i = 0; i < curve_stations; ++i)
-    spine.col(i) = axes * (middle + Point(station_coordinate(i, curve_stations) * half[0], 0, 0));
-  return along(spine, axes.col(1), half);
-}
-
-Part_chart Part_chart::plate(const Points& surface, const Eigen::Matrix3d& axes)
-{
-  const Points local = axes.transpose() * surface;
-  const Point low = local.rowwise().minCoeff(), high = local.rowwise().maxCoeff();
-  const Point half = ((high - low) / 2).cwiseMax(least_half_extent), middle = (low + high) / 2;
-  Points spine(3, sheet_stations * sheet_stations);
-  const double step = 2. / (sheet_stations - 1);
-  for (int i = 0; i < sheet_stations; ++i)
-    for (int j = 0; j < sheet_stations; ++j)
-      spine.col(i * sheet_stations + j) = axes * (middle + half.cwiseProduct(Point(i * step - 1, j * step - 1, 0)));
-  return over(spine, half);
+  Points spine(3, is_sheet ? sheet_stations * sheet_stations : curve_stations);
+  for (Eigen::Index s = 0; s < spine.cols(); ++s)
+    spine.col(s) = axes * (middle + half.cwiseProduct(coordinates_of_station(s, is_sheet)));
+  return is_sheet ? over(spine, half) : along(spine, axes.col(1), half);
 }
 
 Part_chart Part_chart::around(const Part_abstraction& part, const Points& control_points, const Points& surface)
 {
   const bool is_point = (control_points.rowwise().maxCoeff() - control_points.rowwise().minCoeff()).maxCoeff() <
                         2 * least_half_extent; // smaller extents would be rounding noise
-  if (is_point) return (part.is_sheet() ? plate : box)(surface, Eigen::Matrix3d::Identity());
+  if (is_point) return straight(surface, Eigen::Matrix3d::Identity(), part.is_sheet());
   if (const Sheet* given = std::get_if<Sheet>(&part.geometry))
     return over(spine_of(Sheet{control_points, given->rows, given->cols}), Point::Ones()).fitted(surface);
   const Curve curve{control_points, std::get<Curve>(part.geometry).closed};
@@ -312,7 +299,7 @@ Part_chart Part_chart::restricted(const Point& low, const Point& high) const
   const Point extents = half_.cwiseProduct(half).cwiseMax(least_half_extent);
   Points spine(3, spine_.cols());
   for (Eigen::Index s = 0; s < spine.cols(); ++s) {
-    const Point k = coordinates_of_station(s);
+    const Point k = coordinates_of_station(s, is_sheet_);
     spine.col(s) = (*this)(inside(k[0], k[1]));
   }
   if (is_sheet_) return over(spine, extents);
@@ -344,7 +331,7 @@ Part_chart Part_chart::centred(const Points& surface) const
   for (Eigen::Index i = 0; i < surface.cols(); ++i) {
     const Point k = coordinates(surface.col(i));
     for (Eigen::Index s = 0; s < count; ++s) {
-      const Point centre = coordinates_of_station(s);
+      const Point centre = coordinates_of_station(s, is_sheet_);
       if (std::abs(k[0] - centre[0]) > reach || (is_sheet_ && std::abs(k[1] - centre[1]) > reach)) continue;
       low.col(s) = low.col(s).cwiseMin(k);
       high.col(s) = high.col(s).cwiseMax(k);
@@ -372,12 +359,10 @@ Part_chart Part_chart::turned(const Eigen::Matrix3d& turn) const
     return along(spine, start.col(1), half);
   }
   const double step = 2. / (sheet_stations - 1);
-  for (int i = 0; i < sheet_stations; ++i)
-    for (int j = 0; j < sheet_stations; ++j) {
-      const Point k = turn * Point(i * step - 1, j * step - 1, 0);
-      const int row = int(std::lround((k[0] + 1) / step)), col = int(std::lround((k[1] + 1) / step));
-      spine.col(i * sheet_stations + j) = station(row, col);
-    }
+  for (Eigen::Index s = 0; s < spine.cols(); ++s) {
+    const Point k = turn * coordinates_of_station(s, true);
+    spine.col(s) = station(int(std::lround((k[0] + 1) / step)), int(std::lround((k[1] + 1) / step)));
+  }
   return over(spine, half);
 }
 

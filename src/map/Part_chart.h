@@ -25,9 +25,7 @@ public:
   static Part_chart around(const Part_abstraction& part, const Points& control_points, const Points& surface);
 
   /// A straight chart whose directions are the columns of the rotation `axes`.
-  static Part_chart box(const Points& surface, const Eigen::Matrix3d& axes);
-  /// A flat chart of a sheet, whose normal is the last column of `axes`.
-  static Part_chart plate(const Points& surface, const Eigen::Matrix3d& axes);
+  static Part_chart box(const Points& surface, const Eigen::Matrix3d& axes) { return straight(surface, axes, false); }
 
   bool is_sheet() const { return is_sheet_; }
 
@@ -63,12 +61,14 @@ private:
 
   static Part_chart along(const Points& spine, const Point& across, const Point& half);
   static Part_chart over(const Points& spine, const Point& half);
+  /// A straight chart of a curve, or a flat one of a sheet, whose normal is the last column of `axes`.
+  static Part_chart straight(const Points& surface, const Eigen::Matrix3d& axes, bool is_sheet);
   static int stations(bool is_sheet) { return is_sheet ? sheet_stations : curve_stations; }
 
   std::pair<Point, Eigen::Matrix3d> locate(const Point& k) const;
   double nearest_on_curve(const Point& p) const;
   Eigen::Vector2d nearest_on_sheet(const Point& p) const;
-  Point coordinates_of_station(Eigen::Index station) const;
+  static Point coordinates_of_station(Eigen::Index station, bool is_sheet);
   Point station(int i, int j) const { return spine_.col(i * sheet_stations + j); }
   void transport_frames(const Point& across);
   void normal_frames();

@@ -74,7 +74,8 @@ Points places(const Charted_shape& shape, const std::vector<std::size_t>& parts)
 /// remaining part with the nearest one, or all about as near, so that symmetric sets are matched symmetrically.
 Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& source, const Charted_shape& target)
 {
-  constexpr double as_near = 0.02; // in units of the bounding box; tolerance for parts about as near as the nearest one
+  constexpr double as_near =
+      0.02; // tolerance, in units of the bounding box, for parts about as near as the nearest one
   // Weight of distances between the shapes, so that ties are not settled by the order of parts
   constexpr double tie = 1e-3;
   const Points from = places(source, sets.source), to = places(target, sets.target);
@@ -261,7 +262,7 @@ std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape)
 Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape, 2>& shapes,
                           const std::array<const Part_mesh*, 2>& meshes)
 {
-  constexpr double longest_edge = 0.3; // in chart coordinates
+  constexpr double longest_edge = 0.3; // length in chart coordinates
   const std::array<std::size_t, 2> part = {pair.source, pair.target};
   const std::array<Chart_box, 2> boxes = {pair.source_piece, pair.target_piece};
   std::array<Part_mesh, 2> wholes, pieces;

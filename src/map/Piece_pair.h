@@ -68,8 +68,8 @@ inline bool is_whole(const Chart_box& box) { return box.contains(whole_chart());
 struct Piece_pair
 {
   std::size_t source = 0, target = 0;
-  Chart_box source_piece = whole_chart(), target_piece = whole_chart(); ///< in the chart coordinates of the parts
-  /// From coordinates of the source's piece to those of the target's.
+  Chart_box source_piece = whole_chart(), target_piece = whole_chart(); ///< boxes in the chart coordinates of the parts
+  /// Maps coordinates of the source's piece to those of the target's.
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 };
 
@@ -114,7 +114,7 @@ std::vector<const Points*> mesh_surfaces(const Segmented_shape& shape);
 struct Surface_pair
 {
   Pair_charts charts;
-  std::array<Charted_mesh, 2> meshes; ///< with the triangles and vertices of the parts
+  std::array<Charted_mesh, 2> meshes; ///< meshes with the triangles and vertices of the parts
 };
 
 Surface_pair surface_pair(const Piece_pair& pair, const std::array<Charted_shape, 2>& shapes,

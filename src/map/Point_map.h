@@ -38,10 +38,10 @@ private:
   struct Piece
   {
     std::size_t source;
-    Chart_box box; ///< in the chart coordinates of the target part
+    Chart_box box; ///< box in the chart coordinates of the target part
     Surface_pair surfaces;
     std::array<Points, 2> normals;
-    std::unique_ptr<Place_finder> finder; ///< on the source
+    std::unique_ptr<Place_finder> finder; ///< finder of places on the source
   };
 
   Charted_shape target_;

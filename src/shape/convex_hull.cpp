@@ -35,8 +35,9 @@ using Hull_triangulation =
 
 } // namespace CGAL::Shape_correspondence::internal
 
-/// The hull algorithm walks the border of the faces that a point sees from the first vertex of a `std::map`, by default
-/// the one of the lowest address: the order of the hull's vertices and faces would differ from run to run.
+/// `CGAL::convex_hull_3()` walks the border of the faces that a point sees from the first vertex of a `std::map`, which
+/// is inside of the function and takes no other order. By default that is the vertex of the lowest address: the order
+/// of the hull's vertices and faces would differ from run to run.
 template <>
 struct std::less<CGAL::Shape_correspondence::internal::Hull_triangulation::Vertex_handle>
 {

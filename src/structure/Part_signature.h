@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::internal {
 namespace symmetry {
 
 /// Numbers of samples of an abstraction whose part has no surface.
-constexpr int sheet_samples = 16; ///< along each side of a sheet
+constexpr int sheet_samples = 16; ///< number along each side of a sheet
 constexpr int curve_samples = 64;
 /// Limits for congruent parts.
 constexpr double area_ratio = 1.35;

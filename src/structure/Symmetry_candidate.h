@@ -24,8 +24,8 @@ constexpr double least_position_tolerance = 0.01; ///< tolerance for small parts
 constexpr double hull_noise = 0.003;              ///< mean deviation of hulls due to noise, over the diagonal
 constexpr double least_elongation = 1.5;          ///< length over width of a shape with two different ends
 constexpr double plane_tolerance = 0.02;          ///< distance of a pair's centre from a mirror plane, over the height
-constexpr double main_plane_support = 0.4;        ///< distance of a pair's centre from a mirror plane, over the height
-constexpr double other_plane_support = 0.7;       ///< least mirrored share of the surface for the main plane
+constexpr double main_plane_support = 0.4;        ///< least mirrored share of the surface for the main plane
+constexpr double other_plane_support = 0.7;       ///< least mirrored share of the surface for the other plane
 
 /// The linear maps that every pair of parts is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
@@ -274,7 +274,7 @@ private:
 };
 
 /// Limits for copies, which are stricter than for congruent parts.
-constexpr double copy_tolerance = 0.4; ///< mean deviation, over the tolerance
+constexpr double copy_tolerance = 0.4; ///< largest mean deviation, over the tolerance
 constexpr double copy_maximum = 1.75;  ///< largest deviation, over the allowed mean deviation
 constexpr double copy_area_ratio = 1.25;
 constexpr double copy_width_ratio = 1.27; ///< ratio of widths, in any direction
@@ -329,7 +329,7 @@ public:
     found_.push_back(std::move(candidate));
   }
 
-  /// What was added, the best first, and nothing any more.
+  /// Returns the candidates, the best first, and leaves the set empty.
   std::vector<Symmetry_candidate> take_out()
   {
     std::sort(found_.begin(), found_.end());

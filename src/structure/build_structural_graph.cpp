@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "abstraction/surface_samples.h"
 #include "base/check_number.h"
 #include "base/limits.h"
 #include "shape/Shape_in_frame.h"
@@ -169,11 +170,7 @@ Part_abstraction outline(const Shape_part& part)
   diagonal.points << mesh.points.rowwise().minCoeff(), mesh.points.rowwise().maxCoeff();
   result.geometry = diagonal;
   result.surface = sample_surface(mesh, surface_samples);
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Point p = mesh.points.col(mesh.triangles(0, t)), q = mesh.points.col(mesh.triangles(1, t)),
-                r = mesh.points.col(mesh.triangles(2, t));
-    result.area += (q - p).cross(r - p).norm() / 2;
-  }
+  result.area = surface_area(mesh);
   return result;
 }
 

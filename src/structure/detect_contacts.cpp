@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "abstraction/curve_and_sheet_geometry.h"
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "structure/Part_surface.h"
@@ -25,9 +26,9 @@ namespace {
 /// Factor of the tolerance, so that a gap of exactly the tolerance is a contact in every pose.
 constexpr double slack = 1 + 1e-9;
 constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
-constexpr double region_gap = 1.0 / 6;  ///< samples of either surface for finding the regions of a contact
-constexpr int region_samples = 64;      ///< samples of a curve, or along each side of a sheet
-constexpr int abstraction_samples = 16; ///< number on a curve, or along each side of a sheet
+constexpr double region_gap = 1.0 / 6;  ///< distance between regions, over the diagonal of all near samples
+constexpr int region_samples = 64;      ///< samples of either surface for finding the regions of a contact
+constexpr int abstraction_samples = 16; ///< samples of a curve, or along each side of a sheet
 
 /// Samples of two surfaces near the respective other surface.
 struct Near_samples
@@ -238,15 +239,6 @@ private:
   double tolerance_;
 };
 
-double length(const Curve& curve)
-{
-  const Eigen::Index n = curve.points.cols();
-  double sum = curve.closed ? (curve.points.col(0) - curve.points.col(n - 1)).norm() : 0;
-  for (Eigen::Index i = 0; i + 1 < n; ++i)
-    sum += (curve.points.col(i + 1) - curve.points.col(i)).norm();
-  return sum;
-}
-
 double area(const Sheet& sheet)
 {
   double sum = 0;
@@ -263,7 +255,7 @@ double area(const Sheet& sheet)
 double half_thickness(const Part_abstraction& part)
 {
   const double extent = part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry))
-                                        : double(EIGEN_PI * length(std::get<Curve>(part.geometry)));
+                                        : double(EIGEN_PI * arc_lengths(std::get<Curve>(part.geometry)).back());
   if (!(extent > 0) || !(part.volume > 0)) return 0;
   return part.is_sheet() ? part.volume / extent : std::sqrt(part.volume / extent);
 }

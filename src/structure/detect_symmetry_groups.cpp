@@ -72,7 +72,7 @@ std::optional<std::size_t> next_in_row(const Part_relations& parts, std::size_t 
   const Eigen::Index nearest = copies.centres.nearest_within(place, largest);
   if (nearest < 0) return std::nullopt;
   if (const std::size_t k = copies.members[std::size_t(nearest)]; parts.related(last, k, TRANSLATED)) return k;
-  std::optional<std::size_t> best; // of copies that are alike by others only
+  std::optional<std::size_t> best; // the nearest copy that is alike by way of other parts only
   double least = largest;
   for (std::size_t k : copies.members) {
     const double distance = (parts[k].centre - place).norm();

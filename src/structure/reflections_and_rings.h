@@ -73,7 +73,7 @@ inline void add_orbits_of_four(const Part_relations& parts, const std::vector<st
            parts.displaced_along(i, j, map);
   };
   for (std::size_t i : free) {
-    std::vector<std::size_t> images; // in the other plane
+    std::vector<std::size_t> images; // mirror images in the other plane
     std::copy_if(free.begin(), free.end(), std::back_inserter(images),
                  [&](std::size_t k) { return is_pair(i, k, parts.other_mirror()); });
     for (std::size_t j : free) {

@@ -79,7 +79,7 @@ private:
   Flat_triangle projected(std::size_t t) const
   {
     const int axis = directions_[t] / 2;
-    const bool is_mirrored = directions_[t] % 2 == 1; // keeps left and right as seen from outside
+    const bool is_mirrored = directions_[t] % 2 == 1; // so that left and right are those seen from outside
     Flat_triangle result;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point p = points_.col(triangles_(Eigen::Index(k), Eigen::Index(t)));

@@ -10,7 +10,7 @@
 #include "map/Subdivision.h"
 #include "shape/all_vertices.h"
 #include "shape/oriented_box.h"
-#include "texture/Looks_sampler.h"
+#include "texture/Appearance_sampler.h"
 #include "texture/image_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
@@ -80,7 +80,7 @@ Ply_part coloured(const Segmented_shape& shape, std::size_t part, double longest
   const auto& [name, mesh] = shape.parts()[part];
   Ply_part result{name, divided(mesh, longest_edge)};
   const Part_appearance places = appearance_on(mesh, numbered(mesh.triangles.cols()), result.mesh);
-  const internal::Looks_sampler looks(transferred.appearance, grey());
+  const internal::Appearance_sampler looks(transferred.appearance, grey());
   Points colours = grey().replicate(1, result.mesh.points.cols());
   for (Eigen::Index i = 0; i < result.mesh.triangles.size(); ++i) {
     const Eigen::Vector2d at = places.coordinates[std::size_t(i)].cast<double>();

@@ -51,6 +51,6 @@ Add_scenes dressed_scenes(std::vector<std::pair<const Segmented_shape*, const Sh
                           std::size_t most_bytes = std::size_t(-1));
 
 /// Limit for textures in a web page
-constexpr std::size_t largest_page_textures = std::size_t(16) << 20; // bytes for each shape
+constexpr std::size_t largest_page_textures = std::size_t(16) << 20; // number of bytes for each shape
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes of a library or a texture
 constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // bytes of all files of a model
-constexpr float largest_coordinate_of_texture = 1e4f; // in repetitions; single precision is too coarse beyond
+constexpr float largest_coordinate_of_texture =
+    1e4f; // number of repetitions beyond which single precision is too coarse
 
 /// A material of a library: its colour, and its texture before it is loaded; without a name: no texture.
 struct Library_material
@@ -167,7 +168,7 @@ void bound(Model_part& part, const std::vector<bool>& known)
 
 void complete_appearance(const Named_files& files, Model_content& content, std::vector<std::string>& warnings)
 {
-  warnings.insert(warnings.end(), content.warnings_of_looks.begin(), content.warnings_of_looks.end());
+  warnings.insert(warnings.end(), content.appearance_warnings.begin(), content.appearance_warnings.end());
   const std::vector<bool> known = look_up_materials(files, content, warnings);
   load_textures(files, content, warnings);
   for (Surface_material& material : content.materials) {

@@ -6,7 +6,7 @@
 #include "map/Charted_mesh.h"
 #include "map/Point_map.h"
 #include "shape/sample_triangles.h"
-#include "texture/Looks_sampler.h"
+#include "texture/Appearance_sampler.h"
 #include "texture/Texture_layout.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -54,7 +54,7 @@ public:
            const Correspondence& correspondence, const Transfer_options& options)
       : map_(source, source_shape, target, target_shape, correspondence),
         target_appearance_(target_appearance),
-        target_looks_(target_appearance, options.neutral),
+        target_sampler_(target_appearance, options.neutral),
         options_(options)
   {
     check_option("the size", options.size, 16, 8192);
@@ -74,7 +74,7 @@ public:
   std::vector<Transferred_part>& parts() { return result_.parts; }
 
   /// Takes the appearance of the largest source part that has one; of several about as large, of the highest.
-  void take_from_sources(const Segmented_shape& source, const Shape_frame& frame, const Looks_sampler& looks)
+  void take_from_sources(const Segmented_shape& source, const Shape_frame& frame, const Appearance_sampler& looks)
   {
     constexpr double about_as_large = 0.8;
     const std::vector<Steps> sizes = sizes_of_parts(source);
@@ -86,7 +86,7 @@ public:
       const auto end =
           std::stable_partition(from.begin(), from.end(), [&](std::size_t s) { return looks.is_known(s); });
       if (end == from.begin()) continue;
-      part.origin = Looks_origin::SOURCE;
+      part.origin = Appearance_origin::SOURCE;
       std::stable_sort(from.begin(), end, [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
       const auto smaller = std::find_if(
           from.begin(), end, [&](std::size_t s) { return double(sizes[s]) < about_as_large * double(sizes[from[0]]); });
@@ -107,14 +107,14 @@ public:
       for (const Contact& contact : contacts)
         for (const auto& [part, other] :
              {std::pair(contact.parts[0], contact.parts[1]), std::pair(contact.parts[1], contact.parts[0])}) {
-          if (result_.parts[part].origin != Looks_origin::NEUTRAL ||
-              result_.parts[other].origin == Looks_origin::NEUTRAL || !may_look_like(part, other))
+          if (result_.parts[part].origin != Appearance_origin::NEUTRAL ||
+              result_.parts[other].origin == Appearance_origin::NEUTRAL || !may_look_like(part, other))
             continue;
           std::size_t& best = found.emplace(part, other).first->second;
           if (is_larger(other, best)) best = other;
         }
       for (const auto& [part, other] : found) {
-        result_.parts[part].origin = Looks_origin::NEIGHBOUR;
+        result_.parts[part].origin = Appearance_origin::NEIGHBOUR;
         result_.parts[part].neighbour = other;
       }
     } while (!found.empty());
@@ -125,12 +125,13 @@ public:
   void paint(const Colour& colour)
   {
     for (std::size_t i = 0; i < result_.parts.size(); ++i)
-      if (Looks_origin& origin = result_.parts[i].origin; origin == Looks_origin::NEUTRAL && target_looks_.is_known(i))
-        origin = Looks_origin::TARGET;
+      if (Appearance_origin& origin = result_.parts[i].origin;
+          origin == Appearance_origin::NEUTRAL && target_sampler_.is_known(i))
+        origin = Appearance_origin::TARGET;
     const auto colour_of_point = [&](std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights) {
-      const Looks_origin origin = result_.parts[part].origin;
-      if (origin == Looks_origin::TARGET) return target_looks_(part, triangle, weights);
-      return origin == Looks_origin::NEUTRAL ? options_.neutral : colour(part, Eigen::Index(triangle), weights);
+      const Appearance_origin origin = result_.parts[part].origin;
+      if (origin == Appearance_origin::TARGET) return target_sampler_(part, triangle, weights);
+      return origin == Appearance_origin::NEUTRAL ? options_.neutral : colour(part, Eigen::Index(triangle), weights);
     };
     Texture texture{"transferred", "", {}, Texture_wrap::CLAMP, Texture_wrap::CLAMP};
     texture.image = bake(layout_, options_.size, options_.margin, options_.samples, options_.neutral, colour_of_point);
@@ -153,7 +154,7 @@ private:
   /// Whether a part has a material of another one, or no appearance of its own to keep.
   bool may_look_like(std::size_t part, std::size_t other) const
   {
-    if (!target_looks_.is_known(part)) return true;
+    if (!target_sampler_.is_known(part)) return true;
     const std::vector<int>&own = target_appearance_.parts[part].materials,
           &others = target_appearance_.parts[other].materials;
     return std::any_of(own.begin(), own.end(), [&](int material) {
@@ -163,7 +164,7 @@ private:
 
   Point_map map_;
   const Shape_appearance& target_appearance_;
-  Looks_sampler target_looks_;
+  Appearance_sampler target_sampler_;
   const Transfer_options& options_;
   Texture_layout layout_;
   Transferred_appearance result_;
@@ -193,18 +194,19 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
     throw Invalid_input(source_shape.name() +
                         ": it has no materials, textures or colours to transfer; give it some, or transfer labels");
   Transfer transfer(source, source_shape, target, target_shape, target_appearance, correspondence, options);
-  const Looks_sampler looks(source_appearance, options.neutral);
+  const Appearance_sampler looks(source_appearance, options.neutral);
   transfer.take_from_sources(source_shape, structure(source).frame, looks);
   transfer.take_from_neighbours(structure(target).contacts, target_shape);
   // Two maps, so that a source part is not divided among its counterpart and the neighbours that copy it
   std::array<Correspondence, 2> pairs;
   const std::vector<Transferred_part>& parts = transfer.parts();
-  const auto map_of = [&](std::size_t part) { return parts[part].origin == Looks_origin::NEIGHBOUR ? 1 : 0; };
+  const auto map_of = [&](std::size_t part) { return parts[part].origin == Appearance_origin::NEIGHBOUR ? 1 : 0; };
   for (std::size_t part = 0; part < parts.size(); ++part) {
     std::size_t like = part;
-    while (parts[like].origin == Looks_origin::NEIGHBOUR)
+    while (parts[like].origin == Appearance_origin::NEIGHBOUR)
       like = parts[like].neighbour;
-    if (parts[like].origin == Looks_origin::SOURCE) pairs[map_of(part)].pairs.push_back({parts[like].sources[0], part});
+    if (parts[like].origin == Appearance_origin::SOURCE)
+      pairs[map_of(part)].pairs.push_back({parts[like].sources[0], part});
   }
   std::deque<Point_map> maps; // index: map_of()
   for (Correspondence& chosen : pairs) {
@@ -238,7 +240,7 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
     std::vector<int>& of_triangles = transferred.labels;
     of_triangles.assign(std::size_t(mesh.triangles.cols()), -1);
     if (transferred.sources.empty()) continue;
-    transferred.origin = Looks_origin::SOURCE;
+    transferred.origin = Appearance_origin::SOURCE;
     for (std::size_t t = 0; t < of_triangles.size(); ++t)
       of_triangles[t] = label_of_triangle(transfer.map(), labels, part, Eigen::Index(t));
     smooth(neighbours_of(mesh), of_triangles, [](std::size_t, int) { return true; });

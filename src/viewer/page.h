@@ -9,7 +9,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// What a web page holds: the viewer (`src/viewer/page/`) shows it by the ids of its documents.
+/// The contents of a web page; the viewer (`src/viewer/page/`) finds the documents by their ids.
 struct Page
 {
   struct Document

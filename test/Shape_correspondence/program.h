@@ -39,12 +39,19 @@ inline Run run(const std::string& arguments)
   return {WEXITSTATUS(status), model_files::text_of(folder.path("out")), model_files::text_of(folder.path("error"))};
 }
 
+/// The text of a graph file. \param name name of the shape; empty: its own
+inline std::string graph_text(CGAL::Shape_correspondence::Structural_graph graph, const std::string& name = "")
+{
+  if (!name.empty()) structure(graph).name = name;
+  std::ostringstream text;
+  CGAL::Shape_correspondence::IO::write_structural_graph_json(text, graph);
+  return text.str();
+}
+
 inline std::string graph_file(const model_files::Temporary_folder& folder, const std::string& name,
                               const CGAL::Shape_correspondence::Structural_graph& graph)
 {
-  std::ostringstream text;
-  CGAL::Shape_correspondence::IO::write_structural_graph_json(text, graph);
-  return folder.write(name, text.str());
+  return folder.write(name, graph_text(graph));
 }
 
 #endif // SHAPE_CORRESPONDENCE_TEST_PROGRAM_H

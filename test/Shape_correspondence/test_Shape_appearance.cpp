@@ -180,7 +180,7 @@ TEST_CASE("A model names files of its folder only, unless others are allowed")
   const std::string file = folder.write("model/model.obj", text);
   const Model model = read(file);
   REQUIRE(model.looks.warnings.size() == 1);
-  CHECK_THAT(model.looks.warnings[0], Contains("outside the model's folder") && Contains("--allow-outside-files"));
+  CHECK_THAT(model.looks.warnings[0], Contains("outside the model's folder") && Contains("allow_outside_files"));
   CHECK(model.looks.textures.empty());
   IO::Reading_options options;
   options.allow_outside_files = true;

@@ -1,5 +1,6 @@
 #include "abstraction/repair.h"
 #include "abstraction/skeletonize.h"
+#include "damaged_meshes.h"
 #include "part_meshes.h"
 
 #include "shape/convex_hull.h"
@@ -404,5 +405,25 @@ TEST_CASE("A hole is filled whose corners coincide in the plane that it is proje
     cone.points.col(4) = apex;
     const internal::Deadline deadline(1e9);
     CHECK_NOTHROW(internal::repair_part(cone, deadline));
+  }
+}
+
+TEST_CASE("Damaged parts get a valid abstraction or an error that names them")
+{
+  Abstraction_options options;
+  options.time_limit = 5;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    INFO("seed " << seed);
+    Segmented_shape shape;
+    try {
+      shape.add_part("damaged", damaged_meshes::damaged_mesh(seed, 1500));
+    } catch (const Invalid_input& error) {
+      CHECK(std::string(error.what()).find("'damaged'") != std::string::npos);
+      continue;
+    }
+    const Part_abstraction part = abstract_part(shape.parts()[0], options);
+    CHECK(part.control_points().cols() >= 2);
+    CHECK(part.control_points().allFinite());
+    CHECK(part.surface.allFinite());
   }
 }

@@ -1,5 +1,4 @@
 #include "abstraction_error.h"
-#include "damaged_meshes.h"
 #include "part_meshes.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -435,24 +434,4 @@ TEST_CASE("Mid-lines and mid-surfaces of the models are found")
   }
   CHECK(benchmark::quantile(deviations, 0.5) < 0.01);
   CHECK(benchmark::quantile(deviations, 0.95) < 0.04);
-}
-
-TEST_CASE("Damaged parts get a valid abstraction or an error that names them")
-{
-  Abstraction_options options;
-  options.time_limit = 5;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    INFO("seed " << seed);
-    Segmented_shape shape;
-    try {
-      shape.add_part("damaged", damaged_meshes::damaged_mesh(seed, 1500));
-    } catch (const Invalid_input& error) {
-      CHECK(std::string(error.what()).find("'damaged'") != std::string::npos);
-      continue;
-    }
-    const Part_abstraction part = abstract_part(shape.parts()[0], options);
-    CHECK(part.control_points().cols() >= 2);
-    CHECK(part.control_points().allFinite());
-    CHECK(part.surface.allFinite());
-  }
 }

@@ -211,6 +211,23 @@ TEST_CASE("Code for single compilers or systems is in the files made for it only
   }
 }
 
+TEST_CASE("Only the program words messages as its switches: those of the library name options and functions")
+{
+  const std::regex switch_in_text("\"[^\"]*--[a-z]");
+  std::size_t switches_of_program = 0;
+  for (const auto& [file, path] : package_files()) {
+    const bool is_of_program = file.compare(0, 4, "cli/") == 0;
+    std::ifstream in(path);
+    for (std::string line; std::getline(in, line);) {
+      if (!std::regex_search(line, switch_in_text)) continue;
+      INFO(file << ": " << line);
+      CHECK(is_of_program);
+      switches_of_program += is_of_program;
+    }
+  }
+  CHECK(switches_of_program > 50);
+}
+
 TEST_CASE("No constant of a source has the name of one of a header, which it would hide from sources combined with it")
 {
   const std::regex definition("(\\w+)(?:\\[\\w*\\])? ?(?:= |\\{)");

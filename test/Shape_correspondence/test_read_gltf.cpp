@@ -3,16 +3,11 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/read/model_parts.h"
-#include "io/system/little_endian.h"
-#include "model_files.h"
-
-#include <CGAL/Shape_correspondence/IO/appearance_files.h>
+#include "gltf_models.h"
 
 #include <Eigen/Geometry>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #ifdef SHAPE_CORRESPONDENCE_WITH_DRACO
 #include <draco/compression/encode.h>
@@ -22,105 +17,8 @@
 #include <meshoptimizer.h>
 #endif
 
-#include <chrono>
-#include <numeric>
-#include <random>
-
-using namespace CGAL::Shape_correspondence;
-using namespace model_files;
+using namespace gltf_models;
 using Catch::Matchers::Contains;
-using nlohmann::json;
-
-namespace {
-
-/// A glTF model under construction; every accessor has its own buffer view in one buffer.
-struct Model
-{
-  json document = {{"asset", {{"version", "2.0"}}}, {"scenes", {{{"nodes", {0}}}}}};
-  std::string bytes;
-
-  template <typename Number>
-  int view(const std::vector<Number>& numbers)
-  {
-    bytes.resize((bytes.size() + 3) / 4 * 4);
-    const std::size_t begin = bytes.size();
-    for (Number number : numbers)
-      IO::append_little_endian(bytes, number);
-    document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}});
-    return int(document["bufferViews"].size()) - 1;
-  }
-
-  template <typename Number>
-  int accessor(const std::vector<Number>& numbers, int components, bool is_normalized = false)
-  {
-    constexpr bool is_signed = std::is_signed_v<Number>;
-    const int type = std::is_floating_point_v<Number> ? 5126
-                     : sizeof(Number) == 4            ? 5125 //
-                                                      : 5120 + 2 * (sizeof(Number) == 2) + !is_signed;
-    const char* const types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
-    document["accessors"].push_back({{"bufferView", view(numbers)},
-                                     {"componentType", type},
-                                     {"count", numbers.size() / std::size_t(components)},
-                                     {"type", types[components - 1]}});
-    if (is_normalized) document["accessors"].back()["normalized"] = true;
-    return int(document["accessors"].size()) - 1;
-  }
-
-  void add_mesh(const json& primitive) { document["meshes"].push_back({{"primitives", {primitive}}}); }
-
-  std::string glb() const
-  {
-    json whole = document;
-    whole["buffers"] = {{{"byteLength", bytes.size()}}};
-    std::string text = whole.dump(), binary = bytes, result = "glTF";
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    binary.resize((bytes.size() + 3) / 4 * 4);
-    const auto append = [&](std::size_t number) { IO::append_little_endian(result, std::uint32_t(number)); };
-    append(2);
-    append(12 + 8 + text.size() + 8 + binary.size());
-    append(text.size());
-    result += "JSON" + text;
-    append(binary.size());
-    return result + std::string("BIN\0", 4) + binary;
-  }
-
-  Segmented_shape read(Shape_appearance* looks = nullptr) const
-  {
-    const Temporary_folder folder;
-    const std::string file = folder.write("model.glb", glb());
-    return looks ? IO::read_shape_and_appearance(file, *looks) : IO::read_segmented_shape(file);
-  }
-};
-
-const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-template <typename Number>
-const std::vector<Number> triangles = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-
-Model tetrahedron()
-{
-  Model model;
-  const int points = model.accessor(corners, 3), indices = model.accessor(triangles<std::uint16_t>, 1);
-  model.add_mesh({{"attributes", {{"POSITION", points}}}, {"indices", indices}});
-  model.document["nodes"] = {{{"name", "seat"}, {"mesh", 0}}};
-  return model;
-}
-
-std::string refused(const std::string& bytes)
-{
-  return complaint([&] { IO::read_gltf_parts(bytes, "input.glb"); });
-}
-
-/// The error for a tetrahedron with a value changed or removed.
-std::string refused_with(const std::string& place, const json& value)
-{
-  Model model = tetrahedron();
-  model.document[json::json_pointer(place)] = value;
-  const std::string message = refused(model.glb());
-  CHECK_THAT(message, Contains("input.glb"));
-  return message;
-}
-
-} // namespace
 
 TEST_CASE("Nodes of glTF are parts, moved by all nodes that they are in, and read by no other program")
 {
@@ -295,57 +193,6 @@ TEST_CASE("Materials of glTF have their colours, textures and wrap modes")
   CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // corner 2
   CHECK(part.coordinates[5].isApprox(Eigen::Vector2f(0.2f, 0.2f)));
   CHECK(part.colours == std::vector<Eigen::Vector3f>(12, Eigen::Vector3f(1, 0, 0)));
-}
-
-TEST_CASE("Errors in a glTF document are reported with their place")
-{
-  CHECK(refused(tetrahedron().glb()).empty());
-  CHECK_THAT(refused_with("/asset/version", "3.0"), Contains("version '3.0'"));
-  CHECK_THAT(refused_with("/asset/version", 1), Contains("needs glTF 1.0"));
-  CHECK_THAT(refused_with("/extensionsRequired/0", "EXT_unheard_of"), Contains("'EXT_unheard_of'"));
-  CHECK_THAT(refused_with("/scene", 1), Contains("scene is 1, but there are 1 scenes"));
-  CHECK_THAT(refused_with("/scenes/0/nodes/0", 4294967296), Contains("scenes[0].nodes[0] is beyond"));
-  CHECK_THAT(refused_with("/scenes/0/nodes/1", 0), Contains("scenes[0].nodes has more nodes than there are"));
-  CHECK_THAT(refused_with("/nodes/0/children", json::array({0})), Contains("nodes[0] is in the tree"));
-  CHECK_THAT(refused_with("/nodes/0/mesh", -1), Contains("nodes[0].mesh is -1"));
-  CHECK_THAT(refused_with("/nodes/0/matrix", {1, 2}), Contains("a matrix of 16 numbers"));
-  CHECK_THAT(refused_with("/nodes/0/rotation", {1, 2, 3}), Contains("quaternion"));
-  CHECK_THAT(refused_with("/nodes/0/translation", {1, 2, 1e300}), Contains("1e50"));
-  CHECK_THAT(refused_with("/meshes/0/primitives/0/mode", 7), Contains("mode is 7"));
-  CHECK_THAT(refused_with("/meshes/0/primitives/0/mode", 0), Contains("no triangle"));
-  CHECK_THAT(refused_with("/meshes/0/primitives/0/material", 0), Contains("0 materials"));
-  CHECK_THAT(refused_with("/meshes/0/primitives/0/attributes/POSITION", 2), Contains("2 accessors"));
-  CHECK_THAT(refused_with("/meshes/0/primitives/0/attributes/POSITION", 1), Contains("VEC3 is expected"));
-  CHECK_THAT(refused_with("/meshes/0/primitives/0/attributes/COLOR_0", 1), Contains("VEC3 is expected"));
-  CHECK_THAT(refused_with("/accessors/0/count", 5), Contains("accessors[0] has 5 elements"));
-  CHECK_THAT(refused_with("/accessors/0/count", 2147483647), Contains("200 million"));
-  CHECK_THAT(refused_with("/accessors/0/count", -1), Contains("negative"));
-  CHECK_THAT(refused_with("/accessors/0/count", 3), Contains("'seat'") && Contains("one of the 3"));
-  CHECK_THAT(refused_with("/accessors/0/byteOffset", 2147483647), Contains("holds"));
-  CHECK_THAT(refused_with("/accessors/0/bufferView", "0"), Contains("not a whole number"));
-  CHECK_THAT(refused_with("/accessors/0/componentType", 5124), Contains("5124"));
-  CHECK_THAT(refused_with("/bufferViews/0/byteStride", 11), Contains("byteStride"));
-  CHECK_THAT(refused_with("/bufferViews/0/byteStride", 2147483647), Contains("holds"));
-  CHECK_THAT(refused_with("/bufferViews/0/byteLength", 2000), Contains("bufferViews[0] ends beyond"));
-  CHECK_THAT(refused_with("/bufferViews/0/buffer", 1), Contains("1 buffers"));
-  Model model = tetrahedron();
-  model.document["accessors"][0].erase("bufferView");
-  CHECK_THAT(refused(model.glb()), Contains("without compression"));
-  const auto with_buffer = [](const std::string& uri) {
-    json document = tetrahedron().document;
-    document["buffers"] = {{{"byteLength", 72}, {"uri", uri}}};
-    return refused(document.dump());
-  };
-  CHECK_THAT(with_buffer("data:application/octet-stream;base64,AAAA"), Contains("only 3"));
-  CHECK_THAT(with_buffer("data:application/octet-stream;base64,A*AA"), Contains("only 0"));
-  CHECK_THAT(with_buffer("data:,AAAA"), Contains("only 0"));
-  CHECK_THAT(with_buffer(std::string("a\0b", 3)), Contains("'a?b', which it names, is not there"));
-  CHECK_THAT(with_buffer(std::string(100000, 'a')), Contains("aaa...', which it names"));
-  CHECK_THAT(with_buffer("missing.bin"), Contains("'missing.bin', which it names, is not there"));
-  CHECK_THAT(refused(tetrahedron().document.dump()), Contains("0 buffers"));
-  Model infinite = tetrahedron();
-  infinite.bytes.replace(0, 4, std::string("\0\0\x80\x7F", 4));
-  CHECK_THAT(complaint([&] { infinite.read(); }), Contains("'seat'") && Contains("finite"));
 }
 
 TEST_CASE("Instances of a mesh are parts, whichever of translations, rotations and scales a file gives")
@@ -576,102 +423,3 @@ TEST_CASE("Buffer views that meshoptimizer compressed are read")
   CHECK_THAT(changed("byteLength", 3), Contains("cannot be decompressed"));
 }
 #endif
-
-TEST_CASE("Cycles of nodes are refused, also where no scene leads to them")
-{
-  Model model = tetrahedron();
-  model.document["nodes"].push_back({{"mesh", 0}, {"children", {2}}});
-  model.document["nodes"].push_back({{"mesh", 0}, {"children", {1}}});
-  CHECK(model.read().parts().size() == 1);
-  model.document.erase("scenes");
-  CHECK_THAT(refused(model.glb()), Contains("nodes[1] is in itself"));
-  model.document["nodes"][0]["children"] = {1};
-  CHECK_THAT(refused(model.glb()), Contains("nodes[1] is in the tree"));
-}
-
-TEST_CASE("Counts and lists of a glTF file beyond its data take no memory")
-{
-  Model model = tetrahedron();
-  const int indices = model.view(std::vector<std::uint16_t>{1}), values = model.view(std::vector<float>{1, 0, 0});
-  json& points = model.document["accessors"][0];
-  points.erase("bufferView");
-  points["sparse"] = {{"count", 1},
-                      {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
-                      {"values", {{"bufferView", values}}}};
-  points["count"] = 1000000;
-  CHECK(refused(model.glb()).empty());
-  points["count"] = 33000000;
-  CHECK_THAT(refused(model.glb()), Contains("accessors[0] has 33000000 elements, of which only 1"));
-  CHECK_THAT(refused_with("/scenes/0/nodes", std::vector<int>(100000)), Contains("more nodes than there are"));
-  CHECK_THAT(refused(R"({"asset": {"version": "2.0"}})" + std::string(std::size_t(256) << 20, ' ')),
-             Contains("longer than 256 MB") && Contains("save it as GLB"));
-}
-
-TEST_CASE("A small glTF file that uses a mesh very often is refused within moments")
-{
-  Model model = tetrahedron();
-  model.document["nodes"] = json::array();
-  for (int i = 0; i < 30000; ++i)
-    model.document["nodes"].push_back({{"mesh", 0}});
-  model.document["scenes"][0]["nodes"] = json::array();
-  for (int i = 0; i < 30000; ++i)
-    model.document["scenes"][0]["nodes"].push_back(i);
-  model.document["accessors"][1]["count"] = 4000;
-  model.bytes.resize(model.bytes.size() + 10000, '\0');
-  model.document["bufferViews"][1]["byteLength"] = 8000;
-  const auto begin = std::chrono::steady_clock::now();
-  CHECK_THAT(refused(model.glb()), Contains("use the same meshes"));
-#ifndef __SANITIZE_THREAD__ // sanitized programs are too slow
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
-#endif
-  model = tetrahedron();
-  const json primitive = model.document["meshes"][0]["primitives"][0];
-  model.document["nodes"] = json::array();
-  for (int i = 0; i < 20000; ++i) // a chain
-    model.document["nodes"].push_back({{"children", {i + 1}}});
-  model.document["nodes"].push_back({{"mesh", 0}});
-  CHECK(model.read().parts().size() == 1);
-}
-
-TEST_CASE("Meshes that nodes repeat make a million triangles more than there are bytes at most")
-{
-  constexpr std::size_t nodes = 1990;
-  const auto with_triangles = [&](std::size_t triangles, std::size_t bytes) {
-    Model model = tetrahedron();
-    std::vector<std::uint16_t> indices;
-    while (indices.size() < 3 * triangles)
-      indices.insert(indices.end(), {0, 2, 1});
-    model.document["meshes"][0]["primitives"][0]["indices"] = model.accessor(indices, 1);
-    model.document["nodes"] = std::vector<json>(nodes, {{"mesh", 0}});
-    std::vector<std::size_t> all(nodes);
-    std::iota(all.begin(), all.end(), 0);
-    model.document["scenes"][0]["nodes"] = all;
-    model.bytes.resize(model.bytes.size() + bytes);
-    return refused(model.glb());
-  };
-  CHECK(with_triangles(500, 0).empty());
-  const auto begin = std::chrono::steady_clock::now();
-  CHECK_THAT(with_triangles(4000, 0), Contains("input.glb") && Contains("use the same meshes") && Contains("simplify"));
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
-  CHECK(with_triangles(1000, 1000000).empty()); // as large as a file without repetitions
-}
-
-TEST_CASE("A GLB file that is cut off is refused, and one with any byte changed is read or refused")
-{
-  Model model = tetrahedron();
-  model.document["nodes"][0]["translation"] = {1, 2, 3};
-  const std::string glb = model.glb();
-  for (std::size_t size = 0; size < glb.size(); ++size) {
-    CAPTURE(size);
-    CHECK_FALSE(refused(glb.substr(0, size)).empty());
-  }
-  std::mt19937 random(1);
-  std::size_t good = 0;
-  for (std::size_t i = 0; i < 20 * glb.size(); ++i) {
-    std::string damaged = glb;
-    damaged[i % glb.size()] = char(random());
-    if (i >= 10 * glb.size()) damaged[random() % glb.size()] = "0123456789-,[]{}\":"[random() % 18];
-    good += refused(damaged).empty();
-  }
-  CHECK(good > glb.size());
-}

@@ -113,7 +113,7 @@ TEST_CASE("Visuals of a link are one part, of meshes that many links may use, wi
   packaged.replace(packaged.find(plain), plain.size(), "\"model://any/meshes/");
   const std::string below = folder.write("robots/r.urdf", packaged);
   CHECK_THAT(complaint([&] { IO::read_segmented_shape(below); }),
-             Contains("link 'base'") && Contains("cube.obj") && Contains("--allow-outside-files"));
+             Contains("link 'base'") && Contains("cube.obj") && Contains("`Reading_options::allow_outside_files`"));
   folder.write("package/meshes/cube.obj", obj_box("o cube", 0, 0, 0, 0, 1, 1, 1));
   const std::string in_package = folder.write("package/urdf/r.urdf", packaged);
   CHECK_FALSE(complaint([&] { IO::read_segmented_shape(in_package); }).empty());

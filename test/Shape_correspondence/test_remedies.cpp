@@ -91,13 +91,6 @@ std::string glb()
   return "glTF" + number(2) + number(20 + text.size()) + number(text.size()) + "JSON" + text;
 }
 
-std::string graph_json()
-{
-  std::ostringstream text;
-  IO::write_structural_graph_json(text, hand_made::chair());
-  return text.str();
-}
-
 /// A text with one random change: truncated, or a token replaced.
 std::string damaged(const std::string& text, std::mt19937& random)
 {
@@ -157,7 +150,7 @@ TEST_CASE("Every error about a damaged file says what to do with it")
       {"b.stl", std::string(84, '\1')},
       {"a.gltf", gltf()},
       {"a.glb", glb()},
-      {"a.json", graph_json()},
+      {"a.json", graph_text(hand_made::chair())},
       {"labels.json", R"({"category": "chair", "parts": {"leg": "leg", "seat": {"coarse": "seat", "fine": "s"}}})"}};
   std::mt19937 random(1);
   for (const auto& [name, text] : files) {
@@ -187,7 +180,8 @@ TEST_CASE("Every error about a damaged file says what to do with it")
 TEST_CASE("Every error of the program says what to do")
 {
   const Temporary_folder folder;
-  const std::string table = folder.write("table.obj", obj_table()), graph = folder.write("graph.json", graph_json());
+  const std::string table = folder.write("table.obj", obj_table()),
+                    graph = folder.write("graph.json", graph_text(hand_made::chair()));
   const auto file = [&](const std::string& name, const std::string& text) { return quoted(folder.write(name, text)); };
   fs::create_directory(folder.path("none"));
   const std::string none = quoted(folder.path("none")), missing = quoted(folder.path("missing"));

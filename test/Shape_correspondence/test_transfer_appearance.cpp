@@ -5,11 +5,10 @@
 
 #include "box_shapes.h"
 #include "boxed_graphs.h"
-#include "program.h"
 
 #include "generator/models.h"
 #include "generator/textures.h"
-#include "texture/Looks_sampler.h"
+#include "texture/Appearance_sampler.h"
 #include "texture/Texture_layout.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
@@ -88,7 +87,7 @@ Segmented_shape plate()
 // The largest difference in colour at the centroids of the second shape's triangles.
 double greatest_difference(const Shape_appearance& a, const Shape_appearance& b, const Segmented_shape& shape)
 {
-  const Looks_sampler from(a, Eigen::Vector3d::Zero()), to(b, Eigen::Vector3d::Zero());
+  const Appearance_sampler from(a, Eigen::Vector3d::Zero()), to(b, Eigen::Vector3d::Zero());
   double result = 0;
   for (std::size_t part = 0; part < shape.parts().size(); ++part)
     for (Eigen::Index t = 0; t < shape.parts()[part].mesh.triangles.cols(); ++t) {
@@ -111,7 +110,7 @@ TEST_CASE("A shape that is mapped to itself keeps its appearance, in new texture
       transfer_appearance(graph, shape, looks, graph, shape, {}, identity(shape), options);
   CHECK_FALSE(result.has_given_coordinates);
   for (const Transferred_part& part : result.parts)
-    CHECK(part.origin == Looks_origin::SOURCE);
+    CHECK(part.origin == Appearance_origin::SOURCE);
   // Tolerance for the resolution and depth of the texture
   CHECK(greatest_difference(looks, result.appearance, shape) < 0.03);
 }
@@ -191,8 +190,8 @@ TEST_CASE(
       transfer_appearance(graph_of(source), source, painted(source, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
                           graph_of(target), target, {}, pairing({{0, 0}, {1, 0}, {2, 0}}));
   CHECK(result.parts[0].sources == std::vector<std::size_t>{1, 0, 2});
-  CHECK(result.parts[0].origin == Looks_origin::SOURCE);
-  CHECK(result.parts[1].origin == Looks_origin::NEIGHBOUR); // the knob has no appearance of its own
+  CHECK(result.parts[0].origin == Appearance_origin::SOURCE);
+  CHECK(result.parts[1].origin == Appearance_origin::NEIGHBOUR); // the knob has no appearance of its own
   CHECK(result.parts[1].neighbour == 0);
   CHECK(greatest_difference(painted(target, {{0, 1, 0}, {0, 1, 0}}), result.appearance, target) < 0.02);
 }
@@ -234,13 +233,13 @@ TEST_CASE("A part without counterpart looks like the part of its material that i
   const Transferred_appearance result = transferred(own);
   CHECK(result.parts[1].neighbour == 0);
   CHECK(result.parts[2].neighbour == 1);
-  CHECK(result.parts[2].origin == Looks_origin::NEIGHBOUR);
-  CHECK(result.parts[3].origin == Looks_origin::TARGET);
+  CHECK(result.parts[2].origin == Appearance_origin::NEIGHBOUR);
+  CHECK(result.parts[3].origin == Appearance_origin::TARGET);
   const Shape_appearance expected = painted(target, {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}});
   CHECK(greatest_difference(expected, result.appearance, target) < 0.02);
   own.parts[3] = {};
   CHECK(transferred(own).parts[3].neighbour == 0);
-  CHECK(transferred(own).parts[3].origin == Looks_origin::NEIGHBOUR);
+  CHECK(transferred(own).parts[3].origin == Appearance_origin::NEIGHBOUR);
 }
 
 TEST_CASE("Labels of faces have straight borders, and parts without counterpart none")
@@ -269,9 +268,9 @@ TEST_CASE("A part without counterpart keeps its own appearance; of one to many a
   const Transferred_appearance result = transfer_appearance(
       graph_of(source), source, painted(source, {{1, 0, 0}, {0, 1, 0}}), graph_of(target), target,
       painted(target, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}), pairing({{0, 0}, {0, 1}, {0, 2}}));
-  const Looks_sampler sampler(result.appearance, Eigen::Vector3d::Zero());
+  const Appearance_sampler sampler(result.appearance, Eigen::Vector3d::Zero());
   for (std::size_t part = 0; part < 4; ++part) {
-    CHECK(result.parts[part].origin == (part < 3 ? Looks_origin::SOURCE : Looks_origin::TARGET));
+    CHECK(result.parts[part].origin == (part < 3 ? Appearance_origin::SOURCE : Appearance_origin::TARGET));
     CHECK(sampler(part, 0, Eigen::Vector3d::Constant(1. / 3)).isApprox(Eigen::Vector3d::Unit(part < 3 ? 0 : 2), 0.02));
   }
 }
@@ -317,81 +316,6 @@ TEST_CASE("A source without appearance, and options out of their ranges, are ref
   options.size = 1 << 20;
   CHECK_THROWS_AS(transfer_appearance(graph, shape, rainbow(shape), graph, shape, {}, identity(shape), options),
                   Invalid_input);
-}
-
-TEST_CASE("The program transfers a texture; what it writes reads back")
-{
-  const model_files::Temporary_folder folder;
-  for (const gen::Model& model : gen::models()) {
-    const gen::Assembly shape = model.make();
-    if (shape.name != "stool" && shape.name != "table_four_legged") continue;
-    for (const auto& [path, content] : gen::textured_file(shape))
-      folder.write(path, content);
-  }
-  const std::string source = quoted(folder.path("table_four_legged.obj")), target = quoted(folder.path("stool.obj"));
-  const std::string common = source + " " + target + " --abstraction boxes --size 128 ";
-  for (const std::string name : {"out.glb", "out.obj"}) {
-    CAPTURE(name);
-    const Run glb =
-        run("transfer " + common + "-o " + quoted(folder.path(name)) + " --json " + quoted(folder.path("t.json")));
-    CHECK(glb.error.empty());
-    REQUIRE(glb.status == 0);
-    Shape_appearance looks;
-    const Segmented_shape shape = IO::read_shape_and_appearance(folder.path(name), looks);
-    const auto json = nlohmann::json::parse(model_files::text_of(folder.path("t.json")));
-    CHECK(json["format"] == "shape_correspondence/transfer");
-    CHECK(json["parts"].size() == shape.parts().size());
-    CHECK(json["texture_coordinates"] == "new"); // the given ones overlap
-    REQUIRE(looks.textures.size() == 1);
-    IO::decode_textures(looks, looks.warnings);
-    CHECK(looks.warnings.empty());
-    CHECK(looks.textures[0].image.width == 128);
-  }
-  CHECK(std::filesystem::exists(folder.path("out.mtl")));
-  CHECK(run("match " + source + " " + target + " --abstraction boxes -o " + quoted(folder.path("m.glb"))).status == 0);
-  const std::string match = model_files::text_of(folder.path("m.glb"));
-  CHECK(match.find(R"("name":"materials")") != std::string::npos);
-  CHECK(match.find(R"("mimeType":"image/png")") != std::string::npos);
-  const Run labels = run("transfer " + common + "--labels parts -o " + quoted(folder.path("out.ply")));
-  CHECK(labels.status == 0);
-  const std::string ply = model_files::text_of(folder.path("out.ply"));
-  CHECK(ply.find("property int label") != std::string::npos);
-  Shape_appearance looks;
-  IO::read_shape_and_appearance(folder.path("out.ply"), looks);
-  CHECK_FALSE(looks.parts[0].colours.empty());
-}
-
-TEST_CASE("The program reads materials outside the model's folder only with --allow-outside-files")
-{
-  const model_files::Temporary_folder folder;
-  for (const gen::Model& model : gen::models())
-    if (model.make().name == "stool")
-      for (const auto& [path, content] : gen::textured_file(model.make()))
-        folder.write(path, content);
-  std::string text = model_files::text_of(folder.path("stool.obj"));
-  text.insert(text.find("mtllib ") + 7, "../");
-  const std::string model = quoted(folder.write("inside/stool.obj", text));
-  const std::string transfer =
-      "transfer " + model + " " + model + " --abstraction boxes --size 128 -v -o " + quoted(folder.path("out.glb"));
-  const Run inside = run(transfer), outside = run(transfer + " --allow-outside-files");
-  CHECK(inside.status == 1);
-  CHECK(inside.error.find("--allow-outside-files") != std::string::npos);
-  CHECK(outside.status == 0);
-}
-
-TEST_CASE("The program says what is missing for a transfer")
-{
-  const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
-  const model_files::Temporary_folder folder;
-  const std::string pair = quoted(data + "/stool") + " " + quoted(data + "/table_pedestal") + " --abstraction boxes ";
-  const Run plain = run("transfer " + pair + "-o " + quoted(folder.path("a.glb")));
-  CHECK(plain.status == 1);
-  CHECK(plain.error.find("--labels parts") != std::string::npos);
-  CHECK(run("transfer " + pair).status == 2);
-  CHECK(run("transfer " + pair + "-o a.stl").status == 2);
-  CHECK(run("transfer " + pair + "-o a.glb --size 5").status == 2);
-  CHECK(run("transfer " + pair + "-o a.glb --match m.json --paper").status == 2);
-  CHECK(folder.number_of_files() == 0);
 }
 
 namespace {

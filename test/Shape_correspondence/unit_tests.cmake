@@ -121,8 +121,8 @@ target_compile_definitions(test_program PRIVATE SHAPE_CORRESPONDENCE_PROJECT_VER
 foreach(name test_peers test_role_validation)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/benchmark/Shape_correspondence)
 endforeach()
-foreach(name test_generate_models test_Shape_appearance test_transfer_appearance test_exported_formats
-             test_blind_matching test_detect_symmetry_groups test_detect_contacts test_abstract_part_geometry
+foreach(name test_generate_models test_drawn_shapes test_Shape_appearance test_transfer_appearance
+             test_transfer_command test_exported_formats test_blind_matching test_detect_symmetry_groups test_detect_contacts test_abstract_part_geometry
              test_estimate_up)
   target_link_libraries(${name} PRIVATE Shape_correspondence_generator)
 endforeach()

@@ -36,7 +36,7 @@ struct Transfer_options
 
 /// \ingroup PkgShapeCorrespondenceAppearance
 /// The origin of the appearance (materials, textures and colours) of a target part.
-enum class Looks_origin {
+enum class Appearance_origin {
   SOURCE,    ///< a corresponding part of the source
   NEIGHBOUR, ///< a neighbouring part of the target, since it has no counterpart
   TARGET,    ///< the target itself: it has no counterpart, and another material than its neighbours
@@ -47,10 +47,10 @@ enum class Looks_origin {
 /// The result of a transfer for a target part.
 struct Transferred_part
 {
-  Looks_origin origin = Looks_origin::NEUTRAL; ///< origin of its appearance
+  Appearance_origin origin = Appearance_origin::NEUTRAL; ///< origin of its appearance
   /// The source parts to which it is mapped; after `transfer_appearance()`, the first one is the origin.
   std::vector<std::size_t> sources;
-  std::size_t neighbour = 0; ///< for `Looks_origin::NEIGHBOUR`: index of the neighbour in the target
+  std::size_t neighbour = 0; ///< for `Appearance_origin::NEIGHBOUR`: index of the neighbour in the target
   std::vector<int> labels;   ///< label of each triangle, set by `transfer_labels()`; -1: none
 };
 

@@ -38,8 +38,7 @@ Part_split split_parts_by_json(const Segmented_shape& objects, const std::string
 {
   const Json_field document = read_json_file(path);
   if (!document.has("format", parts_format))
-    throw Invalid_input(path + ": it is not a list of pieces and their parts; make one by `shape_correspondence graph "
-                               "--parts-json`");
+    throw Invalid_input(path + ": it is not a list of pieces and their parts; make one by `write_parts_json()`");
   if (document["version"].integer() != parts_version) document["version"].fail("is of another version");
   std::map<std::string, std::string> part_of_piece;
   for (const Json_field& entry : document["pieces"].elements())
@@ -55,9 +54,7 @@ Part_split split_parts_by_json(const Segmented_shape& objects, const std::string
     return split_parts(objects, part_of_piece, by_segments, {},
                        by_materials ? materials : std::vector<std::vector<int>>(), patched_objects);
   } catch (const Invalid_input& error) {
-    throw Invalid_input(path + ": " + error.what() +
-                        "; write the list anew with `shape_correspondence graph "
-                        "--parts-json`");
+    throw Invalid_input(path + ": " + error.what() + "; write the list anew with `write_parts_json()`");
   }
 }
 

@@ -17,7 +17,7 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::uint64_t most_numbers = 200'000'000; // enough for ten million triangles
-constexpr std::size_t most_zeros = 1'000'000;       // elements of an accessor without data
+constexpr std::size_t most_zeros = 1'000'000;       // number of elements of an accessor without data
 constexpr const char* version_1 = "glTF 1.0";
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr const char* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
@@ -54,7 +54,7 @@ bool is_known(const std::string& extension)
 }
 
 /// Whether the extension affects the appearance only, so that shapes are read correctly without it.
-bool is_of_looks(const std::string& extension)
+bool is_of_appearance(const std::string& extension)
 {
   const auto words = {"_materials_", "_texture_",  "_lights_",  "KHR_technique", "_environment",
                       "KHR_xmp",     "_animation", "_metadata", "_audio",        "_features"};
@@ -121,14 +121,14 @@ void Gltf_document::check_extensions()
 {
   if (!root_->has("extensionsRequired")) return;
   for (const std::string& name : (*root_)["extensionsRequired"].texts()) {
-    if (!is_known(name) && !is_of_looks(name))
+    if (!is_known(name) && !is_of_appearance(name))
       throw Invalid_input(file_ + ": it needs the extension " + cited(name) +
                           " of glTF, which is not known here; save it without this extension");
     required_.insert(name);
   }
 }
 
-std::vector<std::string> Gltf_document::warnings_of_looks() const
+std::vector<std::string> Gltf_document::appearance_warnings() const
 {
   std::vector<std::string> result;
   for (const std::string& name : required_)

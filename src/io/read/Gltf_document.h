@@ -81,7 +81,7 @@ public:
   std::string_view bytes(const Json_field& reference);
 
   /// Warnings about appearance that unsupported extensions describe.
-  std::vector<std::string> warnings_of_looks() const;
+  std::vector<std::string> appearance_warnings() const;
 
   /// The bytes in a data URI. \return none if the URI names a file
   static std::optional<std::string> data_of_uri(std::string_view uri);

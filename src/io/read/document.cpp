@@ -282,9 +282,9 @@ Points Json_field::points() const
   Points result(3, size());
   for (std::size_t i = 0; i < size(); ++i) {
     const nlohmann::json& value = (*value_)[i];
-    result.col(Eigen::Index(i)) = is_point(value)
-                                      ? Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>())
-                                      : element(i).point(); // which needs a text with its place
+    result.col(Eigen::Index(i)) =
+        is_point(value) ? Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>())
+                        : element(i).point(); // reports the place of the error, whose text takes time to make
   }
   return result;
 }

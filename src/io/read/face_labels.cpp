@@ -174,7 +174,7 @@ void divide_by_labels(const Face_labels& labels, Model_content& content)
       triangles[labels.of_faces[part.faces[t]]].push_back(t);
     for (const auto& [label, list] : triangles) {
       Model_part& of_label = parts[std::size_t(label)];
-      add_looks(looks_of(part.appearance, list), list.size(), of_label.faces.size(), of_label.appearance);
+      add_appearance(appearance_of(part.appearance, list), list.size(), of_label.faces.size(), of_label.appearance);
       for (std::size_t t : list) {
         of_label.faces.push_back(part.faces[t]);
         of_label.corners.insert(of_label.corners.end(), &part.corners[3 * t], &part.corners[3 * t] + 3);

@@ -49,7 +49,7 @@ Named_file Named_files::read(const std::string& given) const
     for (const fs::path& path : {folder / candidate.relative_path(), folder / candidate.filename()}) {
       if (!fs::is_regular_file(path, error)) continue;
       if (!options.allow_outside_files && !is_in_folder_of(model, path.string())) {
-        fault = "is outside the model's folder, and not read without --allow-outside-files";
+        fault = "is outside the model's folder, and not read without `Reading_options::allow_outside_files`";
         continue;
       }
       const std::uintmax_t size = fs::file_size(path, error);
@@ -65,7 +65,7 @@ Named_file Named_files::read(const std::string& given) const
   return {"", fault};
 }
 
-void append_looks(Model_content& from, Model_content& to)
+void append_appearance(Model_content& from, Model_content& to)
 {
   for (Surface_material& material : from.materials)
     if (material.texture >= 0) material.texture += int(to.textures.size());
@@ -77,7 +77,7 @@ void append_looks(Model_content& from, Model_content& to)
   append(from.textures, to.textures);
 }
 
-Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
+Part_appearance appearance_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
 {
   const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // number of attributes in the file
   Part_appearance result;
@@ -91,7 +91,8 @@ Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size
   return result;
 }
 
-void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all)
+void add_appearance(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles,
+                    Part_appearance& all)
 {
   const auto append = [](auto& to, std::size_t before, const auto& from, std::size_t count, const auto& none) {
     if (to.empty() && from.empty()) return;

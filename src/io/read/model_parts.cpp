@@ -87,7 +87,7 @@ std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape,
   for (std::size_t part : parts) {
     meshes.push_back(&shape.parts()[part].mesh);
     const auto more = std::size_t(meshes.back()->triangles.cols());
-    add_looks(part < appearance.parts.size() ? appearance.parts[part] : Part_appearance(), more, triangles, looks);
+    add_appearance(part < appearance.parts.size() ? appearance.parts[part] : Part_appearance(), more, triangles, looks);
     triangles += more;
   }
   return {internal::joined(meshes), std::move(looks)};

@@ -56,8 +56,8 @@ struct Model_content
   std::vector<std::string> warnings = {};      ///< about what was left out or replaced
   bool materials_are_names = false;            ///< whether materials are defined in libraries
   std::vector<std::string> libraries = {};     ///< files that define materials
-  std::vector<std::string> warnings_of_looks = {};
-  Point up = Point::Zero(); ///< as given by the file; zero: not given
+  std::vector<std::string> appearance_warnings = {};
+  Point up = Point::Zero(); ///< the up direction that the file gives; zero: none
 };
 
 /// Readers of the formats. They throw `Invalid_input` that names the file. Names may be empty, equal, and of any bytes.
@@ -136,13 +136,14 @@ std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape,
                                                    const std::vector<std::size_t>& parts);
 
 /// The appearance of a subset of the triangles of a part.
-Part_appearance looks_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
+Part_appearance appearance_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
 
 /// Appends the materials and textures of one file to those of others, and renumbers those of its parts.
-void append_looks(Model_content& from, Model_content& to);
+void append_appearance(Model_content& from, Model_content& to);
 
 /// Appends the appearance of further triangles; attributes present on only one side are filled with defaults.
-void add_looks(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles, Part_appearance& all);
+void add_appearance(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles,
+                    Part_appearance& all);
 
 struct Tree_node
 {

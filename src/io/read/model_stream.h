@@ -33,7 +33,7 @@ void exchange(Stream& stream, Content& content)
   };
   value(content.faces_left_out);
   value(content.up);
-  for (auto* texts : {&content.warnings_of_looks, &content.without_faces}) {
+  for (auto* texts : {&content.appearance_warnings, &content.without_faces}) {
     stream.size(*texts, 1);
     for (auto& text : *texts)
       values(text);

@@ -90,7 +90,7 @@ public:
     if (content_.parts.empty()) throw Invalid_input(file + ": there is no triangle in it; give every part a mesh");
     content_.are_labelled = is_written_ && parts_written_ == content_.parts.size();
     if (!content_.are_labelled) name_parts_by_tree(tree_, node_of_part_, meshes_, content_.parts);
-    content_.warnings_of_looks = document_.warnings_of_looks();
+    content_.appearance_warnings = document_.appearance_warnings();
     return std::move(content_);
   }
 
@@ -320,8 +320,8 @@ private:
     document_.count_triangles(corners.size() / 3);
     for (std::size_t& corner : corners)
       corner = vertices[corner];
-    add_looks(looks_of(primitive, corners, points.cols()), corners.size() / 3, part.corners.size() / 3,
-              part.appearance);
+    add_appearance(appearance_of(primitive, corners, points.cols()), corners.size() / 3, part.corners.size() / 3,
+                   part.appearance);
     if (part.corners.empty()) part.corners.reserve(corners.size());
     for (std::size_t corner : corners)
       part.corners.push_back(to_world * Point(points.col(Eigen::Index(corner))));
@@ -346,7 +346,8 @@ private:
     return result;
   }
 
-  Part_appearance looks_of(const Json_field& primitive, const std::vector<std::size_t>& corners, Eigen::Index points)
+  Part_appearance appearance_of(const Json_field& primitive, const std::vector<std::size_t>& corners,
+                                Eigen::Index points)
   {
     const std::optional<std::size_t> material = document_.index_at(primitive, "material", "materials");
     Part_appearance result;
@@ -375,7 +376,8 @@ private:
   bool is_written_ = false;         ///< whether the file was written by this program
   std::size_t parts_written_ = 0;   ///< number of nodes marked as parts
   std::vector<std::string> meshes_; ///< names of the parts' meshes
-  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int> textures_; ///< by image and wrap modes
+  std::map<std::tuple<std::size_t, Texture_wrap, Texture_wrap>, int>
+      textures_; ///< indices of textures by image and wrap modes
 };
 
 } // namespace

@@ -29,11 +29,11 @@ struct Model_objects
   /// For each object and triangle, the index of its face in the file, and the number of faces; empty for a folder.
   std::vector<std::vector<std::size_t>> faces = {};
   std::size_t number_of_faces = 0;
-  Shape_appearance appearance = {}; ///< from the model's own file, completed from the files that it names
+  Shape_appearance appearance = {}; ///< appearance in the model's own file, completed from the files that it names
 };
 
 /// Completes and checks materials and textures, using the files that a model file names.
-using Complete_looks =
+using Complete_appearance =
     std::function<void(const std::string& file, Model_content& content, std::vector<std::string>& warnings)>;
 
 /// The robot description (URDF) in a folder: the only such file in it, or in its sub-folder `urdf` or `robots`.
@@ -41,7 +41,7 @@ std::optional<std::string> robot_in(const std::string& folder);
 
 /// Reads a model like `read_segmented_shape()`, with its materials. \param complete may be empty
 Model_objects read_objects(const std::string& path, const Point& up, const Reading_options& options = {},
-                           const Complete_looks& complete = {});
+                           const Complete_appearance& complete = {});
 
 /// Splits objects like `split_parts()`, but in mode `AUTO` pieces end at changes of the material only if that brings
 /// the parts nearer to labelled parts of a category.

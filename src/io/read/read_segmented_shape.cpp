@@ -85,7 +85,7 @@ void label_faces(const std::string& file, const Reading_options& options, Model_
     const std::string name = fs::path(file).filename().string();
     if (!labels.model.empty() && labels.model != name)
       throw Invalid_input(list.string() + ": it was written for the faces of " + cited_file(labels.model) +
-                          "; if it is for this model, say so with --parts-from");
+                          "; if it is for this model, name it in `Reading_options::face_labels`");
     divide_by_labels(labels, content);
     if (content.are_labelled)
       content.warnings.push_back("The objects are the labels of faces in " + list.filename().string() + ".");
@@ -95,11 +95,11 @@ void label_faces(const std::string& file, const Reading_options& options, Model_
 }
 
 Model_content read_parts(const std::string& file, bool are_parts, const std::string& folder,
-                         const Reading_options& options, const Complete_looks& complete,
+                         const Reading_options& options, const Complete_appearance& complete,
                          std::vector<std::string>& warnings);
 
 Model_content read_robot(const std::string& text, const std::string& file, const std::string& folder,
-                         const Reading_options& options, const Complete_looks& complete,
+                         const Reading_options& options, const Complete_appearance& complete,
                          std::vector<std::string>& warnings)
 {
   Model_content robot = read_urdf_parts(text, file, folder, options, [&](const std::string& mesh) {
@@ -107,14 +107,14 @@ Model_content read_robot(const std::string& text, const std::string& file, const
     if (complete) complete(mesh, content, warnings);
     return content;
   });
-  if (complete) warnings.insert(warnings.end(), robot.warnings_of_looks.begin(), robot.warnings_of_looks.end());
+  if (complete) warnings.insert(warnings.end(), robot.appearance_warnings.begin(), robot.appearance_warnings.end());
   return robot;
 }
 
 /// Reads a file. \param complete for the meshes named by a robot, which have their own materials; may be empty
 /// \param are_parts whether everything in the file becomes one part
 Model_content read_parts(const std::string& file, bool are_parts, const std::string& folder,
-                         const Reading_options& options, const Complete_looks& complete,
+                         const Reading_options& options, const Complete_appearance& complete,
                          std::vector<std::string>& warnings)
 {
   const std::string extension = lower_extension(file);
@@ -174,7 +174,7 @@ bool add_part(const std::string& file, const Model_part& part, Model_objects& ob
   } catch (const Invalid_input& error) {
     throw Invalid_input(file + ": " + error.what());
   }
-  objects.appearance.parts.push_back(looks_of(part.appearance, kept));
+  objects.appearance.parts.push_back(appearance_of(part.appearance, kept));
   if (part.faces.empty()) return true;
   for (std::size_t& triangle : kept)
     triangle = part.faces[triangle];
@@ -225,7 +225,7 @@ Model_part joined(const std::string& name, const std::vector<Model_part>& object
 {
   Model_part part{name, {}};
   for (const Model_part& object : objects) {
-    add_looks(object.appearance, object.corners.size() / 3, part.corners.size() / 3, part.appearance);
+    add_appearance(object.appearance, object.corners.size() / 3, part.corners.size() / 3, part.appearance);
     part.corners.insert(part.corners.end(), object.corners.begin(), object.corners.end());
   }
   return part;
@@ -234,7 +234,7 @@ Model_part joined(const std::string& name, const std::vector<Model_part>& object
 /// Appends the content of a file to that of others.
 void add_content(Model_content more, Model_content& all)
 {
-  append_looks(more, all);
+  append_appearance(more, all);
   std::move(more.parts.begin(), more.parts.end(), std::back_inserter(all.parts));
   std::move(more.warnings.begin(), more.warnings.end(), std::back_inserter(all.warnings));
   std::move(more.without_faces.begin(), more.without_faces.end(), std::back_inserter(all.without_faces));
@@ -306,7 +306,7 @@ std::optional<std::string> robot_in(const std::string& folder)
 }
 
 Model_objects read_objects(const std::string& given, const Point& up, const Reading_options& options,
-                           const Complete_looks& complete)
+                           const Complete_appearance& complete)
 {
   check_exists(given);
   const std::string path = robot_in(given).value_or(given);

@@ -19,7 +19,7 @@ namespace {
 // Binary files have a header of 80 bytes, a count, and for each triangle a normal, three corners and two bytes
 constexpr std::size_t header_size = 84, triangle_size = 50, normal_size = 12;
 
-constexpr int most_lines_before = 100; // before the first solid of a text
+constexpr int most_lines_before = 100; // number of lines that may come before the first solid of a text
 
 std::uint32_t count_in(std::string_view text) { return number_in<std::uint32_t>(text.data() + header_size - 4); }
 

@@ -344,7 +344,7 @@ std::optional<Segmented_shape> read_part_meshes(const std::string& graph_file, c
     const std::filesystem::path folder = std::filesystem::path(graph_file).parent_path();
     const std::string file = (folder / part["mesh"].text()).string();
     if (!options.allow_outside_files && std::filesystem::exists(file) && !is_in_folder_of(graph_file, file))
-      part["mesh"].fail("names a file outside the folder of the graph; read it with --allow-outside-files");
+      part["mesh"].fail("names a file outside the folder of the graph; set `Reading_options::allow_outside_files`");
     const Segmented_shape of_file = read_segmented_shape(file, Point::UnitY(), nullptr, options);
     std::vector<const Part_mesh*> meshes;
     for (const Shape_part& of_mesh : of_file.parts())

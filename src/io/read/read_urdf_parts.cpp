@@ -27,8 +27,8 @@ using Element = boost::property_tree::ptree;
 using Transform = Eigen::Affine3d;
 
 constexpr int round_sides = 32;                                      // number of sides of a cylinder or a sphere
-constexpr double angle_of_side = double(2 * EIGEN_PI) / round_sides; // in radians
-constexpr double largest_value = 1e9;                                // in metres, more than any robot
+constexpr double angle_of_side = double(2 * EIGEN_PI) / round_sides; // angle in radians
+constexpr double largest_value = 1e9;                                // largest coordinate in metres, beyond any robot
 
 std::string attribute(const Element& element, const std::string& name)
 {
@@ -292,8 +292,8 @@ private:
       const auto found = materials_.find(name);
       if (found != materials_.end()) return found->second;
       if (!link.empty())
-        content_.warnings_of_looks.push_back("Link " + cited(link) + " has the material " + cited(name) +
-                                             ", which has no <color>; it has no colour.");
+        content_.appearance_warnings.push_back("Link " + cited(link) + " has the material " + cited(name) +
+                                               ", which has no <color>; it has no colour.");
       return -1;
     }
     const Eigen::Vector4d rgba = numbers<4>(*colour, "color", "rgba", link.empty() ? "material " + name : link);
@@ -343,7 +343,7 @@ private:
     looks.materials.resize(corners.size() / 3, -1);
     for (int& of_triangle : looks.materials)
       if (of_triangle < 0) of_triangle = material;
-    add_looks(looks, corners.size() / 3, part.corners.size() / 3, part.appearance);
+    add_appearance(looks, corners.size() / 3, part.corners.size() / 3, part.appearance);
     for (const Point& corner : corners)
       part.corners.push_back(place * corner);
   }
@@ -362,7 +362,7 @@ private:
       fail_at(part.name,
               "has the mesh " + cited_file(uri) +
                   ", which is not in the folder of the file or below; put it there, name the folder that has "
-                  "all of the robot or, if it is elsewhere, add --allow-outside-files");
+                  "all of the robot or, if it is elsewhere, set `Reading_options::allow_outside_files`");
     Transform scaled = place;
     scaled.scale(scale);
     for (const Model_part& object : mesh_of(path, part.name))
@@ -387,7 +387,7 @@ private:
       for (Point& corner : part.corners)
         corner = turn * corner;
     content_.faces_left_out += content.faces_left_out;
-    append_looks(content, content_);
+    append_appearance(content, content_);
     return meshes_[path] = std::move(content.parts);
   }
 

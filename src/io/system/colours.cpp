@@ -94,7 +94,7 @@ Colour colour_of(unsigned srgb) { return linear_colour(Colour(srgb >> 16, srgb >
 /// The n-th shade of a colour: the first is the colour itself.
 Colour shade(const Colour& colour, std::size_t n)
 {
-  constexpr std::array<double, 5> steps = {0, .09, -.09, .05, -.05}; // of lightness
+  constexpr std::array<double, 5> steps = {0, .09, -.09, .05, -.05}; // steps of lightness in [0, 1]
   Oklab lab = oklab_of(colour);
   lab[0] += steps[n % steps.size()];
   return n % steps.size() == 0 ? colour : Colour(linear_rgb(lab).cwiseMax(0).cwiseMin(1));

@@ -61,7 +61,7 @@ void remove_temporaries_at_signals()
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
-  // In bytes
+  // Sizes in bytes
   constexpr int most_kept = 1 << 26;
   constexpr int largest_kept_block = 1 << 22; // larger blocks are returned when freed
   constexpr int heap_growth = 1 << 22;        // bytes for each request

@@ -139,7 +139,7 @@ std::string quote_ply(const std::string& name)
 
 std::string file_name(const std::string& name)
 {
-  constexpr std::size_t longest = 200; // in bytes; with a number and an extension, at most 255
+  constexpr std::size_t longest = 200; // length in bytes; a number and an extension keep it below 255
   const std::set<std::string> reserved{"con", "prn", "aux", "nul"};
   std::string result =
       replace_characters(utf8_text(name), [](std::uint32_t code, std::size_t at, const std::string& bytes) {

@@ -45,7 +45,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  posix_spawnattr_t attributes; // for the child to receive the signals that this process blocks
+  posix_spawnattr_t attributes; // lets the child receive the signals that this process blocks
   posix_spawnattr_init(&attributes);
   sigset_t none;
   sigemptyset(&none);
@@ -100,7 +100,7 @@ Program_run run_program(const std::string& program, const std::vector<std::strin
   }
   try {
     result.took_too_long = !read_all(from, end, result.output);
-  } catch (...) { // out of memory
+  } catch (...) { // such as lack of memory
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     throw;

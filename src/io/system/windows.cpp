@@ -147,7 +147,7 @@ std::error_code replace(const fs::path& old_path, const fs::path& new_path)
 {
   // Number of attempts to replace a file, which fails while another process, such as a virus scanner, has it open
   constexpr int attempts = 50;
-  constexpr DWORD pause = 20; // in milliseconds
+  constexpr DWORD pause = 20; // pause in milliseconds
   std::error_code error;
   if (fs::is_directory(new_path, error)) fs::remove(new_path, error);
   for (int i = 0; i < attempts; ++i) {

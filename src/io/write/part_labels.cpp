@@ -15,10 +15,10 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double common_share = .75;      // share of the names from which on a common prefix is dropped
-constexpr std::size_t longest_number = 6; // in digits
-constexpr std::size_t longest_label = 24; // in characters
+constexpr std::size_t longest_number = 6; // number of digits
+constexpr std::size_t longest_label = 24; // number of characters
 
-// What modellers name parts by themselves, and the shapes that they start from
+// Names that modelling programs give to parts, and those of the solids that modelling starts from
 const std::set<std::string> meaningless = {
     "bezier",  "box",         "circle",  "component", "cone",      "cube",      "curve",   "cylinder",  "default",
     "element", "entity",      "geo",     "geom",      "geometry",  "group",     "grp",     "icosphere", "instance",
@@ -189,7 +189,7 @@ bool tells_part(const std::string& name, const std::set<std::string>& known)
 {
   const std::set<std::string> words = plain_words(name);
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    for (std::size_t size = 3; size <= word.size(); ++size) // of the last word of a compound: seatback
+    for (std::size_t size = 3; size <= word.size(); ++size) // size of the last word of a compound such as seatback
       if (const std::string last = word.substr(word.size() - size); words_for_parts.count(last) || known.count(last))
         return true;
     return false;
@@ -261,7 +261,7 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names, cons
   std::map<std::string, std::set<std::string>> roles_of_stem, roles_of_series;
   std::map<std::string, std::size_t> size_of_series;
   std::set<std::string> known;
-  std::vector<std::string> series; // what is left of a stem without its number
+  std::vector<std::string> series; // stems without their numbers
   for (std::size_t i = 0; i < roles.size(); ++i) {
     series.push_back(without_separators(numbered(result[i]).first));
     ++size_of_series[series[i]];
@@ -280,7 +280,7 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names, cons
   if (!roles.empty()) result = std::move(series);
   std::map<std::string, std::size_t> counts, numbers;
   for (std::string& label : result) {
-    label = shortened(label, longest_label - 4); // with a number of three digits
+    label = shortened(label, longest_label - 4); // leaves place for a separator and three digits
     if (label.empty()) label = "part";
     ++counts[label];
   }

@@ -4,6 +4,7 @@
 #include "io/write/pictures.h"
 #include "base/library_call.h"
 #include "shape/meshes.h"
+#include "shape/triangle_distance.h"
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -30,10 +31,8 @@ Point unit(const Point& v)
 Points face_normals(const Points& points, const Eigen::Matrix3Xi& triangles)
 {
   Points normals(3, triangles.cols());
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const Point a = points.col(triangles(0, t));
-    normals.col(t) = (points.col(triangles(1, t)) - a).cross(points.col(triangles(2, t)) - a);
-  }
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+    normals.col(t) = internal::contacts::area_vector(internal::triangle_of(points, triangles, t));
   return normals;
 }
 
@@ -103,8 +102,8 @@ void append(const Drawn_mesh& more, Drawn_mesh& all)
   all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + static_cast<int>(points);
 }
 
-constexpr std::size_t fewest_triangles = 24; // limit for a part: two boxes
-constexpr double margin = 0.05;              // around the triangles at an edge, over the diagonal of their bounding box
+constexpr std::size_t fewest_triangles = 24; // least number for a part: that of two boxes
+constexpr double margin = 0.05; // width around the triangles at an edge, over the diagonal of their bounding box
 
 /// The placement of Lindstrom and Turk, or the midpoint of the edge where that is far away, as on thin pieces, where
 /// the planes that determine it nearly meet in a line.

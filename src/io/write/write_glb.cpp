@@ -14,7 +14,7 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double gap = 0.25;          // gap between the shapes, over the greater width
-constexpr double tube_radius = 0.009; // ratio to the shape's diagonal
+constexpr double tube_radius = 0.009; // radius of a tube, over the shape's diagonal
 constexpr double surface_alpha = 0.25;
 const Eigen::Vector2d middle_parameter(0.5, 0.5);
 

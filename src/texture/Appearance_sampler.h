@@ -23,11 +23,11 @@ auto value_at(const std::vector<Vector>& of_corners, std::size_t triangle, const
 }
 
 /// Samples the colours of a shape's surface, in linear light.
-class Looks_sampler
+class Appearance_sampler
 {
 public:
   /// \param appearance kept by reference \param neutral colour of parts without an appearance
-  Looks_sampler(const Shape_appearance& appearance, const Eigen::Vector3d& neutral);
+  Appearance_sampler(const Shape_appearance& appearance, const Eigen::Vector3d& neutral);
 
   /// Whether a part has an appearance.
   bool is_known(std::size_t part) const;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "texture/Looks_sampler.h"
+#include "texture/Appearance_sampler.h"
 #include "base/srgb.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ int wrapped(int pixel, int size, Texture_wrap wrap)
 
 } // namespace
 
-Looks_sampler::Looks_sampler(const Shape_appearance& appearance, const Eigen::Vector3d& neutral)
+Appearance_sampler::Appearance_sampler(const Shape_appearance& appearance, const Eigen::Vector3d& neutral)
     : appearance_(appearance), neutral_(neutral)
 {
   for (std::size_t byte = 0; byte < linear_.size(); ++byte)
     linear_[byte] = linear_of_srgb(double(byte) / 255);
 }
 
-bool Looks_sampler::is_known(std::size_t part) const
+bool Appearance_sampler::is_known(std::size_t part) const
 {
   if (part >= appearance_.parts.size()) return false;
   const Part_appearance& looks = appearance_.parts[part];
@@ -36,7 +36,7 @@ bool Looks_sampler::is_known(std::size_t part) const
          std::any_of(looks.materials.begin(), looks.materials.end(), [](int material) { return material >= 0; });
 }
 
-Eigen::Vector3d Looks_sampler::texture_at(const Texture& texture, const Eigen::Vector2d& at) const
+Eigen::Vector3d Appearance_sampler::texture_at(const Texture& texture, const Eigen::Vector2d& at) const
 {
   const Image& image = texture.image;
   const Eigen::Vector2d pixel(at.x() * image.width - 0.5, at.y() * image.height - 0.5);
@@ -53,7 +53,8 @@ Eigen::Vector3d Looks_sampler::texture_at(const Texture& texture, const Eigen::V
   return result;
 }
 
-Eigen::Vector3d Looks_sampler::operator()(std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights) const
+Eigen::Vector3d Appearance_sampler::operator()(std::size_t part, std::size_t triangle,
+                                               const Eigen::Vector3d& weights) const
 {
   if (!is_known(part)) return neutral_;
   const Part_appearance& looks = appearance_.parts[part];
