@@ -48,9 +48,11 @@ public:
                         : is_coarse_  ? drawn.coarse_abstraction(part)
                                       : drawn.abstraction(part);
       mesh.material = labels[part] == Co_analysis::none ? unclustered_ : labels[part];
-      nodes.push_back(glb_.add_node(drawn.name(part), {std::move(mesh)}));
+      mesh.layer.clear(); // names and layers are told once
+      nodes.push_back(glb_.add_node("", {std::move(mesh)}));
     }
     roots_.push_back(glb_.add_node(drawn.name(), nodes, Point::Zero()));
+    glb_.set_node_extras(roots_.back(), {{"layer", drawn.model() ? surface_layer : abstraction_layer}});
   }
 
   /// \param role_of_cluster a colour for each label
