@@ -154,6 +154,7 @@ private:
          add_examples(match_.examples, common, matching_.search.roles, matching_.search.category))
       if (team.is_first()) warn(common, left_out);
     common.roles = matching_.search.roles;
+    common.keeps_reading = !common.cache.empty(); // what is read of many shapes would fill the store
     if (common.cache.empty()) common.cache = stored("cache");
     const Collection_shapes shapes(paths_, stored("graphs"), options_.skip_bad, common, team);
     if (!options_.nearest.empty()) {
