@@ -137,42 +137,47 @@ Oriented_box thinnest_box(const Points& points)
 }
 
 /// A number of twice the digits of a double (Dekker 1971): the sum of two, the second at most half a unit of the first.
-struct Long_number
+struct Double_double
 {
   double high = 0, low = 0;
 
-  static Long_number sum(double a, double b)
+  static Double_double sum(double a, double b)
   {
     const double high = a + b, part = high - a;
     return {high, (a - (high - part)) + (b - part)};
   }
-  static Long_number product(double a, double b)
+  /// Without `std::fma()`, which rounds twice on some systems.
+  static Double_double product(double a, double b)
   {
-    const double high = a * b;
-    return {high, std::fma(a, b, -high)};
+    const auto half = [](double x) { return 0x8000001p0 * x - (0x8000001p0 * x - x); }; // its first 26 digits
+    const double high = a * b, a1 = half(a), a2 = a - a1, b1 = half(b), b2 = b - b1;
+    return {high, ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2};
   }
-  friend Long_number operator+(const Long_number& a, const Long_number& b)
+  friend Double_double operator+(const Double_double& a, const Double_double& b)
   {
-    const Long_number high = sum(a.high, b.high), low = sum(a.low, b.low);
-    const Long_number result = sum(high.high, high.low + low.high);
+    const Double_double high = sum(a.high, b.high), low = sum(a.low, b.low);
+    const Double_double result = sum(high.high, high.low + low.high);
     return sum(result.high, result.low + low.low);
   }
-  friend Long_number operator-(const Long_number& a, const Long_number& b) { return a + Long_number{-b.high, -b.low}; }
-  friend Long_number operator*(const Long_number& a, const Long_number& b)
+  friend Double_double operator-(const Double_double& a, const Double_double& b)
   {
-    const Long_number high = product(a.high, b.high);
+    return a + Double_double{-b.high, -b.low};
+  }
+  friend Double_double operator*(const Double_double& a, const Double_double& b)
+  {
+    const Double_double high = product(a.high, b.high);
     return sum(high.high, high.low + (a.high * b.low + a.low * b.high));
   }
 };
 
 /// Six times the volume of a tetrahedron, up to its sign. \param corners the first is the apex of all
-Long_number determinant(const Point& apex, const std::array<Point, 3>& corners)
+Double_double six_volumes(const Point& apex, const std::array<Point, 3>& corners)
 {
-  std::array<std::array<Long_number, 3>, 3> m;
+  std::array<std::array<Double_double, 3>, 3> m;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      m[i][k] = Long_number::sum(corners[i][Eigen::Index(k)], -apex[Eigen::Index(k)]);
-  Long_number result;
+      m[i][k] = Double_double::sum(corners[i][Eigen::Index(k)], -apex[Eigen::Index(k)]);
+  Double_double result;
   for (std::size_t k = 0; k < 3; ++k)
     result = result + m[0][k] * (m[1][(k + 1) % 3] * m[2][(k + 2) % 3] - m[1][(k + 2) % 3] * m[2][(k + 1) % 3]);
   return result;
@@ -201,10 +206,10 @@ Convex_hull measured_hull(const Halfedge_mesh& mesh)
   }
   std::sort(triangles.begin(), triangles.end());
   // Nearly exact: how the algorithm divides flat faces into triangles is to change no digit
-  Long_number sum;
+  Double_double sum;
   for (const auto& [a, b, c] : triangles)
     sum = sum +
-          determinant(result.vertices.col(0), {result.vertices.col(a), result.vertices.col(b), result.vertices.col(c)});
+          six_volumes(result.vertices.col(0), {result.vertices.col(a), result.vertices.col(b), result.vertices.col(c)});
   result.volume = std::abs(sum.high) / 6;
   return result;
 }
