@@ -57,8 +57,9 @@ TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and
   CHECK(json::parse(document_of(page, "collection")) == shown);
   const json stored = json::parse(document_of(page, "maps"));
   CHECK(stored["total"] == 2);
+  CHECK(stored["operations"][0] == "match");
   CHECK(stored["labels"][1].size() == 5);
-  CHECK(stored["maps"].dump() == R"({"0,1":{"blocks":[[[0],[0],"match",76]],"energies":[0.25,0.5]}})");
+  CHECK(stored["maps"].dump() == R"({"0,1":[0.25,0.5,[[[0],[0],0,76]]]})");
 
   const json glb = glb_json(page);
   const json& roots = glb["scenes"][0]["nodes"];

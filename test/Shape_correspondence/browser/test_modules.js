@@ -135,12 +135,12 @@ function glb(json, numbers) {
   equal(walkTree(4, [[0, 1, 3], [1, 2, 1], [0, 3, 2]], 0),
         [{shape: 0, depth: 0, distance: null}, {shape: 3, depth: 1, distance: 2}, {shape: 1, depth: 1, distance: 3},
          {shape: 2, depth: 2, distance: 1}]);
-  const maps = {'0,2': {energies: [0.1, 0.2], blocks: [[[3], [4, 5], 'split', 50]]}};
-  equal(storedMatch(maps, 0, 2),
+  const stored = {operations: ['match', 'split'], maps: {'0,2': [0.1, 0.2, [[[3], [4, 5], 1, 50]]]}};
+  equal(storedMatch(stored, 0, 2),
         {blocks: [{parts: [[3], [4, 5]], role: '', confidence: 0.5, operation: 'split'}], energies: [0.1, 0.2]});
-  equal(storedMatch(maps, 2, 0),
+  equal(storedMatch(stored, 2, 0),
         {blocks: [{parts: [[4, 5], [3]], role: '', confidence: 0.5, operation: 'merge'}], energies: [0.2, 0.1]});
-  equal(storedMatch(maps, 0, 1), null);
+  equal(storedMatch(stored, 0, 1), null);
   equal([shellWord('a/b-1.obj'), shellWord("it's a $HOME")], ['a/b-1.obj', "'it'\\''s a $HOME'"]);
 }
 
