@@ -127,7 +127,7 @@ Flow_columns inflated_columns(const Markov_clustering_options& options, std::siz
 /// \return the largest deviation of a column from one whose nonzero entries are equal, from 0 to 1
 double step(const Markov_clustering_options& options, Flow_matrix& flow)
 {
-  constexpr Eigen::Index columns_at_a_time = 256, blocks_at_a_time = 16;
+  constexpr Eigen::Index columns_at_a_time = 64, blocks_at_a_time = 16;
   const std::size_t limit = column_limit(options, flow.cols());
   Flow_matrix result(flow.rows(), flow.cols());
   result.reserve(Eigen::Index(limit) * flow.cols()); // avoids repeated growth
