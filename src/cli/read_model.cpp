@@ -74,7 +74,7 @@ public:
   }
   std::size_t count(std::size_t)
   {
-    std::size_t size;
+    std::size_t size = 0;
     raw(&size, sizeof size);
     check(size);
     return size;
