@@ -135,7 +135,8 @@ double step(const Markov_clustering_options& options, Flow_matrix& flow)
   for (Eigen::Index done = 0; done < flow.cols(); done += blocks_at_a_time * columns_at_a_time) {
     std::vector<Flow_columns> blocks(blocks_at_a_time);
     internal::for_each_index<CGAL::Parallel_if_available_tag>(blocks.size(), [&](std::size_t b) {
-      const Eigen::Index first = std::min(flow.cols(), done + Eigen::Index(b) * columns_at_a_time);
+      const Eigen::Index first = done + Eigen::Index(b) * columns_at_a_time;
+      if (first >= flow.cols()) return;
       blocks[b] = inflated_columns(options, limit, flow, first, std::min(columns_at_a_time, flow.cols() - first));
     });
     Eigen::Index j = done;
