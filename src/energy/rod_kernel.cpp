@@ -108,27 +108,36 @@ struct Length_lanes
   Length_lanes() { std::fill(std::begin(shortest_squared), std::end(shortest_squared), far_away * far_away); }
 };
 
+// Writes the rods from a point to a block of samples of `to`, the first `count` of which are no padding.
+template <bool IsFull>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_block(const float (&from)[3], const Sample_lanes& to, int first,
+                                                         int count, Rod_block& rods, Length_lanes& totals)
+{
+  Rod_block row;
+  for (int k = 0; k < block_lanes; ++k) {
+    const bool is_rod = IsFull || k < count;
+    const float x = to.coordinates[0][first + k] - from[0], y = to.coordinates[1][first + k] - from[1],
+                z = to.coordinates[2][first + k] - from[2];
+    const float squared = x * x + y * y + z * z, inverse = 1 / std::sqrt(squared);
+    const float scale = squared < zero_rod || !is_rod ? 0 : inverse, of_rod = is_rod ? squared : 0;
+    row.direction[0][k] = x * scale;
+    row.direction[1][k] = y * scale;
+    row.direction[2][k] = z * scale;
+    totals.zero[k] += squared < zero_rod && is_rod ? 1 : 0;
+    totals.shortest_squared[k] = squared < totals.shortest_squared[k] ? squared : totals.shortest_squared[k];
+    totals.longest_squared[k] = of_rod > totals.longest_squared[k] ? of_rod : totals.longest_squared[k];
+  }
+  rods = row;
+}
+
 // Writes the rods from a point to the first `count` samples of `to`.
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], const Sample_lanes& to, int count,
                                                        Rod_block* rods, Length_lanes& totals)
 {
-  for (int block = 0; block < blocks_of(count); ++block) {
-    Rod_block row;
-    for (int k = 0; k < block_lanes; ++k) {
-      const int i = block * block_lanes + k;
-      const float x = to.coordinates[0][i] - from[0], y = to.coordinates[1][i] - from[1],
-                  z = to.coordinates[2][i] - from[2];
-      const float squared = x * x + y * y + z * z, inverse = 1 / std::sqrt(squared);
-      const float scale = squared < zero_rod || i >= count ? 0 : inverse, of_rod = i < count ? squared : 0;
-      row.direction[0][k] = x * scale;
-      row.direction[1][k] = y * scale;
-      row.direction[2][k] = z * scale;
-      totals.zero[k] += squared < zero_rod && i < count ? 1 : 0;
-      totals.shortest_squared[k] = squared < totals.shortest_squared[k] ? squared : totals.shortest_squared[k];
-      totals.longest_squared[k] = of_rod > totals.longest_squared[k] ? of_rod : totals.longest_squared[k];
-    }
-    rods[block] = row;
-  }
+  const int full = samples_in_blocks(count);
+  for (int first = 0; first < full; first += block_lanes)
+    write_block<true>(from, to, first, block_lanes, *rods++, totals);
+  if (full < count) write_block<false>(from, to, full, count - full, *rods, totals);
 }
 
 // Writes the rods from the samples `begin` to `end`. \return the end of the written blocks
