@@ -8,6 +8,7 @@
 #include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
 #include "base/Nearest_points.h"
+#include "shape/convex_hull.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 
@@ -39,6 +40,20 @@ bool are_in_line(const Points& points)
 }
 
 } // namespace
+
+void measure_hull(const Points& points, Part_abstraction& part)
+{
+  const Convex_hull hull = convex_hull(points);
+  part.hull = hull.vertices;
+  part.hull_volume = hull.volume;
+  part.report.hull_of_box = hull.is_box;
+}
+
+double Solid_abstractor::hull_volume()
+{
+  if (result_.hull.cols() == 0) measure_hull(mesh().points, result_);
+  return result_.hull_volume;
+}
 
 Solid_abstractor::Solid_abstractor(const Shape_part& part, const Abstraction_options& options)
     : part_(part),

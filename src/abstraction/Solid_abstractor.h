@@ -13,6 +13,9 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// Finds the convex hull of a part. \param points of its surface
+void measure_hull(const Points& points, Part_abstraction& part);
+
 /// Repairs and remeshes the surface of a part to a closed solid, from which derived classes find the curve or sheet.
 /// Parts for which this fails are abstracted by their bounding box.
 class Solid_abstractor
@@ -48,6 +51,8 @@ protected:
   double diagonal_of_part() const { return diagonal_; }
   /// Volume enclosed by the part.
   double volume() const { return result_.volume; }
+  /// Volume of the part's convex hull, which the result keeps.
+  double hull_volume();
   double edge_length() const { return edge_length_; }
   Abstraction_report& report() { return result_.report; }
   const Abstraction_report& report() const { return result_.report; }

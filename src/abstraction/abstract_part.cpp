@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "abstraction/Solid_abstractor.h"
 #include "abstraction/congruence.h"
 #include "abstraction/curve_and_sheet_geometry.h"
 #include "abstraction/repair.h"
@@ -208,10 +209,9 @@ Part_abstraction abstract_mesh(const Shape_part& part, const Abstraction_options
   result.name = part.name;
   result.area = surface_area(part.mesh);
   result.surface = even_surface_points(part.mesh, surface_points_of_a_part);
-  const Convex_hull hull = convex_hull(part.mesh.points);
-  result.hull = hull.vertices;
-  result.hull_volume = hull.volume;
-  result.report.hull_of_box = hull.is_box;
+  // Ours may have needed the hull; what others say of it is not taken
+  if (result.hull.cols() == 0 || !options.abstractor.target<Fitted_abstraction>())
+    measure_hull(part.mesh.points, result);
   result.report.phases.measure = watch.lap();
   result.report.milliseconds = 1e3 * watch.seconds();
   return result;

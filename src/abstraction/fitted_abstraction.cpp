@@ -12,7 +12,6 @@
 #include "abstraction/spatial_graph.h"
 #include "base/Nearest_points.h"
 #include "base/eigen_system.h"
-#include "shape/convex_hull.h"
 
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 #include <CGAL/Shape_correspondence/abstract_part.h>
@@ -347,7 +346,7 @@ private:
   {
     const double least_solidity = 0.97;
     return !report().several_components && report().repair != Abstraction_report::Repair::WRAP &&
-           volume() > least_solidity * convex_hull(mesh().points).volume;
+           volume() > least_solidity * hull_volume();
   }
 
   /// The curve found by the flow. Also finds whether the part is a tube.

@@ -31,6 +31,7 @@ struct Common_options
 {
   std::string json, glb, html; ///< files to write; empty: none
   std::string cache;           ///< folder of cached graphs; empty: none
+  bool keeps_reading = true;   ///< whether the parts and upright axes found for models are in it, too
   std::string up;              ///< x, -x, +x etc., or auto; empty: the axis in the file, or an estimate that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;

@@ -147,13 +147,14 @@ private:
     if (team.size() > 1 && options_.store.empty())
       throw Usage_error("several processes need --store, a folder that all of them can use");
     if (!team.is_first()) common.progress = "never"; // the first process shows the progress of all
-    const std::shared_ptr<void> limit = limit_threads(threads_of_process(common, team));
+    std::shared_ptr<void> limit = limit_threads(threads_of_process(common, team));
     if (!left_out_.empty() && team.is_first())
       warn(common, inputs[0] + ": left out, since they are no shapes: " + listed(left_out_));
     for (const std::string& left_out :
          add_examples(match_.examples, common, matching_.search.roles, matching_.search.category))
       if (team.is_first()) warn(common, left_out);
     common.roles = matching_.search.roles;
+    common.keeps_reading = !common.cache.empty(); // what is read of many shapes would fill the store
     if (common.cache.empty()) common.cache = stored("cache");
     const Collection_shapes shapes(paths_, stored("graphs"), options_.skip_bad, common, team);
     if (!options_.nearest.empty()) {
@@ -163,6 +164,7 @@ private:
     } else {
       Collection_work work(shapes, stored("pairs"), key(), matching_, common);
       work.run(team);
+      limit.reset(); // the other processes of the machine have no more work
       if (team.is_first()) write_outputs(analysed(shapes, options_, work), shapes);
     }
   }

@@ -7,6 +7,7 @@
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "io/read/model_parts.h"
+#include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "roles/up_by_roles.h"
@@ -14,13 +15,20 @@
 #include "structure/outline_graph.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
+#include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -38,6 +46,167 @@ bool says_up(const std::string& path)
   const auto formats = {".dae", ".gltf", ".glb"};
   return std::find(formats.begin(), formats.end(), IO::lower_extension(path)) != formats.end();
 }
+
+/// To be increased with every change that alters the parts or the upright axis of a model for the same options.
+constexpr int reading_version = 1;
+constexpr std::size_t most_kept = 20'000'000; // bytes of an answer
+
+/// Bytes of values, to be written and read again by the same `pass()`.
+class Byte_writer
+{
+public:
+  std::string bytes;
+
+  void raw(const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
+  std::size_t count(std::size_t size) { return raw(&size, sizeof size), size; }
+};
+
+class Byte_reader
+{
+public:
+  explicit Byte_reader(std::string bytes) : bytes_(std::move(bytes)) {}
+
+  void raw(void* data, std::size_t size)
+  {
+    check(size);
+    if (size > 0) std::memcpy(data, bytes_.data() + begin_, size);
+    begin_ += size;
+  }
+  std::size_t count(std::size_t)
+  {
+    std::size_t size = 0;
+    raw(&size, sizeof size);
+    check(size);
+    return size;
+  }
+
+private:
+  void check(std::size_t size) const
+  {
+    if (size > bytes_.size() - begin_) throw Invalid_input("too few bytes");
+  }
+
+  std::string bytes_;
+  std::size_t begin_ = 0;
+};
+
+template <typename Bytes, typename Value, typename = std::enable_if_t<std::is_arithmetic_v<Value>>>
+void pass(Bytes& bytes, Value& value)
+{
+  bytes.raw(&value, sizeof value);
+}
+
+template <typename Bytes>
+void pass(Bytes& bytes, std::string& text)
+{
+  text.resize(bytes.count(text.size()));
+  bytes.raw(text.data(), text.size());
+}
+
+template <typename Bytes, typename Matrix>
+void pass(Bytes& bytes, Eigen::PlainObjectBase<Matrix>& columns)
+{
+  columns.resize(3, Eigen::Index(bytes.count(std::size_t(columns.cols()))));
+  bytes.raw(columns.data(), std::size_t(columns.size()) * sizeof(*columns.data()));
+}
+
+template <typename Bytes, typename Value>
+void pass(Bytes& bytes, std::vector<Value>& values)
+{
+  values.resize(bytes.count(values.size()));
+  for (Value& value : values)
+    pass(bytes, value);
+}
+
+template <typename Bytes>
+void pass(Bytes& bytes, Model_piece& piece)
+{
+  pass(bytes, piece.name), pass(bytes, piece.object), pass(bytes, piece.part), pass(bytes, piece.closed);
+  pass(bytes, piece.size), pass(bytes, piece.reason);
+}
+
+template <typename Bytes>
+void pass(Bytes& bytes, Shape_part& part)
+{
+  pass(bytes, part.name), pass(bytes, part.mesh.points), pass(bytes, part.mesh.triangles);
+}
+
+template <typename Bytes>
+void pass(Bytes& bytes, Segmented_shape& shape)
+{
+  std::string name = shape.name();
+  Point up = shape.up();
+  std::vector<Shape_part> parts = shape.parts();
+  pass(bytes, name), pass(bytes, up), pass(bytes, parts);
+  shape = Segmented_shape(name, up);
+  for (Shape_part& part : parts)
+    shape.add_part(std::move(part.name), std::move(part.mesh));
+}
+
+template <typename Bytes>
+void pass(Bytes& bytes, Part_split& split)
+{
+  pass(bytes, split.shape), pass(bytes, split.pieces), pass(bytes, split.decisions);
+  pass(bytes, split.by_segments), pass(bytes, split.is_found), pass(bytes, split.found_roles);
+  pass(bytes, split.patched_objects), pass(bytes, split.by_materials), pass(bytes, split.pieces_left_out);
+  pass(bytes, split.pieces_kept_whole);
+}
+
+template <typename Bytes>
+void pass(Bytes& bytes, Up_estimate& up)
+{
+  pass(bytes, up.up), pass(bytes, up.confidence);
+}
+
+template <typename Bytes>
+void pass(Bytes& bytes, std::array<Up_estimate, 2>& ups)
+{
+  pass(bytes, ups[0]), pass(bytes, ups[1]);
+}
+
+/// The result of some work, or what the folder of graphs keeps of it. \param question tells the work from all others
+template <typename Work>
+auto answer_to(std::string question, const Common_options& options, const Work& work)
+{
+  using Answer = decltype(work());
+  if (options.cache.empty() || !options.keeps_reading) return work();
+  question = IO::digest(std::to_string(reading_version) + question);
+  const std::filesystem::path folder = std::filesystem::path(options.cache) / "models";
+  const std::string path = (folder / question).string();
+  const std::string title = "shape_correspondence reading " + question;
+  Answer answer;
+  try {
+    Byte_reader kept(IO::read_checked_file(path, title).value_or(""));
+    pass(kept, answer);
+    return answer;
+  } catch (const Invalid_input&) {
+    answer = work();
+  }
+  Byte_writer bytes;
+  pass(bytes, answer);
+  try {
+    IO::make_folder(folder.string(), "a cache folder");
+    if (bytes.bytes.size() < most_kept) IO::write_checked_entry(path, title, bytes.bytes);
+  } catch (const Invalid_input&) { // is told when the graph is to be kept
+  }
+  return answer;
+}
+
+/// A digest of what the choice of parts knows of roles. \param roles may be null
+std::string content_of(const std::shared_ptr<const Role_model>& roles)
+{
+  static std::mutex mutex;
+  static std::pair<std::shared_ptr<const Role_model>, std::string> last; // mostly the only one
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (roles && last.first != roles) {
+    std::ostringstream text;
+    roles->write(text);
+    last = {roles, IO::digest(text.str())};
+  }
+  return roles ? last.second : "none";
+}
+
+std::string content_of(const Segmented_shape& shape) { return IO::content_hash(shape, {}); }
 
 constexpr const char* warning_of_up = "The upright axis was taken to be ";
 
@@ -66,7 +235,9 @@ void find_up(const std::string& path, bool file_says, const Common_options& opti
   if (!options.up.empty() && !options.finds_up()) return model.objects.set_up(options.up_vector());
   const bool is_asked_for = options.finds_up() && !says_up(path);
   if (file_says || (!is_asked_for && !is_up_unknown(path, options))) return;
-  const Up_estimate found = estimate_up(model.objects, is_asked_for ? 1 : odds_of_y);
+  const double odds = is_asked_for ? 1 : odds_of_y;
+  const Up_estimate found = answer_to("up " + content_of(model.objects) + std::to_string(odds), options,
+                                      [&] { return estimate_up(model.objects, odds); });
   model.objects.set_up(found.up);
   model.up_confidence = found.confidence;
   model.is_up_estimated = true;
@@ -112,22 +283,28 @@ IO::Model_objects objects_in(const std::string& path, const Common_options& opti
 
 /// The upright axis of a model estimated by the roles of its parts. None unless the parts are clearly nearer to
 /// labelled parts of a category than with any other axis, or are nearer and the model stands most stably on it.
-std::optional<Point> up_by_roles(const Read_model& model, const Role_model* roles)
+std::optional<Point> up_by_roles(const Read_model& model, const Common_options& options)
 {
   const std::size_t parts = model.split.shape.parts().size();
+  const Role_model* const roles = options.roles.get();
   if (!roles || parts < 2 || parts > internal::most_parts) return std::nullopt;
-  const internal::Up_by_roles found = internal::up_by_roles(internal::outline_graph(model.split.shape),
-                                                            internal::frames_by_axis(model.objects), *roles);
-  const Point up = Point::Unit(Eigen::Index(found.axis));
-  if (found.is_clear || (found.is_nearer && estimate_up(model.objects).up == up)) return up;
-  return std::nullopt;
+  const std::string question =
+      "roles " + content_of(model.split.shape) + content_of(model.objects) + content_of(options.roles);
+  const std::vector<Point> up = answer_to(question, options, [&] {
+    const internal::Up_by_roles found = internal::up_by_roles(internal::outline_graph(model.split.shape),
+                                                              internal::frames_by_axis(model.objects), *roles);
+    const Point axis = Point::Unit(Eigen::Index(found.axis));
+    const bool is_sure = found.is_clear || (found.is_nearer && estimate_up(model.objects).up == axis);
+    return is_sure ? std::vector<Point>{axis} : std::vector<Point>();
+  });
+  return up.empty() ? std::nullopt : std::optional(up[0]);
 }
 
 /// Replaces an estimated upright axis, and the warning about it, by what the roles of the parts say.
 void turn_by_roles(const Common_options& options, Read_model& model)
 {
   if (!model.is_up_estimated) return;
-  const std::optional<Point> up = up_by_roles(model, options.roles.get());
+  const std::optional<Point> up = up_by_roles(model, options);
   if (!up || *up == model.objects.up()) return;
   model.objects.set_up(*up);
   model.split.shape.set_up(*up);
@@ -151,7 +328,13 @@ void split_objects(const std::string& path, const IO::Model_objects& objects, co
   const bool are_parts = is_folder(path) || objects.are_labelled;
   splitting.mode = options.parts == Part_splitting::AUTO && are_parts ? Part_splitting::FILE : options.parts;
   splitting.materials = objects.materials;
-  model.split = IO::split_parts_by_roles(model.objects, splitting, options.roles.get());
+  std::string question =
+      "parts " + content_of(model.objects) + content_of(options.roles) + std::to_string(int(splitting.mode));
+  for (const std::vector<int>& of_object : splitting.materials)
+    for (int material : of_object)
+      question += ' ' + std::to_string(material);
+  model.split = answer_to(question, options,
+                          [&] { return IO::split_parts_by_roles(model.objects, splitting, options.roles.get()); });
   if (splitting.mode == Part_splitting::AUTO) warn_of_changes(path, model);
   if (splitting.mode == Part_splitting::SEGMENTS)
     model.warnings.insert(model.warnings.begin(), "The parts come from an automatic segmentation.");
@@ -192,7 +375,9 @@ std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, 
     is_known[i] = !axes.is_unknown[i] || axes.by_roles[i].has_value();
     if (axes.by_roles[i]) shapes[i]->set_up(*axes.by_roles[i]);
   }
-  const std::array<Up_estimate, 2> found = estimate_up_of_pair(*shapes[0], *shapes[1], is_known, odds_of_y_in_pair);
+  const std::array<Up_estimate, 2> found = answer_to(
+      "pair " + content_of(*shapes[0]) + content_of(*shapes[1]) + std::to_string(2 * is_known[0] + is_known[1]),
+      options, [&] { return estimate_up_of_pair(*shapes[0], *shapes[1], is_known, odds_of_y_in_pair); });
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!axes.is_unknown[i]) continue;
@@ -254,7 +439,7 @@ std::vector<Read_model> read_pair(const std::vector<std::string>& paths, Common_
   std::vector<std::string> of_axes = find_up_of_pair(paths, axes, {&objects[0].shape, &objects[1].shape}, options);
   for_both([&](std::size_t i, const Common_options& of_input) {
     models[i] = model_of_objects(paths[i], std::move(objects[i]), of_input);
-    if (axes.is_unknown[i]) axes.by_roles[i] = up_by_roles(models[i], options.roles.get());
+    if (axes.is_unknown[i]) axes.by_roles[i] = up_by_roles(models[i], of_input);
   });
   if (axes.by_roles[0] || axes.by_roles[1]) {
     of_axes = find_up_of_pair(paths, axes, {&models[0].objects, &models[1].objects}, options);

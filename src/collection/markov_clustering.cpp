@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Disjoint_sets.h"
+#include "base/for_each_index.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/markov_clustering.h>
@@ -91,32 +92,58 @@ void prune(const Markov_clustering_options& options, std::size_t column_limit, C
   std::sort(column.begin(), column.end());
 }
 
+struct Flow_columns
+{
+  std::vector<Column> columns; ///< not normalized
+  double chaos = 0;
+};
+
+/// Some columns of the squared flow, pruned and inflated.
+Flow_columns inflated_columns(const Markov_clustering_options& options, std::size_t limit, const Flow_matrix& flow,
+                              Eigen::Index first, Eigen::Index number)
+{
+  const Flow_matrix squared = flow * flow.middleCols(first, number);
+  Flow_columns result;
+  for (Eigen::Index j = 0; j < squared.cols(); ++j) {
+    Column column;
+    for (Flow_matrix::InnerIterator entry(squared, j); entry; ++entry)
+      column.emplace_back(entry.row(), entry.value());
+    prune(options, limit, column);
+    const double sum = sum_of(column);
+    double most = 0, squares = 0;
+    for (auto& entry : column) {
+      const double share = entry.second / sum;
+      most = std::max(most, share);
+      squares += share * share;
+      entry.second = std::pow(share, options.inflation);
+    }
+    result.chaos = std::max(result.chaos, most - squares);
+    result.columns.push_back(std::move(column));
+  }
+  return result;
+}
+
 /// Expands (squares), prunes and inflates a flow; by blocks of columns, since unpruned columns have many entries.
 /// \return the largest deviation of a column from one whose nonzero entries are equal, from 0 to 1
 double step(const Markov_clustering_options& options, Flow_matrix& flow)
 {
-  constexpr Eigen::Index columns_at_a_time = 256;
+  constexpr Eigen::Index columns_at_a_time = 64, blocks_at_a_time = 16;
   const std::size_t limit = column_limit(options, flow.cols());
   Flow_matrix result(flow.rows(), flow.cols());
   result.reserve(Eigen::Index(limit) * flow.cols()); // avoids repeated growth
   double chaos = 0;
-  for (Eigen::Index first = 0; first < flow.cols(); first += columns_at_a_time) {
-    const Flow_matrix squared = flow * flow.middleCols(first, std::min(columns_at_a_time, flow.cols() - first));
-    for (Eigen::Index j = 0; j < squared.cols(); ++j) {
-      Column column;
-      for (Flow_matrix::InnerIterator entry(squared, j); entry; ++entry)
-        column.emplace_back(entry.row(), entry.value());
-      prune(options, limit, column);
-      const double sum = sum_of(column);
-      double most = 0, squares = 0;
-      for (auto& entry : column) {
-        const double share = entry.second / sum;
-        most = std::max(most, share);
-        squares += share * share;
-        entry.second = std::pow(share, options.inflation);
-      }
-      chaos = std::max(chaos, most - squares);
-      append_column(std::move(column), result, first + j);
+  for (Eigen::Index done = 0; done < flow.cols(); done += blocks_at_a_time * columns_at_a_time) {
+    std::vector<Flow_columns> blocks(blocks_at_a_time);
+    internal::for_each_index<CGAL::Parallel_if_available_tag>(blocks.size(), [&](std::size_t b) {
+      const Eigen::Index first = done + Eigen::Index(b) * columns_at_a_time;
+      if (first >= flow.cols()) return;
+      blocks[b] = inflated_columns(options, limit, flow, first, std::min(columns_at_a_time, flow.cols() - first));
+    });
+    Eigen::Index j = done;
+    for (Flow_columns& block : blocks) {
+      chaos = std::max(chaos, block.chaos);
+      for (Column& column : block.columns)
+        append_column(std::move(column), result, j++);
     }
   }
   result.finalize();

@@ -22,11 +22,11 @@ struct Comparison_lanes
   Comparison_lanes() { std::fill(std::begin(least), std::end(least), far_away * far_away); }
 };
 
-// Compares rows of `blocks` blocks: row i holds the rods from sample i of `from`, `begin` <= i < `end`, to the first
+// Compares rows of `Blocks` blocks: row i holds the rods from sample i of `from`, `begin` <= i < `end`, to the first
 // samples of `to`; its undeformed rods begin at block `at_block` of `before`. Two rows at a time share a division, the
 // slowest operation. A rod that turned by more than a right angle counts 0 (Eq. 2).
-template <int Sources, bool Least>
-CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rows(const Rod_block* const* before, int at_block, int blocks,
+template <int Blocks, int Sources, bool Least>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rows(const Rod_block* const* before, int at_block,
                                                           const Sample_lanes& from, int begin, int end,
                                                           const Sample_lanes& to, Comparison_lanes<Sources>& totals)
 {
@@ -35,10 +35,11 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void compare_rows(const Rod_block* const
     const int next = std::min(i + 1, end - 1);
     const float x = at[0][i], y = at[1][i], z = at[2][i];
     const float next_x = at[0][next], next_y = at[1][next], next_z = at[2][next], is_pair = next > i ? 1 : 0;
-    for (int block = 0; block < blocks; ++block) {
+#pragma GCC unroll 3
+    for (int block = 0; block < Blocks; ++block) {
       const float *to_x = to.coordinates[0] + block * block_lanes, *to_y = to.coordinates[1] + block * block_lanes,
                   *to_z = to.coordinates[2] + block * block_lanes;
-      const int row = at_block + (i - begin) * blocks + block, next_row = row + (next - i) * blocks;
+      const int row = at_block + (i - begin) * Blocks + block, next_row = row + (next - i) * Blocks;
       for (int k = 0; k < block_lanes; ++k) {
         const float a = to_x[k] - x, b = to_y[k] - y, c = to_z[k] - z;
         const float next_a = to_x[k] - next_x, next_b = to_y[k] - next_y, next_c = to_z[k] - next_z;
@@ -83,11 +84,15 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_comparison compare(const Rod_block* 
                                                                const Sample_lanes& first, int n,
                                                                const Sample_lanes& second, int m)
 {
+  static_assert(maximum_blocks == 3, "a case for every number of blocks");
   const int in_blocks = samples_in_blocks(m), blocks = blocks_of(in_blocks);
   Comparison_lanes<Sources> totals;
-  if (in_blocks > 0) compare_rows<Sources, Least>(before, 0, blocks, first, 0, n, second, totals);
-  if (in_blocks < m)
-    compare_rows<Sources, Least>(before, n * blocks, blocks_of(n), second, in_blocks, m, first, totals);
+  if (blocks == 1) compare_rows<1, Sources, Least>(before, 0, first, 0, n, second, totals);
+  if (blocks == 2) compare_rows<2, Sources, Least>(before, 0, first, 0, n, second, totals);
+  const int back = in_blocks < m ? blocks_of(n) : 0;
+  if (back == 1) compare_rows<1, Sources, Least>(before, n * blocks, second, in_blocks, m, first, totals);
+  if (back == 2) compare_rows<2, Sources, Least>(before, n * blocks, second, in_blocks, m, first, totals);
+  if (back == 3) compare_rows<3, Sources, Least>(before, n * blocks, second, in_blocks, m, first, totals);
   Rod_comparison result;
   for (int s = 0; s < Sources; ++s)
     result.squared_cosines[s] = sum_of_block(totals.cosines[s]);
@@ -103,27 +108,36 @@ struct Length_lanes
   Length_lanes() { std::fill(std::begin(shortest_squared), std::end(shortest_squared), far_away * far_away); }
 };
 
+// Writes the rods from a point to a block of samples of `to`, the first `count` of which are no padding.
+template <bool IsFull>
+CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_block(const float (&from)[3], const Sample_lanes& to, int first,
+                                                         int count, Rod_block& rods, Length_lanes& totals)
+{
+  Rod_block row;
+  for (int k = 0; k < block_lanes; ++k) {
+    const bool is_rod = IsFull || k < count;
+    const float x = to.coordinates[0][first + k] - from[0], y = to.coordinates[1][first + k] - from[1],
+                z = to.coordinates[2][first + k] - from[2];
+    const float squared = x * x + y * y + z * z, inverse = 1 / std::sqrt(squared);
+    const float scale = squared < zero_rod || !is_rod ? 0 : inverse, of_rod = is_rod ? squared : 0;
+    row.direction[0][k] = x * scale;
+    row.direction[1][k] = y * scale;
+    row.direction[2][k] = z * scale;
+    totals.zero[k] += squared < zero_rod && is_rod ? 1 : 0;
+    totals.shortest_squared[k] = squared < totals.shortest_squared[k] ? squared : totals.shortest_squared[k];
+    totals.longest_squared[k] = of_rod > totals.longest_squared[k] ? of_rod : totals.longest_squared[k];
+  }
+  rods = row;
+}
+
 // Writes the rods from a point to the first `count` samples of `to`.
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], const Sample_lanes& to, int count,
                                                        Rod_block* rods, Length_lanes& totals)
 {
-  for (int block = 0; block < blocks_of(count); ++block) {
-    Rod_block row;
-    for (int k = 0; k < block_lanes; ++k) {
-      const int i = block * block_lanes + k;
-      const float x = to.coordinates[0][i] - from[0], y = to.coordinates[1][i] - from[1],
-                  z = to.coordinates[2][i] - from[2];
-      const float squared = x * x + y * y + z * z, inverse = 1 / std::sqrt(squared);
-      const float scale = squared < zero_rod || i >= count ? 0 : inverse, of_rod = i < count ? squared : 0;
-      row.direction[0][k] = x * scale;
-      row.direction[1][k] = y * scale;
-      row.direction[2][k] = z * scale;
-      totals.zero[k] += squared < zero_rod && i < count ? 1 : 0;
-      totals.shortest_squared[k] = squared < totals.shortest_squared[k] ? squared : totals.shortest_squared[k];
-      totals.longest_squared[k] = of_rod > totals.longest_squared[k] ? of_rod : totals.longest_squared[k];
-    }
-    rods[block] = row;
-  }
+  const int full = samples_in_blocks(count);
+  for (int first = 0; first < full; first += block_lanes)
+    write_block<true>(from, to, first, block_lanes, *rods++, totals);
+  if (full < count) write_block<false>(from, to, full, count - full, *rods, totals);
 }
 
 // Writes the rods from the samples `begin` to `end`. \return the end of the written blocks

@@ -11,16 +11,14 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/convex_hull_3.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -69,15 +67,19 @@ Halfedge_mesh hull_of(const Points& points)
   if (input.size() <= most_coplanar_points) return hull_of(input);
   const Eigen::Matrix3d turn = Eigen::Quaterniond(0.8, 0.3, 0.4, 0.33).normalized().toRotationMatrix();
   std::vector<Mesh_point> turned;
-  std::map<Mesh_point, Mesh_point> original;
-  for (std::size_t i = 0; i < input.size(); ++i) {
+  for (std::size_t i = 0; i < input.size(); ++i)
     turned.push_back(to_mesh_point(turn * points.col(Eigen::Index(i))));
-    original.emplace(turned[i], input[i]);
-  }
+  std::vector<std::size_t> order(input.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return std::tie(turned[a], a) < std::tie(turned[b], b); });
   Halfedge_mesh hull = hull_of(turned);
   std::vector<Mesh_point> vertices;
-  for (const auto v : hull.vertices())
-    vertices.push_back(hull.point(v) = original.at(hull.point(v)));
+  for (const auto v : hull.vertices()) {
+    const auto original = std::lower_bound(order.begin(), order.end(), hull.point(v),
+                                           [&](std::size_t i, const Mesh_point& p) { return turned[i] < p; });
+    vertices.push_back(hull.point(v) = input[*original]);
+  }
   return vertices.size() <= most_coplanar_points ? hull_of(vertices) : hull;
 }
 
@@ -135,40 +137,81 @@ Oriented_box thinnest_box(const Points& points)
   return box_along(points, eigen_system(scatter_matrix(centred)).vectors);
 }
 
+/// A number of twice the digits of a double (Dekker 1971): the sum of two, the second at most half a unit of the first.
+struct Double_double
+{
+  double high = 0, low = 0;
+
+  static Double_double sum(double a, double b)
+  {
+    const double high = a + b, part = high - a;
+    return {high, (a - (high - part)) + (b - part)};
+  }
+  /// Without `std::fma()`, which rounds twice on some systems.
+  static Double_double product(double a, double b)
+  {
+    const auto half = [](double x) { return 0x8000001p0 * x - (0x8000001p0 * x - x); }; // its first 26 digits
+    const double high = a * b, a1 = half(a), a2 = a - a1, b1 = half(b), b2 = b - b1;
+    return {high, ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2};
+  }
+  friend Double_double operator+(const Double_double& a, const Double_double& b)
+  {
+    const Double_double high = sum(a.high, b.high), low = sum(a.low, b.low);
+    const Double_double result = sum(high.high, high.low + low.high);
+    return sum(result.high, result.low + low.low);
+  }
+  friend Double_double operator-(const Double_double& a, const Double_double& b)
+  {
+    return a + Double_double{-b.high, -b.low};
+  }
+  friend Double_double operator*(const Double_double& a, const Double_double& b)
+  {
+    const Double_double high = product(a.high, b.high);
+    return sum(high.high, high.low + (a.high * b.low + a.low * b.high));
+  }
+};
+
+/// Six times the volume of a tetrahedron, up to its sign. \param corners the first is the apex of all
+Double_double six_volumes(const Point& apex, const std::array<Point, 3>& corners)
+{
+  std::array<std::array<Double_double, 3>, 3> m;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      m[i][k] = Double_double::sum(corners[i][Eigen::Index(k)], -apex[Eigen::Index(k)]);
+  Double_double result;
+  for (std::size_t k = 0; k < 3; ++k)
+    result = result + m[0][k] * (m[1][(k + 1) % 3] * m[2][(k + 2) % 3] - m[1][(k + 2) % 3] * m[2][(k + 1) % 3]);
+  return result;
+}
+
 /// The vertices of a hull and its volume, both from a sorted mesh: the algorithm's output is ordered by addresses.
 Convex_hull measured_hull(const Halfedge_mesh& mesh)
 {
-  using Key = std::array<double, 3>;
-  const auto key = [&](Halfedge_mesh::Vertex_index v) {
-    return Key{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
-  };
-  std::map<Key, int> order;
-  for (auto v : mesh.vertices())
-    order[key(v)] = 0;
+  std::vector<Halfedge_mesh::Vertex_index> sorted(mesh.vertices().begin(), mesh.vertices().end());
+  std::sort(sorted.begin(), sorted.end(), [&](auto a, auto b) { return mesh.point(a) < mesh.point(b); });
+  std::vector<int> order(mesh.number_of_vertices());
   Convex_hull result;
-  result.vertices.resize(3, Eigen::Index(order.size()));
-  int count = 0;
-  for (auto& [position, index] : order) {
-    result.vertices.col(count) << position[0], position[1], position[2];
-    index = count++;
+  result.vertices.resize(3, Eigen::Index(sorted.size()));
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    order[std::size_t(sorted[i])] = int(i);
+    result.vertices.col(Eigen::Index(i)) = to_point(mesh.point(sorted[i]));
   }
-  std::vector<std::vector<int>> faces;
+  std::vector<std::array<int, 3>> triangles;
   for (auto f : mesh.faces()) {
-    faces.emplace_back();
+    std::vector<int> face;
     for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      faces.back().push_back(order.at(key(v)));
-    std::rotate(faces.back().begin(), std::min_element(faces.back().begin(), faces.back().end()), faces.back().end());
-  }
-  std::sort(faces.begin(), faces.end());
-  // Nearly exact: how the algorithm divides flat faces into triangles is to change no digit
-  using Number = boost::multiprecision::cpp_bin_float_50;
-  using Vectors = Eigen::Matrix<Number, 3, Eigen::Dynamic>;
-  const Vectors vertices = result.vertices.cast<Number>(), from_apex = vertices.colwise() - vertices.col(0);
-  Number sum = 0;
-  for (const auto& face : faces)
+      face.push_back(order[std::size_t(v)]);
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
     for (std::size_t k = 2; k < face.size(); ++k)
-      sum += from_apex.col(face[0]).dot(from_apex.col(face[k - 1]).cross(from_apex.col(face[k])));
-  result.volume = std::abs(sum.convert_to<double>()) / 6;
+      triangles.push_back({face[0], face[k - 1], face[k]});
+  }
+  std::sort(triangles.begin(), triangles.end());
+  // Nearly exact: how the algorithm divides flat faces into triangles is to change no digit
+  Double_double sum;
+  for (const auto& [a, b, c] : triangles)
+    sum = sum +
+          six_volumes(result.vertices.col(0), {result.vertices.col(a), result.vertices.col(b), result.vertices.col(c)});
+  result.volume = std::abs(sum.high) / 6;
   return result;
 }
 

@@ -48,9 +48,11 @@ public:
                         : is_coarse_  ? drawn.coarse_abstraction(part)
                                       : drawn.abstraction(part);
       mesh.material = labels[part] == Co_analysis::none ? unclustered_ : labels[part];
-      nodes.push_back(glb_.add_node(drawn.name(part), {std::move(mesh)}));
+      mesh.layer.clear(); // names and layers are told once
+      nodes.push_back(glb_.add_node("", {std::move(mesh)}));
     }
     roots_.push_back(glb_.add_node(drawn.name(), nodes, Point::Zero()));
+    glb_.set_node_extras(roots_.back(), {{"layer", drawn.model() ? surface_layer : abstraction_layer}});
   }
 
   /// \param role_of_cluster a colour for each label
@@ -75,8 +77,17 @@ private:
 
 double rounded(double energy) { return std::round(energy * 1e4) / 1e4; }
 
-/// By "source,target", the smaller index first: the energies of both directions, and blocks of parts with operation and
-/// per cent.
+/// The names of the operations by their numbers.
+std::vector<std::string> names_of_operations()
+{
+  std::vector<std::string> result;
+  for (int number = 0; number < int(Operation::NONE); ++number)
+    result.push_back(name_of(Operation(number)));
+  return result;
+}
+
+/// By "source,target", the smaller index first: the energies of both directions, and blocks of parts with the number of
+/// their operation and per cent.
 Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& maps)
 {
   std::string result;
@@ -87,12 +98,11 @@ Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& 
     Json blocks = Json::array();
     for (const Correspondence_block& block : correspondence_blocks(correspondence))
       blocks.push_back(
-          Json::array({block.source, block.target, name_of(block.operation), std::lround(100 * block.confidence)}));
+          Json::array({block.source, block.target, int(block.operation), std::lround(100 * block.confidence)}));
     const std::size_t i = map.source, j = map.target;
-    result += (result.empty() ? "\"" : ",\"") + std::to_string(i) + ',' + std::to_string(j) + "\":" +
-              Json({{"energies", {rounded(collection.energy(i, j)), rounded(collection.energy(j, i))}},
-                    {"blocks", std::move(blocks)}})
-                  .line();
+    result +=
+        (result.empty() ? "\"" : ",\"") + std::to_string(i) + ',' + std::to_string(j) + "\":" +
+        Json::array({rounded(collection.energy(i, j)), rounded(collection.energy(j, i)), std::move(blocks)}).line();
   }
   return Json::of_text('{' + result + '}');
 }
@@ -215,6 +225,7 @@ Page collection_page(const Collection& collection, std::size_t total,
         {"labels", std::move(labels)},
         {"roles", role_of_cluster},
         {"clusters", clusters_json(collection)},
+        {"operations", names_of_operations()},
         {"maps", maps_json(collection, maps)}})
       .write(stored);
   return {"Collection of shapes",

@@ -516,8 +516,10 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
     const auto& [count, type] = std::pair(document["accessors"][accessor]["count"].get<std::size_t>(),
                                           document["accessors"][accessor]["type"].get<std::string>());
     std::vector<float> result(count * (type == "VEC3" ? 3 : 1));
-    const auto& view = document["bufferViews"][document["accessors"][accessor]["bufferView"].get<std::size_t>()];
-    std::memcpy(result.data(), binary.data() + view["byteOffset"].get<std::size_t>(), result.size() * sizeof(float));
+    const auto& place = document["accessors"][accessor];
+    const auto& view = document["bufferViews"][place["bufferView"].get<std::size_t>()];
+    const std::size_t offset = view["byteOffset"].get<std::size_t>() + place["byteOffset"].get<std::size_t>();
+    std::memcpy(result.data(), binary.data() + offset, result.size() * sizeof(float));
     return result;
   };
   const std::vector<Blend_surface> surfaces = blend.surfaces();

@@ -56,6 +56,31 @@ TEST_CASE("A cache folder saves the abstraction, and is used only for the same m
   CHECK_THAT(without.error, Contains("note: ") && Contains("cache"));
 }
 
+TEST_CASE("What a cache keeps of reading models changes no result, also if it is damaged")
+{
+  const Temporary_folder folder;
+  const std::string shelf = obj_box("o shelf", 5, -0.5, 0.2, -0.5, 1, 0.02, 1), kept = folder.path("cache/models"),
+                    pair = quoted(folder.write("a.obj", obj_table())) + " " +
+                           quoted(folder.write("b.obj", obj_table() + shelf)),
+                    cache = " --cache " + quoted(folder.path("cache"));
+  const auto found = [&](const std::string& options) {
+    json result = json::parse(run("match " + pair + " --quiet --json -" + options).out);
+    result.erase("seconds");
+    return result;
+  };
+  const auto number_kept = [&] { return std::distance(fs::directory_iterator(kept), fs::directory_iterator()); };
+  const json expected = found(""), without_roles = found(" --roles none");
+  CHECK(found(cache) == expected);
+  CHECK(number_kept() >= 5); // parts, and the axis by roles, of each; the axes of both
+  const auto before = number_kept();
+  CHECK(found(cache) == expected);
+  CHECK(number_kept() == before);
+  CHECK(found(" --roles none" + cache) == without_roles);
+  for (const fs::directory_entry& entry : fs::directory_iterator(kept))
+    fs::resize_file(entry.path(), entry.file_size() - 1);
+  CHECK(found(cache) == expected);
+}
+
 TEST_CASE("Symmetries, contacts and the upright axis on demand")
 {
   const Temporary_folder folder;

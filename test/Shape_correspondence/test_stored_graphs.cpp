@@ -18,10 +18,14 @@ using Catch::Matchers::Contains;
 
 namespace {
 
+/// The only file of a folder, besides folders.
 std::string file_in(const std::string& folder)
 {
-  REQUIRE(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 1);
-  return fs::directory_iterator(folder)->path().string();
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path().string());
+  REQUIRE(files.size() == 1);
+  return files[0];
 }
 
 /// Modifies a digit in the second half of a file.

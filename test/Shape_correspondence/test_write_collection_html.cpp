@@ -57,8 +57,9 @@ TEST_CASE("The page holds all shapes, their clusters, the tree and the maps, and
   CHECK(json::parse(document_of(page, "collection")) == shown);
   const json stored = json::parse(document_of(page, "maps"));
   CHECK(stored["total"] == 2);
+  CHECK(stored["operations"][0] == "match");
   CHECK(stored["labels"][1].size() == 5);
-  CHECK(stored["maps"].dump() == R"({"0,1":{"blocks":[[[0],[0],"match",76]],"energies":[0.25,0.5]}})");
+  CHECK(stored["maps"].dump() == R"({"0,1":[0.25,0.5,[[[0],[0],0,76]]]})");
 
   const json glb = glb_json(page);
   const json& roots = glb["scenes"][0]["nodes"];
@@ -97,13 +98,15 @@ TEST_CASE("The page shows surfaces where there are models, of few triangles each
       out, collection, [&](std::size_t i) { return graphs[i]; }, {}, model);
   const json glb = glb_json(out.str());
   std::size_t triangles[2] = {0, 0};
-  for (std::size_t shape : {0, 1})
-    for (const json& child : glb["nodes"][glb["scenes"][0]["nodes"][shape].get<std::size_t>()]["children"]) {
+  for (std::size_t shape : {0, 1}) {
+    const json& root = glb["nodes"][glb["scenes"][0]["nodes"][shape].get<std::size_t>()];
+    CHECK(root["extras"]["layer"] == (shape == 0 ? "surfaces" : "curves and sheets"));
+    for (const json& child : root["children"]) {
       const json& mesh = glb["meshes"][glb["nodes"][child.get<std::size_t>()]["mesh"].get<std::size_t>()];
-      CHECK(mesh["primitives"][0]["extras"]["layer"] == (shape == 0 ? "surfaces" : "curves and sheets"));
       triangles[shape] +=
           glb["accessors"][mesh["primitives"][0]["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
     }
+  }
   CHECK(triangles[0] <= 200000); // the model has 460800
   CHECK(triangles[0] > 1000);
   CHECK(triangles[1] > 0);
@@ -143,6 +146,7 @@ TEST_CASE("Of very many shapes the page shows some of every branch of the tree, 
   std::size_t first_half = 0;
   for (const json& shape : data["shapes"])
     first_half += std::stoul(shape["name"].get<std::string>().substr(6)) < half;
+  CHECK(page.size() < 10 * IO::largest_pictured * 1000); // 10 kB a shape
   CHECK(first_half > IO::largest_pictured / 3);
   CHECK(first_half < 2 * IO::largest_pictured / 3);
 }

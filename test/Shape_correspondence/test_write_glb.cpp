@@ -62,17 +62,25 @@ Glb opened(const std::string& bytes)
   return {json::parse(bytes.substr(20, json_size)), bytes.substr(binary + 8)};
 }
 
-/// Checks that accessors lie within the buffer, that their bounds hold, and that indices are in range.
+/// Where an accessor's elements begin in the buffer.
+std::size_t offset_of(const Glb& glb, const json& accessor)
+{
+  const json& view = glb.document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  return view["byteOffset"].get<std::size_t>() + accessor["byteOffset"].get<std::size_t>();
+}
+
+/// Checks that accessors lie within their views and the buffer, and that their bounds hold.
 void check_accessors(const Glb& glb)
 {
   REQUIRE(glb.document["buffers"][0]["byteLength"] == glb.buffer.size());
   for (const json& accessor : glb.document["accessors"]) {
     const json& view = glb.document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-    const std::size_t offset = view["byteOffset"], count = accessor["count"];
+    const std::size_t offset = offset_of(glb, accessor), count = accessor["count"];
     const std::size_t components = accessor["type"] == "VEC3" ? 3 : 1;
     const std::size_t bytes = accessor["componentType"] == 5123 ? 2 : 4; // 16-bit or 32-bit numbers
-    REQUIRE(view["byteLength"] == count * components * bytes);
-    REQUIRE(offset % 4 == 0);
+    REQUIRE(accessor["byteOffset"].get<std::size_t>() + count * components * bytes <= view["byteLength"]);
+    REQUIRE((!view.contains("byteStride") || view["byteStride"] == components * bytes));
+    REQUIRE(offset % bytes == 0);
     REQUIRE(offset + count * components * bytes <= glb.buffer.size());
     if (!accessor.contains("min")) continue;
     for (std::size_t i = 0; i < 3 * count; ++i) {
@@ -85,8 +93,7 @@ void check_accessors(const Glb& glb)
 
 Point vector_at(const Glb& glb, int accessor, std::uint32_t index)
 {
-  const json& view = glb.document["bufferViews"][glb.document["accessors"][accessor]["bufferView"].get<int>()];
-  const std::size_t offset = view["byteOffset"].get<std::size_t>() + 12 * index;
+  const std::size_t offset = offset_of(glb, glb.document["accessors"][accessor]) + 12 * index;
   return Point(float_at(glb.buffer, offset), float_at(glb.buffer, offset + 4), float_at(glb.buffer, offset + 8));
 }
 
@@ -98,7 +105,7 @@ void check_normals(const Glb& glb)
       if (primitive.value("mode", 4) == 1) continue; // lines
       const int positions = primitive["attributes"]["POSITION"], normals = primitive["attributes"]["NORMAL"];
       const json& indices = glb.document["accessors"][primitive["indices"].get<int>()];
-      const std::size_t offset = glb.document["bufferViews"][indices["bufferView"].get<int>()]["byteOffset"];
+      const std::size_t offset = offset_of(glb, indices);
       for (std::size_t t = 0; t < indices["count"].get<std::size_t>(); t += 3) {
         std::uint32_t v[3];
         for (std::size_t k = 0; k < 3; ++k)

@@ -50,9 +50,9 @@ struct Markov_clustering
 /// Clusters a graph by simulated flow (van Dongen 2000): the column-stochastic matrix of its weights is squared, which
 /// spreads flow, and its entries are raised to a power, which strengthens strong flow, until convergence; a node
 /// belongs to the attractors in which its flow ends. Each node gets a loop with the weight of its strongest edge, as in
-/// van Dongen's program `mcl`. Deterministic. Time: that of sparse products of columns of at most `column_limit`
-/// entries. Memory: 24 bytes for each of `entry_limit` entries, and as much for some columns before they are pruned:
-/// less than 1 GB by default, whatever the number of nodes.
+/// van Dongen's program `mcl`. Deterministic, in parallel where TBB is. Time: that of sparse products of columns of at
+/// most `column_limit` entries. Memory: 24 bytes for each of `entry_limit` entries, and as much for some columns before
+/// they are pruned: less than 1 GB by default, whatever the number of nodes.
 /// \param weights symmetric matrix of the weights; the diagonal is ignored
 /// \param options options of the flow, and limits of memory
 /// \throw Invalid_input if a weight is negative or not finite, or an option is out of its range

@@ -57,16 +57,29 @@ int Glb_file::add(const char* list, Json object)
   return static_cast<int>(all.size()) - 1;
 }
 
-int Glb_file::add_bytes(const std::string& bytes, int target)
+int Glb_file::add_bytes(const std::string& bytes)
 {
-  Json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}};
-  if (target != no_target) view["target"] = target;
   buffer_ += bytes;
   pad(buffer_, '\0');
-  return add("bufferViews", Json::of_text(view.line()));
+  return add(
+      "bufferViews",
+      Json{{"buffer", 0}, {"byteOffset", buffer_.size() - (bytes.size() + 3) / 4 * 4}, {"byteLength", bytes.size()}});
 }
 
-/// Adds the elements of an attribute, one for each column.
+Glb_file::Shared_view& Glb_file::shared_view(int target, std::size_t stride)
+{
+  const auto [found, is_new] = shared_views_.try_emplace({target, stride});
+  if (is_new) {
+    Json view = {{"buffer", 0}};
+    if (target != no_target) view["target"] = target;
+    if (target == target_vertices) view["byteStride"] = stride;
+    found->second.view = add("bufferViews", std::move(view));
+  }
+  return found->second;
+}
+
+/// Adds the elements of an attribute, one for each column. Equal indices, as of all patches of one size, are stored
+/// once.
 template <typename Scalar>
 int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& elements, int target,
                            bool has_bounds)
@@ -85,8 +98,15 @@ int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dy
   std::string bytes;
   for (Eigen::Index i = 0; i < elements.size(); ++i)
     append_little_endian(bytes, elements.data()[i]);
-  accessor["bufferView"] = add_bytes(bytes, target);
-  return add("accessors", Json::of_text(accessor.line()));
+  int unshared = -1;
+  int& number =
+      target == target_vertices ? unshared : shared_accessors_.try_emplace(accessor.line() + bytes, -1).first->second;
+  if (number >= 0) return number;
+  Shared_view& view = shared_view(target, std::size_t(elements.rows()) * sizeof(Scalar));
+  accessor["bufferView"] = view.view;
+  accessor["byteOffset"] = view.bytes.size();
+  view.bytes += bytes;
+  return number = add("accessors", Json::of_text(accessor.line()));
 }
 
 int Glb_file::add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha, int texture)
@@ -107,9 +127,11 @@ int Glb_file::add_node(const std::string& name, const std::vector<Drawn_mesh>& m
   Json primitives = Json::array();
   for (const Drawn_mesh& mesh : meshes)
     if (!mesh.empty()) primitives.push_back(primitive(mesh));
-  Json node = {{"name", name}};
+  const Json named = name.empty() ? Json::object() : Json{{"name", name}};
+  Json node = named;
   if (!primitives.empty()) {
-    Json mesh = {{"name", name}, {"primitives", std::move(primitives)}};
+    Json mesh = named;
+    mesh["primitives"] = std::move(primitives);
     if (!meshes[0].morphs.empty()) mesh["weights"] = std::vector<double>(meshes[0].morphs.size(), 0.);
     node["mesh"] = add("meshes", Json::of_text(mesh.line()));
   }
@@ -192,19 +214,27 @@ void Glb_file::set_animation_extras(Json extras)
 void Glb_file::write(std::ostream& out, const std::vector<Glb_scene>& scenes) const
 {
   Json document = document_;
+  std::string buffer = buffer_;
+  for (const auto& [kind, shared] : shared_views_) {
+    Json& view = document["bufferViews"][std::size_t(shared.view)];
+    view["byteOffset"] = buffer.size();
+    view["byteLength"] = shared.bytes.size();
+    buffer += shared.bytes;
+    pad(buffer, '\0');
+  }
   for (const Glb_scene& scene : scenes)
     document["scenes"].push_back(Json{{"name", scene.name}, {"nodes", scene.roots}});
-  if (!buffer_.empty()) document["buffers"] = Json::array({Json{{"byteLength", buffer_.size()}}});
+  if (!buffer.empty()) document["buffers"] = Json::array({Json{{"byteLength", buffer.size()}}});
   for (const char* list : {"meshes", "materials", "textures", "images", "samplers", "accessors", "bufferViews"})
     if (document[list].empty()) document.erase(list); // empty lists are not allowed
   std::string json = document.line(), header, binary_header;
   pad(json, ' ');
-  if (!buffer_.empty()) append_chunk_header(binary_header, chunk_binary, buffer_);
+  if (!buffer.empty()) append_chunk_header(binary_header, chunk_binary, buffer);
   append_uint32(header, magic);
   append_uint32(header, 2);
-  append_uint32(header, 20 + json.size() + binary_header.size() + buffer_.size());
+  append_uint32(header, 20 + json.size() + binary_header.size() + buffer.size());
   append_chunk_header(header, chunk_json, json);
-  out << header << json << binary_header << buffer_;
+  out << header << json << binary_header << buffer;
 }
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,13 +48,13 @@ public:
   /// Adds an object to a list of the glTF document, such as "images".
   int add(const char* list, Json object);
 
-  /// Adds bytes to the buffer. \param target glTF's code for their use \return their buffer view
-  int add_bytes(const std::string& bytes, int target = 0);
+  /// Adds bytes to the buffer. \return their buffer view
+  int add_bytes(const std::string& bytes);
 
   /// \param colour linear red, green, blue in [0, 1] \param alpha below 1: transparent \param texture -1: none
   int add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha = 1, int texture = -1);
 
-  /// Adds a node with meshes; empty ones are left out.
+  /// Adds a node with meshes; empty ones are left out. \param name may be empty
   int add_node(const std::string& name, const std::vector<Drawn_mesh>& meshes);
 
   /// Adds a node with children, translated by `translation`.
@@ -72,6 +73,14 @@ public:
   void write(std::ostream& out, const std::vector<Glb_scene>& scenes) const;
 
 private:
+  /// A buffer view that accessors of one kind share.
+  struct Shared_view
+  {
+    int view;
+    std::string bytes;
+  };
+
+  Shared_view& shared_view(int target, std::size_t stride);
   template <typename Scalar>
   int add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& elements, int target, bool has_bounds);
   Json primitive(const Drawn_mesh& mesh);
@@ -80,6 +89,8 @@ private:
 
   Json document_;
   std::string buffer_;
+  std::map<std::pair<int, std::size_t>, Shared_view> shared_views_; ///< by target and size of an element
+  std::map<std::string, int> shared_accessors_;                     ///< of all but points: by what they hold
 };
 
 } // namespace CGAL::Shape_correspondence::IO

@@ -16,6 +16,7 @@ namespace {
 constexpr double gap = 0.25;          // gap between the shapes, over the greater width
 constexpr double tube_radius = 0.009; // radius of a tube, over the shape's diagonal
 constexpr double surface_alpha = 0.25;
+constexpr double coarse_tolerance = 0.002; // ratio of what coarse curves and sheets may leave out to the diagonal
 const Eigen::Vector2d middle_parameter(0.5, 0.5);
 
 Drawn_mesh on_layer(const char* layer, Drawn_mesh mesh)
@@ -38,6 +39,30 @@ std::vector<int> evenly(int count, int most)
   for (int i = 1; i < n; ++i)
     result.push_back(i * (count - 1) / (n - 1));
   return result;
+}
+
+/// Whether a polyline is hardly farther than `tolerance` from the segments between its points of these indices.
+bool is_shown(const Points& line, const std::vector<int>& indices, double tolerance)
+{
+  for (std::size_t k = 1; k < indices.size(); ++k) {
+    const Point begin = line.col(indices[k - 1]), along = (line.col(indices[k]) - begin).normalized();
+    for (int i = indices[k - 1] + 1; i < indices[k]; ++i) {
+      const Point p = line.col(i) - begin;
+      if ((p - along.dot(p) * along).norm() > tolerance) return false;
+    }
+  }
+  return true;
+}
+
+/// The fewest indices at even steps, and at most `most`, that show polylines of equally many points.
+std::vector<int> fewest(const std::vector<Points>& lines, int most, double tolerance)
+{
+  const int count = int(lines[0].cols());
+  int n = 2;
+  while (n < most && !std::all_of(lines.begin(), lines.end(),
+                                  [&](const Points& line) { return is_shown(line, evenly(count, n), tolerance); }))
+    ++n;
+  return evenly(count, n);
 }
 
 /// The translations that put two shapes side by side.
@@ -82,10 +107,17 @@ Drawn_mesh Drawn_shape::flat_surface(std::size_t part) const
 Drawn_mesh Drawn_shape::coarse_abstraction(std::size_t part) const
 {
   const int most_open = 5, most_closed = 8, most_rows = 4, sides = 4;
+  const double diagonal = (upper_ - lower_).norm(), tolerance = coarse_tolerance * diagonal;
   const auto& geometry = structure_.parts[part].geometry;
   Drawn_mesh mesh;
   if (const Sheet* sheet = std::get_if<Sheet>(&geometry)) {
-    const std::vector<int> rows = evenly(sheet->rows, most_rows), cols = evenly(sheet->cols, most_rows);
+    std::vector<Points> along_rows, along_cols;
+    for (int row = 0; row < sheet->rows; ++row)
+      along_rows.push_back(sheet->points.middleCols(Eigen::Index(row) * sheet->cols, sheet->cols));
+    for (int col = 0; col < sheet->cols; ++col)
+      along_cols.push_back(sheet->points(Eigen::indexing::all, Eigen::seqN(col, sheet->rows, sheet->cols)));
+    const std::vector<int> rows = fewest(along_cols, most_rows, tolerance),
+                           cols = fewest(along_rows, most_rows, tolerance);
     Points grid(3, Eigen::Index(rows.size() * cols.size()));
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (std::size_t j = 0; j < cols.size(); ++j)
@@ -94,8 +126,9 @@ Drawn_mesh Drawn_shape::coarse_abstraction(std::size_t part) const
   } else {
     const Curve& curve = std::get<Curve>(geometry);
     const Points rings =
-        curve.points(Eigen::indexing::all, evenly(int(curve.points.cols()), curve.closed ? most_closed : most_open));
-    mesh = open_tube(to_picture(rings), curve.closed, tube_radius * (upper_ - lower_).norm(), sides);
+        curve.points(Eigen::indexing::all, curve.closed ? evenly(int(curve.points.cols()), most_closed)
+                                                        : fewest({curve.points}, most_open, tolerance));
+    mesh = open_tube(to_picture(rings), curve.closed, tube_radius * diagonal, sides);
   }
   mesh.normals.resize(3, 0);
   return on_layer(abstraction_layer, std::move(mesh));

@@ -23,13 +23,13 @@ function inverseOperation(operation, parts) {
 }
 
 /** The stored match of two shapes: {energies, blocks: [{parts: [indices, indices], role, operation, confidence}]}, or null. */
-export function storedMatch(maps, a, b) {
+export function storedMatch({maps, operations}, a, b) {
   const isSwapped = a > b, map = maps[isSwapped ? `${b},${a}` : `${a},${b}`];
   if (!map) return null;
-  const blocks = map.blocks.map(([source, target, operation, percent]) => ({
+  const [there, back, stored] = map, blocks = stored.map(([source, target, number, percent]) => ({
     parts: isSwapped ? [target, source] : [source, target], role: '', confidence: percent / 100,
-    operation: isSwapped ? inverseOperation(operation, target.length) : operation}));
-  return {blocks, energies: isSwapped ? [...map.energies].reverse() : map.energies};
+    operation: isSwapped ? inverseOperation(operations[number], target.length) : operations[number]}));
+  return {blocks, energies: isSwapped ? [back, there] : [there, back]};
 }
 
 /** A path as one types it in a shell. */
@@ -38,7 +38,7 @@ export function shellWord(path) {
 }
 
 export function showCollection() {
-  const collection = documentOf('collection'), {maps, labels, total, roles, clusters} = documentOf('maps');
+  const collection = documentOf('collection'), stored = documentOf('maps'), {labels, total, roles, clusters} = stored;
   const roleOf = (shape, part) => roles[clusters[shape][part]] || '';
   const nodes = glbOf('collection.glb').scenes[0].nodes, shapes = collection.shapes;
   const number = new Map(shapes.map((shape, i) => [shape.name, i])), medoid = number.get(collection.medoid.shape);
@@ -67,19 +67,19 @@ export function showCollection() {
       nodes[indices[side]].children.forEach((node, part) => stage.addNode(v, node, part));
       stage.centre(v);
     });
-    const stored = indices.length === 2 ? storedMatch(maps, ...indices) : null;
+    const match = indices.length === 2 ? storedMatch(stored, ...indices) : null;
     stage.equalise(views.filter(v => !v.figure.hidden));
     const of = list => [0, 1].map(side => side < indices.length ? list[indices[side]] : null);
     view.show({titles: of(shapes).map(shape => shape ? shape.name : ''), names: of(shapes).map(shape => shape ? shape.parts : []),
-               labels: of(labels).map(list => list || []), blocks: stored ? stored.blocks.map(block => ({...block, least: block.confidence, role: roleOf(indices[0], block.parts[0][0])})) : [], roles: [[], []], groups: [[], []]});
-    if (stored)
+               labels: of(labels).map(list => list || []), blocks: match ? match.blocks.map(block => ({...block, least: block.confidence, role: roleOf(indices[0], block.parts[0][0])})) : [], roles: [[], []], groups: [[], []]});
+    if (match)
       for (const item of stage.items)
         if (view.blockOf[views.indexOf(item.view)][item.part] < 0) item.opacity = withoutCounterpart;
-    $('table').hidden = $('#search').hidden = !stored;
+    $('table').hidden = $('#search').hidden = !match;
     told.replaceChildren();
     if (indices.length === 1) element('p', `${shapes[indices[0]].name}: choose another shape.`, told);
-    else if (stored)
-      element('p', `Distance ${shown(stored.energies[0])} from left to right, ${shown(stored.energies[1])} from right to ` +
+    else if (match)
+      element('p', `Distance ${shown(match.energies[0])} from left to right, ${shown(match.energies[1])} from right to ` +
               'left. Parts without counterpart are faint.', told);
     else if (indices.length === 2) {
       element('p', 'This page stores the matches of shapes that are near each other. To match these two, run', told);
@@ -102,7 +102,7 @@ export function showCollection() {
   const edges = collection.spanning_tree.map(({shapes: [a, b], distance}) => [number.get(a), number.get(b), distance]);
   fillTree($('#tree'), cards, edges, medoid, pictures, chooseAndLook);
   show([]);
-  const nearest = edges.filter(([a, b]) => storedMatch(maps, a, b) && (a === medoid || b === medoid));
+  const nearest = edges.filter(([a, b]) => storedMatch(stored, a, b) && (a === medoid || b === medoid));
   if (nearest.length) {
     const [a, b] = nearest.reduce((best, edge) => edge[2] < best[2] ? edge : best);
     choose(medoid);

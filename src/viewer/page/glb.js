@@ -28,17 +28,17 @@ function chunks(bytes) {
 }
 
 /**
- * The scenes of a file: [{name, nodes: [node]}]. A node is {name, extras, translation, children, meshes, animation}; a
- * mesh {extras, colour: [r, g, b, a] in linear light, points, normals (may be null), indices, isLines, targets,
- * coordinates, colours, texture}, the last three null where there are none; a texture {bytes, type, wrap: [u, v]};
- * `animation` is null or {weights, scale}, each null or {times, values, isStep}. `animation` of the result: {extras,
+ * The scenes of a file: [{name, nodes: [node]}]. A node is {name, extras, translation, children, meshes, animation}; its
+ * extras are those of its parent if it has none. A mesh is {extras, colour: [r, g, b, a] in linear light, points,
+ * normals (may be null), indices, isLines, targets, coordinates, colours, texture}, the last three null where there are
+ * none; a texture {bytes, type, wrap: [u, v]}; `animation` is null or {weights, scale}, each null or {times, values, isStep}. `animation` of the result: {extras,
  * seconds}.
  */
 export function readGlb(bytes) {
   const {json, binary} = chunks(bytes);
   const numbers = index => {
     const accessor = json.accessors[index], view = json.bufferViews[accessor.bufferView];
-    return new arrayOfType[accessor.componentType](binary.buffer, view.byteOffset,
+    return new arrayOfType[accessor.componentType](binary.buffer, view.byteOffset + (accessor.byteOffset || 0),
                                                    accessor.count * numberOfComponents[accessor.type]);
   };
   const animations = (json.animations || [])[0];
@@ -74,15 +74,15 @@ export function readGlb(bytes) {
     isLines: primitive.mode === lines,
     targets: (primitive.targets || []).map(target => numbers(target.POSITION)),
   });
-  const node = index => {
-    const n = json.nodes[index];
-    return {name: n.name, extras: n.extras || {}, translation: n.translation || [0, 0, 0],
-            children: (n.children || []).map(node),
+  const node = (index, inherited) => {
+    const n = json.nodes[index], extras = n.extras || inherited;
+    return {name: n.name || '', extras, translation: n.translation || [0, 0, 0],
+            children: (n.children || []).map(child => node(child, extras)),
             meshes: n.mesh === undefined ? [] : json.meshes[n.mesh].primitives.map(mesh), animation: tracks[index]};
   };
   const seconds = tracks.reduce((most, t) => Math.max(most, ...[t && t.weights, t && t.scale].map(
       track => track ? track.times[track.times.length - 1] : 0)), 0);
-  return {scenes: json.scenes.map(scene => ({name: scene.name || '', nodes: scene.nodes.map(node)})),
+  return {scenes: json.scenes.map(scene => ({name: scene.name || '', nodes: scene.nodes.map(root => node(root, {}))})),
           animation: {extras: (animations && animations.extras) || {}, seconds}};
 }
 

@@ -222,7 +222,7 @@ export class Stage {
   /** Adds the meshes of a node of a GLB to a view. */
   addNode(view, node, part, moved = [0, 0, 0]) {
     return node.meshes.map(mesh => {
-      const object = objectOf(mesh, () => this.redraw()), layer = mesh.extras.layer || 'surfaces';
+      const object = objectOf(mesh, () => this.redraw()), layer = mesh.extras.layer || node.extras.layer || 'surfaces';
       object.position.set(...moved);
       view.shape.add(object);
       const item = {view, part, layer, object, mesh, node, colour: object.material.color.clone()};

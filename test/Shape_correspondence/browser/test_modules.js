@@ -54,19 +54,20 @@ function glb(json, numbers) {
 // glb.js
 {
   const numbers = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, /**/ 0, 0, 0, 0, 0, 2, 0, 0, 0, /**/ 0, 1, 3, /**/ 0, 1, 0.5]);
-  const accessor = (bufferView, count, type) => ({bufferView, count, type, componentType: 5126});
+  const accessor = (bufferView, count, type, byteOffset) => ({bufferView, count, type, byteOffset, componentType: 5126});
   const document = {
     scenes: [{name: 'a', nodes: [0]}],
-    nodes: [{name: 'shape', children: [1], translation: [1, 2, 3]}, {name: 'part', mesh: 0, extras: {part: 4}}],
+    nodes: [{name: 'shape', children: [1, 2], translation: [1, 2, 3], extras: {layer: 'a'}}, {name: 'part', mesh: 0, extras: {part: 4}}, {mesh: 0}],
     meshes: [{primitives: [{attributes: {POSITION: 0}, material: 0, targets: [{POSITION: 1}], mode: 1}]}],
     materials: [{pbrMetallicRoughness: {baseColorFactor: [1, 0.5, 0, 1]}}],
-    accessors: [accessor(0, 3, 'VEC3'), accessor(1, 3, 'VEC3'), accessor(2, 3, 'SCALAR'), accessor(3, 3, 'SCALAR')],
-    bufferViews: [{byteOffset: 0}, {byteOffset: 36}, {byteOffset: 72}, {byteOffset: 84}],
+    accessors: [accessor(0, 3, 'VEC3'), accessor(1, 3, 'VEC3'), accessor(2, 3, 'SCALAR', 0), accessor(2, 3, 'SCALAR', 12)],
+    bufferViews: [{byteOffset: 0}, {byteOffset: 36}, {byteOffset: 72}],
     animations: [{extras: {begin: 1, end: 2}, channels: [{sampler: 0, target: {node: 1, path: 'weights'}}],
                   samplers: [{input: 2, output: 3, interpolation: 'LINEAR'}]}],
   };
-  const read = readGlb(glb(document, numbers)), [shape] = read.scenes[0].nodes, [part] = shape.children, [mesh] = part.meshes;
+  const read = readGlb(glb(document, numbers)), [shape] = read.scenes[0].nodes, [part, other] = shape.children, [mesh] = part.meshes;
   equal([shape.name, shape.translation, shape.animation, part.name, part.extras], ['shape', [1, 2, 3], null, 'part', {part: 4}]);
+  equal([other.name, other.extras], ['', {layer: 'a'}]);
   equal([mesh.colour, mesh.isLines, mesh.normals, mesh.indices], [[1, 0.5, 0, 1], true, null, null]);
   equal([...mesh.points], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
   equal(read.animation, {extras: {begin: 1, end: 2}, seconds: 3});
@@ -134,12 +135,12 @@ function glb(json, numbers) {
   equal(walkTree(4, [[0, 1, 3], [1, 2, 1], [0, 3, 2]], 0),
         [{shape: 0, depth: 0, distance: null}, {shape: 3, depth: 1, distance: 2}, {shape: 1, depth: 1, distance: 3},
          {shape: 2, depth: 2, distance: 1}]);
-  const maps = {'0,2': {energies: [0.1, 0.2], blocks: [[[3], [4, 5], 'split', 50]]}};
-  equal(storedMatch(maps, 0, 2),
+  const stored = {operations: ['match', 'split'], maps: {'0,2': [0.1, 0.2, [[[3], [4, 5], 1, 50]]]}};
+  equal(storedMatch(stored, 0, 2),
         {blocks: [{parts: [[3], [4, 5]], role: '', confidence: 0.5, operation: 'split'}], energies: [0.1, 0.2]});
-  equal(storedMatch(maps, 2, 0),
+  equal(storedMatch(stored, 2, 0),
         {blocks: [{parts: [[4, 5], [3]], role: '', confidence: 0.5, operation: 'merge'}], energies: [0.2, 0.1]});
-  equal(storedMatch(maps, 0, 1), null);
+  equal(storedMatch(stored, 0, 1), null);
   equal([shellWord('a/b-1.obj'), shellWord("it's a $HOME")], ['a/b-1.obj', "'it'\\''s a $HOME'"]);
 }
 
