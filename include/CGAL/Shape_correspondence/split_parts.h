@@ -14,6 +14,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -74,7 +75,10 @@ struct Part_split
   std::string found_roles = {};
   std::vector<std::string> patched_objects = {}; ///< objects whose pieces are patches between creases
   bool by_materials = false;                     ///< whether pieces also end at changes of the material
-  std::size_t pieces_left_out = 0;               ///< number of pieces without area
+  /// If parts were found, the unions of pieces that may be parts, each of two numbers: a number below that of the
+  /// pieces is a piece, a larger one, less that number, an earlier union.
+  std::vector<std::array<std::size_t, 2>> unions = {};
+  std::size_t pieces_left_out = 0; ///< number of pieces without area
   /// Number of closed pieces that were not divided into segments, since they have no interior.
   std::size_t pieces_kept_whole = 0;
 
