@@ -3,8 +3,9 @@
 
 import {$, addTabs, cssColour, documentOf, element, setBreakable, tip} from './dom.js';
 import {fillGallery, Pictures} from './gallery.js';
+import {extentOf, rolesInOnePiece} from './extent.js';
 import {addGestures} from './gestures.js';
-import {glbOf} from './match_page.js';
+import {glbOf, inOnePiece} from './match_page.js';
 import {counted, percent, roleText} from './matching.js';
 import {Selection} from './selection.js';
 import {Stage} from './stage.js';
@@ -146,6 +147,9 @@ export function showParts() {
     setBreakable(model.name, view.caption);
     $('#told').replaceChildren();
     element('p', model.summary, $('#told'));
+    const roles = start.map(part => model.roles[part]), isSeat = roles.includes('seat') || roles.includes('back');
+    const whole = isSeat ? rolesInOnePiece(extentOf(stage.items).points, roles, ['seat', 'back', 'armrest', 'leg']) : [];
+    if (whole.length) element('p', inOnePiece([whole], [model.name]) + ' The option --parts segments may divide it.', $('#told'));
     const line = element('div', '', $('#told'));
     line.className = 'choices';
     line.hidden = Boolean(model.unusable);
