@@ -255,7 +255,7 @@ class Pictures:
             x, y = place[node]
             body += f'<circle cx="{x:.0f}" cy="{y}" r="{7 if is_part else 3}" fill="{"#2f91f2" if is_part else "#999"}"/>'
             if is_part:
-                body += f'<text transform="translate({min(place[i][0] for i in pieces):.0f},266) rotate(50)" text-anchor="start">{model["roles"][min(parts)]}</text>'
+                body += f'<text transform="translate({min(place[i][0] for i in pieces):.0f},266) rotate(50)" text-anchor="start">{model["roles"][min(parts)].replace("_", " ")}</text>'
         self.write_svg("finding_tree", 40 + 44 * count + 40, 350, body)
 
     def run_parts(self, *words):
