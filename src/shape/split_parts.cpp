@@ -77,7 +77,7 @@ public:
     result_.by_materials = divide && !materials.empty();
     for (std::size_t i = 0; i < objects_.size(); ++i)
       for (Loose_piece& piece : loose_pieces(i, objects_[i].mesh, flatness_tolerance(size_),
-                                             materials.empty() ? std::vector<int>() : materials[i], divide))
+                                             result_.by_materials ? materials[i] : std::vector<int>()))
         add_piece(std::move(piece));
     sort_pieces(objects.up());
     name_pieces();
