@@ -21,6 +21,7 @@ import tempfile
 from picture import GREY, THREE, Picture, colours_of_match, colours_of_roles, draw_blend, numbered_colour, read_model, screenshot
 
 DEMO = "chair_four_legged", "chair_swivel"
+PLANES = "airplane_propeller", "airplane_twin_engine"
 CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel", "stool"]
 # Generated shapes of different topology; the first pair is the main example of the paper
 GALLERY = [("velocipede", "1", "10"), ("airplane", "1", "13"), ("chair", "11", "2"), ("lamp", "1", "5"), ("table", "13", "15"), ("bed", "2", "3"),
@@ -198,6 +199,68 @@ class Pictures:
         self.draw_pair(picture, *pair, column=2)
         picture.write(self.out("blocks"), self.args.browser)
 
+    def as_one_object(self, shape):
+        """The file of a shape whose parts are one object."""
+        file = os.path.join(self.scratch, shape + "_one.obj")
+        corners = [p for _, triangles in read_model(self.data(shape)) for t in triangles for p in t]
+        with open(file, "w") as obj:
+            obj.writelines("v {:.6f} {:.6f} {:.6f}\n".format(*p) for p in corners)
+            obj.writelines(f"f {i} {i + 1} {i + 2}\n" for i in range(1, len(corners), 3))
+        return file
+
+    def finding(self):
+        """Two aeroplanes as one object each: the pieces of one, the parts that are found, and their match."""
+        files, found = [self.as_one_object(shape) for shape in PLANES], []
+        for file in files:
+            found.append(file[:-4] + "_found.obj")
+            self.run_parts(file, "-o", found[-1])
+        pieces = found[0].replace("_found", "_pieces")
+        self.run_parts(files[0], "--parts", "components", "-o", pieces)
+        picture = Picture(4)
+        for column, file in enumerate((pieces, found[0])):
+            parts = read_model(file)
+            names = [name for name, _ in parts]
+            picture.draw(parts, lambda name: numbered_colour(names.index(name)), column)
+        colours = colours_of_match(self.result("match", *files)["blocks"])
+        for side, file in enumerate(found):
+            picture.draw(read_model(file), colours[side], 2 + side)
+        picture.write(self.out("finding"), self.args.browser)
+
+    def finding_tree(self):
+        """The tree of the first aeroplane's pieces; the nodes that are parts are filled, with their roles."""
+        file, page = self.as_one_object(PLANES[0]), os.path.join(self.scratch, "parts.html")
+        self.run_parts(file, "--html", page)
+        with open(page, encoding="utf-8") as html:
+            model = json.loads(html.read().split('id="parts">')[1].split("</script>")[0])["models"][0]
+        leaves, count = [part for part, *_ in model["pieces"]], len(model["pieces"])
+        under = [{i} for i in range(count)]
+        for a, b in model["unions"]:
+            under.append(under[a] | under[b])
+        order, roots = [], [under.index(max(under, key=len))]
+        while roots:  # leaves from left to right
+            node = roots.pop()
+            roots += reversed(model["unions"][node - count]) if node >= count else []
+            order += [node] if node < count else []
+        place, body = {}, ""
+        for node, pieces in enumerate(under):
+            if node < count:
+                place[node] = 40 + 44 * order.index(node), 250
+                continue
+            a, b = (place[child] for child in model["unions"][node - count])
+            place[node] = x, y = (a[0] + b[0]) / 2, min(a[1], b[1]) - 22
+            body += line((a[0], y), (b[0], y), "#aaa", 1) + "".join(line((p[0], y), p, "#aaa", 1) for p in (a, b))
+        for node, pieces in enumerate(under):
+            parts = {leaves[i] for i in pieces}
+            is_part = len(parts) == 1 and len(pieces) == leaves.count(min(parts))
+            x, y = place[node]
+            body += f'<circle cx="{x:.0f}" cy="{y}" r="{7 if is_part else 3}" fill="{"#2f91f2" if is_part else "#999"}"/>'
+            if is_part:
+                body += f'<text transform="translate({min(place[i][0] for i in pieces):.0f},266) rotate(50)" text-anchor="start">{model["roles"][min(parts)].replace("_", " ")}</text>'
+        self.write_svg("finding_tree", 40 + 44 * count + 40, 350, body)
+
+    def run_parts(self, *words):
+        subprocess.run([self.args.program, "parts", *words, "--quiet"], check=True)
+
     def split(self):
         """Splits, step by step: a solid back becomes slats."""
         picture = Picture(6)
@@ -357,7 +420,7 @@ class Pictures:
         screenshot(self.args.browser, page, self.out("page", ".png"), WIDTH, HEIGHT)
 
 
-NAMES = ["abstraction", "blend", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
+NAMES = ["abstraction", "blend", "finding", "finding_tree", "energy", "search", "roles", "blocks", "split", "map", "tutorial_parts", "tutorial_match", "tutorial_pipeline", "tutorial_roles",
          "tutorial_collection", "gallery_figure1", "gallery_figure12", "gallery_figure14", "gallery_nearest", "graph", "page"]
 
 

@@ -7,7 +7,7 @@
 
 FOLDER has CATEGORY/N.off, one mesh each, and CATEGORY/N_labels.txt: a line with a label, then one with the numbers of its faces, from 1
 (Kalogerakis et al. 2010). Given segments are the connected faces of one label; specks of less than .5 % of the area join their
-neighbours. Segments of raw meshes are those of `--parts segments`. Examples always have given segments.
+neighbours; their upright axis is that of the mesh as it is read. Segments of raw meshes are those of `--parts segments`. Examples always have given segments.
 
 Prints a table as Markdown. label transfer: share of the area that gets its label from 1, 3 or 12 examples, each of which votes with its
 probability; means over all ordered pairs, or over DRAWS sets of examples for each shape, then over shapes. A raw mesh that is refused
@@ -114,7 +114,8 @@ class Labelled_mesh:
         self.segments = np.zeros(len(self.faces), int)
         self.graphs = {}
         face_of = {self.key(self.points[corners]): i for i, corners in enumerate(self.faces)}
-        for number, part in enumerate(sc.read(self.file, parts="segments").parts):
+        self.shape = sc.read(self.file, parts="segments")
+        for number, part in enumerate(self.shape.parts):
             found = [face_of.get(self.key(part.vertices[corners])) for corners in part.faces]
             self.faces_of["raw"][part.name] = np.array([face for face in found if face is not None], int)
             self.segments[self.faces_of["raw"][part.name]] = number
@@ -125,7 +126,7 @@ class Labelled_mesh:
             self.graphs["raw"] = sc.build_graph(self.file, parts="segments", cache=cache)
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, self.name + ".obj")
-            sc.Shape.from_segmentation(self.points, self.faces, self.people, self.name).save(file)
+            sc.Shape.from_segmentation(self.points, self.faces, self.people, self.name, self.shape.up).save(file)
             self.graphs["given"] = sc.build_graph(file, parts="file", cache=cache)
 
     @staticmethod

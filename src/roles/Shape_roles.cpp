@@ -189,6 +189,9 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
     if (found > most) most = found, best = turn;
   }
   if (best == 0 || !shape[std::size_t(best)]->is_nearest(category)) return 0;
+  // Trees agree on what they have not seen, too: parts clearly less like labelled ones than as given are not turned
+  const auto distance = [&](int turn) { return shape[std::size_t(turn)]->distance(category); };
+  if (quantized((1 - options.clearly_better) * distance(best)) > quantized(distance(0))) return 0;
   // A shape that looks nearly as likely from another side, as a table does from behind, tells no front
   for (int turn = 1; turn < 4; ++turn)
     if (turn != best && likeness(turn, agreement(turn)) > most - clear_difference(options)) return 0;

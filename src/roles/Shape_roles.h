@@ -79,8 +79,9 @@ using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
                              const Role_options& options = {});
 
-// The quarter turn with which a shape of a category faces +z. Not 0 only if, at another one, the trees agree more and
-// the parts are nearer to labelled ones by a clear margin, than at any other one, and no other category is nearer.
+// The quarter turn with which a shape of a category faces +z. Not 0 only if, at another one, the agreement of the trees
+// and the nearness of the parts to labelled ones are together clearly greater than at any other one, the parts are not
+// clearly farther from them than as given, and no other category is nearer.
 int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options = {});
 
 // The nearest category of two shapes of unknown front.

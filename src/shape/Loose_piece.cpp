@@ -67,9 +67,8 @@ bool is_closed(const Part_mesh& mesh)
   return result;
 }
 
-/// By corner of a triangle, three after three, the number of its place; if it divides, a place has one for each
-/// material.
-Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materials, bool divide)
+/// By corner of a triangle, three after three, the number of its place, which is another one for each material.
+Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materials)
 {
   const std::vector<int> place = first_in_place(mesh.points);
   Indices result;
@@ -77,8 +76,8 @@ Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materia
   for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
     for (int k = 0; k < 3; ++k) {
       const int at = place[corner(mesh, t, k)];
-      result.push_back(divide ? number.emplace(std::pair(at, materials[t]), number.size()).first->second
-                              : std::size_t(at));
+      result.push_back(materials.empty() ? std::size_t(at)
+                                         : number.emplace(std::pair(at, materials[t]), number.size()).first->second);
     }
   return result;
 }
@@ -108,9 +107,9 @@ Part_mesh extracted(const Part_mesh& mesh, const Indices& triangles, std::vector
 }
 
 std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, double tolerance,
-                                      const std::vector<int>& materials, bool divide)
+                                      const std::vector<int>& materials)
 {
-  const Indices place = places_of_corners(mesh, materials, divide && !materials.empty());
+  const Indices place = places_of_corners(mesh, materials);
   const std::size_t places = place.empty() ? 0 : 1 + *std::max_element(place.begin(), place.end());
   Disjoint_sets sets(places);
   const auto triangles = std::size_t(mesh.triangles.cols());
@@ -133,9 +132,6 @@ std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh,
   for (const Indices& piece : pieces) {
     result.push_back(loose_piece(object, extracted(mesh, piece, number), tolerance));
     result.back().triangles = piece;
-    if (materials.empty()) continue;
-    for (std::size_t t : piece)
-      result.back().materials.insert(materials[t]);
   }
   return result;
 }
@@ -164,23 +160,6 @@ Loose_piece loose_piece(std::size_t object, Part_mesh mesh, double tolerance)
   result.middle = result.area > 0 ? Point(result.middle / result.area) : Point(points.rowwise().mean());
   result.size = size_of(points, result.middle);
   result.closed = is_closed(result.surface);
-  return result;
-}
-
-Points border_points(const Part_mesh& mesh, double spacing)
-{
-  std::vector<Point> points;
-  for_each_edge(mesh, [&](const Edge& edge, std::size_t triangles) {
-    if (triangles != 1) return;
-    const Point a = mesh.points.col(Eigen::Index(edge.vertices[0])),
-                b = mesh.points.col(Eigen::Index(edge.vertices[1]));
-    const double steps = std::max(1., std::ceil((b - a).norm() / spacing));
-    for (double k = 0.5; k < steps; ++k)
-      points.push_back(a + k / steps * (b - a));
-  });
-  Points result(3, Eigen::Index(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result.col(Eigen::Index(i)) = points[i];
   return result;
 }
 

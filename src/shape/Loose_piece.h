@@ -6,7 +6,6 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <cstddef>
-#include <set>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -21,16 +20,14 @@ struct Loose_piece
   Point middle = Point::Zero();            ///< of the surface
   double size = 0;                         ///< approximate diameter, see `size_of()`
   bool closed = false;                     ///< an even number of triangles meets at every edge
-  std::set<int> materials = {};            ///< empty: not known
   std::vector<std::size_t> triangles = {}; ///< of the object, by index; empty for a segment
 };
 
 /// The connected components of a mesh, connected through vertices at the same place, in the order of first triangles.
 /// \param tolerance of `canonical_surface()`
-/// \param materials by triangle. Empty: they are not known
-/// \param divide only triangles of one material are connected
+/// \param materials by triangle: only those of one material are connected. Empty: there is one
 std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, double tolerance,
-                                      const std::vector<int>& materials, bool divide);
+                                      const std::vector<int>& materials);
 
 /// The mesh of some triangles, with only the vertices that they use.
 /// \param number by vertex, -1, before and after
@@ -38,9 +35,6 @@ Part_mesh extracted(const Part_mesh& mesh, const std::vector<std::size_t>& trian
 
 /// Measures a piece.
 Loose_piece loose_piece(std::size_t object, Part_mesh mesh, double tolerance);
-
-/// Points on the edges of only one triangle, at most `spacing` apart.
-Points border_points(const Part_mesh& mesh, double spacing);
 
 /// Approximate diameter: the distance between the point farthest from the middle and the one farthest from that.
 double size_of(const Points& points, const Point& middle);

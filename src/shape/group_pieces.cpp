@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/group_pieces.h"
-#include "base/Nearest_points.h"
 #include "base/limits.h"
 #include "shape/Triangle_tree.h"
 #include "shape/convex_hull.h"
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -33,17 +31,10 @@ constexpr double hull_tolerance = 0.005;
 constexpr std::size_t most_pieces = 1000; // of an object; of one with more, such as leaves, no piece is a part
 constexpr double share_in_hull = 0.95;    // of a piece that is in a hull
 constexpr double share_interlocked = 0.3; // of each of two pieces that is in the hull of the other
-constexpr double alike = 0.01;            // relative difference of areas and sizes of copies
-constexpr std::size_t fewest_copies = 3;
-constexpr double share_of_seam = 0.9;    // of a border that is along another one
-constexpr double width_of_patch = 0.9;   // of its border, over its own
-constexpr double border_spacing = 0.002; // of points on a border
-constexpr double holder_size = 0.5;      // of a piece that holds others; a larger one is the frame of the model
-constexpr double assembly_size = 0.3;    // of an object whose pieces stay together if they touch, or of a decal
-constexpr double shell_distance = 0.03;  // between both shells of a panel
-constexpr double shell_areas = 0.7;      // least ratio of the areas of two shells
-constexpr double unlimited = 1e100;      // a distance that none reaches
-constexpr double speck_size = 0.01;      // a smaller piece joins a piece that it touches, of any object
+constexpr double alike = 0.01;            // relative difference of sizes
+constexpr double holder_size = 0.5;       // of a piece that holds others; a larger one is the frame of the model
+constexpr double assembly_size = 0.3;     // of an object whose pieces stay together if they touch
+constexpr double unlimited = 1e100;       // a distance that none reaches
 
 /// A piece with its search structures, made on demand.
 class Measured_piece
@@ -83,37 +74,7 @@ public:
     return other.hull().share_inside(samples_, tolerance);
   }
 
-  /// Whether its border is as wide as the piece, unlike that of a tube or bottle.
-  bool is_patch() const
-  {
-    const Points& points = border().points;
-    return points.cols() > 0 && size_of(points, points.rowwise().mean()) > width_of_patch * piece_.size;
-  }
-
-  /// Share of the border within a distance of the border of another piece.
-  double share_of_border_along(const Measured_piece& other, double distance) const
-  {
-    const Points& points = border().points;
-    Eigen::Index near = 0;
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-      near += other.border().tree.nearest_within(points.col(i), distance) >= 0;
-    return double(near) / double(points.cols());
-  }
-
 private:
-  struct Border
-  {
-    explicit Border(Points border) : points(std::move(border)), tree(points) {}
-    Points points;
-    Nearest_points tree;
-  };
-
-  const Border& border() const
-  {
-    if (!border_) border_.emplace(border_points(piece_.surface, border_spacing * model_size_));
-    return *border_;
-  }
-
   /// Points sampled by area, and vertices, so that corners are among them.
   static Points samples_of(const Part_mesh& mesh)
   {
@@ -138,7 +99,6 @@ private:
   Points samples_;
   double model_size_;
   mutable std::optional<Hull_planes> hull_; ///< made on demand
-  mutable std::optional<Border> border_;    ///< made on demand
 };
 
 /// A piece that joins another one, and the reason.
@@ -174,7 +134,6 @@ public:
       if (end - begin > 1) group_object(begin, end);
       begin = end;
     }
-    join_across_objects();
     return std::move(result_);
   }
 
@@ -209,17 +168,12 @@ private:
       unite(begin, end);
       return;
     }
-    std::vector<std::optional<Join>> joins(pieces_.size());
     for (std::size_t i = begin; i < end; ++i)
-      joins[i] = join_of(i, begin, end);
-    treat_copies_alike(begin, end, joins);
-    for (std::size_t i = begin; i < end; ++i)
-      if (joins[i]) {
-        result_.sets.unite(i, joins[i]->to);
-        result_.reasons[i] = joins[i]->reason + (' ' + names_[joins[i]->to]);
+      if (const std::optional<Join> join = join_of(i, begin, end)) {
+        result_.sets.unite(i, join->to);
+        result_.reasons[i] = join->reason + (' ' + names_[join->to]);
       }
     join_interlocked(begin, end);
-    join_seams(begin, end);
     if (number_of_groups(begin, end) <= options_.most_parts || objects_ == 1) return;
     kept = "it would be " + std::to_string(number_of_groups(begin, end)) + " parts";
     unite(begin, end);
@@ -294,22 +248,16 @@ private:
     return std::abs(difference) > alike * pieces_[i].area ? difference > 0 : other < i;
   }
 
-  /// Whether two open pieces lie along each other, as the front and the back of a panel.
-  bool are_both_shells(std::size_t i, std::size_t other)
-  {
-    if (pieces_[i].closed || pieces_[other].closed) return false;
-    if (pieces_[i].area < shell_areas * pieces_[other].area) return false;
-    return std::isfinite(measured(other).distance_to(measured(i), shell_distance * size_));
-  }
-
   /// The piece of the same object that a piece joins, if any.
   std::optional<Join> join_of(std::size_t i, std::size_t begin, std::size_t end)
   {
     const bool is_small = pieces_[i].size < options_.small_size * size_;
+    constexpr double rounding = 1e-9; // distances that are infinite from their limit on
+    const double lying_limit = (1 + rounding) * options_.layer_distance * size_;
     std::optional<Join> best;
     for (std::size_t other = begin; other < end; ++other) {
-      if (other == i || !may_join(i, other) || !boxes_are_near(i, other, shell_distance * size_)) continue;
-      const double limit = is_small ? unlimited : shell_distance * size_;
+      if (other == i || !may_join(i, other) || !boxes_are_near(i, other, lying_limit)) continue;
+      const double limit = is_small ? unlimited : lying_limit;
       const double distance = measured(i).distance_to(measured(other), best ? best->distance : limit);
       if (!std::isfinite(distance)) continue;
       if (const char* reason = reason_to_join(i, other, distance, is_small)) best = Join{other, distance, reason};
@@ -322,65 +270,12 @@ private:
   {
     if (distance <= options_.layer_distance * size_) return "lies on";
     if (is_small && are_touching(i, other)) return "small, touches";
-    if (distance <= shell_distance * size_ && are_both_shells(i, other)) return "the other shell of";
     return nullptr;
-  }
-
-  /// The nearest piece that piece `i` may join.
-  std::optional<Join> nearest(std::size_t i, std::size_t begin, std::size_t end)
-  {
-    std::optional<Join> best;
-    for (std::size_t other = begin; other < end; ++other) {
-      if (other == i || !may_join(i, other)) continue;
-      const double distance = measured(i).distance_to(measured(other), best ? best->distance : unlimited);
-      if (std::isfinite(distance)) best = Join{other, distance, "as its copies do, joins"};
-    }
-    return best;
   }
 
   bool boxes_are_near(std::size_t i, std::size_t other, double distance)
   {
     return measured(i).tree().box().exteriorDistance(measured(other).tree().box()) <= distance;
-  }
-
-  /// Sets of pieces with the same number of triangles and about the same area and size.
-  Disjoint_sets copies(std::size_t begin, std::size_t end) const
-  {
-    std::vector<std::size_t> order(end - begin);
-    std::iota(order.begin(), order.end(), begin);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return std::pair(pieces_[a].area, a) < std::pair(pieces_[b].area, b);
-    });
-    Disjoint_sets result(pieces_.size());
-    for (std::size_t a = 0; a < order.size(); ++a)
-      for (std::size_t b = a + 1; b < order.size(); ++b) {
-        const Loose_piece &p = pieces_[order[a]], &q = pieces_[order[b]];
-        if (q.area > (1 + alike) * p.area) break;
-        if (p.surface.triangles.cols() != q.surface.triangles.cols() || std::abs(p.size - q.size) > alike * p.size)
-          continue;
-        result.unite(order[a], order[b]);
-        break;
-      }
-    return result;
-  }
-
-  void treat_copies_alike(std::size_t begin, std::size_t end, std::vector<std::optional<Join>>& joins)
-  {
-    const Disjoint_sets of_copies = copies(begin, end);
-    std::map<std::size_t, std::vector<std::size_t>> families;
-    for (std::size_t i = begin; i < end; ++i)
-      families[of_copies[i]].push_back(i);
-    for (const auto& [first, family] : families) {
-      if (family.size() < fewest_copies) continue;
-      const auto joined =
-          std::size_t(std::count_if(family.begin(), family.end(), [&](std::size_t i) { return joins[i].has_value(); }));
-      if (joined == 0 || joined == family.size()) continue;
-      for (std::size_t i : family)
-        if (2 * joined <= family.size())
-          joins[i].reset();
-        else if (!joins[i])
-          joins[i] = nearest(i, begin, end);
-    }
   }
 
   void join_interlocked(std::size_t begin, std::size_t end)
@@ -395,60 +290,6 @@ private:
         result_.sets.unite(i, j);
         if (result_.reasons[i].empty()) result_.reasons[i] = "interlocks with " + names_[j];
       }
-  }
-
-  /// Patches of one surface: the border of one, which is as wide as it is, runs along that of another.
-  void join_seams(std::size_t begin, std::size_t end)
-  {
-    for (std::size_t i = begin; i < end; ++i) {
-      std::pair longest(share_of_seam, unlimited); // and of equal ones that of the largest piece
-      std::size_t to = i;
-      for (std::size_t j = begin; j < end; ++j) {
-        if (i == j || !may_have_seam(i, j)) continue;
-        const std::pair seam(measured(i).share_of_border_along(measured(j), options_.touching_distance * size_),
-                             pieces_[j].area);
-        if (seam <= longest) continue;
-        longest = seam;
-        to = j;
-      }
-      if (to == i || !result_.sets.unite(i, to)) continue;
-      if (result_.reasons[i].empty()) result_.reasons[i] = "has a seam with " + names_[to];
-    }
-  }
-
-  bool may_have_seam(std::size_t i, std::size_t other)
-  {
-    if (pieces_[i].closed || pieces_[other].closed || pieces_[i].materials != pieces_[other].materials) return false;
-    return boxes_are_near(i, other, options_.touching_distance * size_) && measured(i).is_patch();
-  }
-
-  /// Screws, dots and decals join a piece of another object, unless theirs was kept.
-  void join_across_objects()
-  {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const bool is_kept = !result_.kept[pieces_[i].object].empty();
-      if (is_kept || pieces_[i].size >= assembly_size * size_ || !result_.reasons[i].empty()) continue;
-      std::optional<Join> best;
-      for (std::size_t other = 0; other < pieces_.size(); ++other) {
-        if (pieces_[other].object == pieces_[i].object) continue;
-        if (const std::optional<Join> join = join_across(i, other, best ? best->distance : unlimited)) best = join;
-      }
-      if (!best) continue;
-      result_.sets.unite(i, best->to);
-      result_.reasons[i] = best->reason + (' ' + names_[best->to]);
-    }
-  }
-
-  /// \param nearest distance of the farthest point, which this one has to be nearer than
-  std::optional<Join> join_across(std::size_t i, std::size_t other, double nearest)
-  {
-    const double touching = options_.touching_distance * size_;
-    if (!boxes_are_near(i, other, touching)) return {};
-    const bool is_speck = pieces_[i].size < speck_size * size_ && pieces_[other].size >= 2 * pieces_[i].size;
-    if (is_speck ? !are_touching(i, other) : pieces_[i].closed || !may_join(i, other)) return {};
-    const double distance = measured(i).distance_to(measured(other), is_speck ? nearest : std::min(nearest, touching));
-    if (!std::isfinite(distance)) return {};
-    return Join{other, distance, is_speck ? "tiny, touches" : "lies on"};
   }
 
   const std::vector<Loose_piece>& pieces_;

@@ -17,6 +17,7 @@
 #include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -76,7 +77,7 @@ public:
     result_.by_materials = divide && !materials.empty();
     for (std::size_t i = 0; i < objects_.size(); ++i)
       for (Loose_piece& piece : loose_pieces(i, objects_[i].mesh, flatness_tolerance(size_),
-                                             materials.empty() ? std::vector<int>() : materials[i], divide))
+                                             result_.by_materials ? materials[i] : std::vector<int>()))
         add_piece(std::move(piece));
     sort_pieces(objects.up());
     name_pieces();
@@ -106,9 +107,10 @@ public:
   }
 
   /// Takes patches where parts end within loose pieces, and makes the parts.
-  /// \param part_of_triangle by object and triangle
+  /// \param part_of_triangle by object and triangle \param nodes the tree of the patches
   Part_split of_patches(const Segmented_shape& objects, const Surface_patches& surface,
-                        const std::vector<std::vector<std::size_t>>& part_of_triangle)
+                        const std::vector<std::vector<std::size_t>>& part_of_triangle,
+                        const std::vector<Part_node>& nodes)
   {
     std::vector<bool> are_divided(objects_.size(), false);
     for (const Loose_piece& piece : pieces_) {
@@ -126,6 +128,7 @@ public:
       if (!is_new) sets.unite(known->second, i);
     }
     result_.is_found = true;
+    result_.unions = unions_of_pieces(surface, nodes);
     for (const auto& [part, piece] : first) {
       Group group;
       for (std::size_t i = 0; i < pieces_.size(); ++i)
@@ -218,6 +221,50 @@ public:
 
 private:
   using Group = std::vector<std::size_t>; // of pieces
+
+  /// What the nodes of a tree of patches have of whole pieces.
+  std::vector<std::array<std::size_t, 2>> unions_of_pieces(const Surface_patches& surface,
+                                                           const std::vector<Part_node>& nodes) const
+  {
+    constexpr std::size_t none = Part_node::none;
+    std::vector<std::size_t> piece_of_patch(surface.patches.size(), none), patches(pieces_.size(), 0);
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (std::size_t t : pieces_[i].triangles) {
+        std::size_t& piece = piece_of_patch[surface.of_triangles[pieces_[i].object][t]];
+        patches[i] += piece == none;
+        piece = i;
+      }
+    struct Union
+    {
+      std::size_t whole = none;                 // number of the union of the whole pieces
+      std::map<std::size_t, std::size_t> begun; // by piece that is not whole, the number of its patches
+    };
+    std::vector<std::array<std::size_t, 2>> result;
+    const auto add = [&](Union& to, std::size_t number) {
+      if (to.whole != none && number != none) {
+        result.push_back({to.whole, number});
+        number = pieces_.size() + result.size() - 1;
+      }
+      if (number != none) to.whole = number;
+    };
+    std::vector<Union> unions(nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      Union& all = unions[k];
+      for (std::size_t child : nodes[k].children)
+        if (child != none) {
+          add(all, unions[child].whole);
+          for (const auto& [piece, number] : unions[child].begun)
+            all.begun[piece] += number;
+        }
+      if (nodes[k].is_leaf() && piece_of_patch[k] != none) all.begun[piece_of_patch[k]] = 1;
+      for (auto i = all.begun.begin(); i != all.begun.end();) {
+        const bool is_whole = i->second == patches[i->first];
+        if (is_whole) add(all, i->first);
+        i = is_whole ? all.begun.erase(i) : std::next(i);
+      }
+    }
+    return result;
+  }
 
   void add_piece(Loose_piece piece)
   {
@@ -388,14 +435,18 @@ Surface_patches internal::patches_of_objects(const Segmented_shape& objects,
 }
 
 Part_split internal::split_patches(const Segmented_shape& objects, const Surface_patches& surface,
-                                   const std::vector<std::vector<int>>& materials,
-                                   const std::vector<std::size_t>& part_of_patch)
+                                   const std::vector<std::vector<int>>& materials, const std::vector<Part_node>& nodes,
+                                   const std::vector<std::size_t>& cut)
 {
+  std::vector<std::size_t> part_of_patch(surface.patches.size(), 0);
+  for (std::size_t i = 0; i < cut.size(); ++i)
+    for (std::size_t patch : nodes[cut[i]].patches)
+      part_of_patch[patch] = i;
   std::vector<std::vector<std::size_t>> parts = surface.of_triangles;
   for (std::vector<std::size_t>& of_object : parts)
     for (std::size_t& patch : of_object)
       patch = part_of_patch[patch];
-  return Splitter(objects, {}, materials, true).of_patches(objects, surface, parts);
+  return Splitter(objects, {}, materials, true).of_patches(objects, surface, parts, nodes);
 }
 
 Part_split split_parts(const Segmented_shape& objects, const std::map<std::string, std::string>& part_of_piece,

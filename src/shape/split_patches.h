@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "shape/Surface_patches.h"
+#include "shape/Part_tree.h"
 
 #include <CGAL/Shape_correspondence/split_parts.h>
 
@@ -17,8 +17,9 @@ Surface_patches patches_of_objects(const Segmented_shape& objects, const std::ve
 
 /// Parts that are sets of patches, which become the pieces.
 /// \param materials with which the surface was divided
-/// \param part_of_patch by patch, a number for its part
+/// \param nodes the tree of the patches \param cut the nodes that are parts
 Part_split split_patches(const Segmented_shape& objects, const Surface_patches& surface,
-                         const std::vector<std::vector<int>>& materials, const std::vector<std::size_t>& part_of_patch);
+                         const std::vector<std::vector<int>>& materials, const std::vector<Part_node>& nodes,
+                         const std::vector<std::size_t>& cut);
 
 } // namespace CGAL::Shape_correspondence::internal

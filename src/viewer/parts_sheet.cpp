@@ -12,13 +12,16 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::size_t sheet_triangles = 200000, fewest_of_model = 500;
+constexpr std::size_t most_drawn_pieces = 500; // of a model, each with a mesh of its own
 
 /// Turns the upright axis to y.
 Eigen::Matrix3d upright(const Point& up)
@@ -27,6 +30,20 @@ Eigen::Matrix3d upright(const Point& up)
   Eigen::Matrix3d result; // rows: side, up, front
   result << up.cross(front).transpose(), up.transpose(), front.transpose();
   return result;
+}
+
+/// Whether the pieces are drawn, so that parts can be divided.
+bool draws_pieces(const Part_split& split)
+{
+  return !split.unions.empty() && !split.by_materials && split.pieces.size() <= most_drawn_pieces;
+}
+
+Segmented_shape pieces_of(const Segmented_shape& objects, const Part_split& split)
+{
+  std::map<std::string, std::string> part_of_piece;
+  for (const Model_piece& piece : split.pieces)
+    part_of_piece[piece.name] = piece.name;
+  return split_parts(objects, part_of_piece, false, {}, {}, split.patched_objects).shape;
 }
 
 } // namespace
@@ -38,19 +55,24 @@ Parts_sheet::Parts_sheet(std::size_t models)
 void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
                       const std::vector<std::string>& roles, const std::string& summary)
 {
-  const Segmented_shape shape = simplified_shape(split.shape, triangles_of_model_);
+  const bool are_pieces = draws_pieces(split);
+  const Segmented_shape shape =
+      simplified_shape(are_pieces ? pieces_of(objects, split) : split.shape, triangles_of_model_);
   std::vector<std::string> known = roles, names;
-  known.resize(shape.parts().size());
+  known.resize(split.shape.parts().size());
   const std::vector<Colour> colours = colours_of_roles(known);
-  const Eigen::Matrix3d turn = upright(shape.up());
+  const Eigen::Matrix3d turn = upright(split.shape.up());
   Json decisions = Json::array();
-  std::vector<int> nodes;
+  std::vector<int> nodes, materials;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    names.push_back(split.shape.parts()[i].name);
+    materials.push_back(glb_.add_material(names[i], colours[i]));
+  }
   for (std::size_t i = 0; i < shape.parts().size(); ++i) {
-    const Shape_part& part = shape.parts()[i];
-    names.push_back(part.name);
-    Drawn_mesh mesh{turn * part.mesh.points, {}, part.mesh.triangles};
-    mesh.material = glb_.add_material(part.name, colours[i]);
-    nodes.push_back(glb_.add_node(part.name, {std::move(mesh)}));
+    const Shape_part& drawn = shape.parts()[i];
+    Drawn_mesh mesh{turn * drawn.mesh.points, {}, drawn.mesh.triangles};
+    mesh.material = materials[are_pieces ? split.pieces[i].part : i];
+    nodes.push_back(glb_.add_node(drawn.name, {std::move(mesh)}));
   }
   for (std::size_t i = 0; i < split.decisions.size(); ++i)
     decisions.push_back(Json::array({objects.parts()[i].name, split.decisions[i]}));
@@ -61,8 +83,13 @@ void Parts_sheet::add(const std::string& title, const Segmented_shape& objects, 
   for (const Model_piece& piece : split.pieces)
     pieces.push_back(Json::array(
         {piece.part == no_part ? -1 : int(piece.part), std::round(1000 * piece.size) / 1000, piece.reason}));
+  Json unions = Json::array();
+  if (are_pieces)
+    for (const std::array<std::size_t, 2>& pair : split.unions)
+      unions.push_back(Json::array({int(pair[0]), int(pair[1])}));
   models_.push_back({{"name", title},
                      {"summary", summary},
+                     {"unions", unions},
                      {"parts", names},
                      {"labels", part_labels(names, roles)},
                      {"roles", known},

@@ -304,3 +304,31 @@ TEST_CASE("What is found is said in words: the parts of each role, and their pie
   CHECK(split.decisions == std::vector<std::string>{"5 pieces, split into 5 parts"});
   CHECK(split.found_roles == "table, with 4 × leg from 4 pieces, 1 × tabletop from 1 piece");
 }
+
+TEST_CASE(
+    "Every part that is found is a union of pieces; unions are of earlier ones, and the last one of a tree is all")
+{
+  std::vector<Part_mesh> meshes = table_boxes();
+  for (double x : {0.09, 1.79}) // a foot under two of the legs
+    meshes.push_back(part_meshes::box({x, -0.05, 0.09}, {x + 0.12, 0, 0.21}));
+  const std::shared_ptr<const Role_model> roles = IO::shipped_role_model();
+  const Part_split split = IO::split_parts_by_roles(one_object(united(meshes)), {}, roles.get());
+  REQUIRE(split.is_found);
+  std::vector<std::set<std::size_t>> sets;
+  for (std::size_t i = 0; i < split.pieces.size(); ++i)
+    sets.push_back({i});
+  for (const auto& [a, b] : split.unions) {
+    REQUIRE(std::max(a, b) < sets.size());
+    std::set<std::size_t> both = sets[a];
+    both.insert(sets[b].begin(), sets[b].end());
+    CHECK(both.size() == sets[a].size() + sets[b].size());
+    sets.push_back(both);
+  }
+  CHECK(sets.back().size() == split.pieces.size());
+  for (std::size_t part = 0; part < split.shape.parts().size(); ++part) {
+    std::set<std::size_t> pieces;
+    for (std::size_t i = 0; i < split.pieces.size(); ++i)
+      if (split.pieces[i].part == part) pieces.insert(i);
+    CHECK(std::find(sets.begin(), sets.end(), pieces) != sets.end());
+  }
+}

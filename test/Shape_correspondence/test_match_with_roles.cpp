@@ -15,6 +15,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -201,6 +203,39 @@ TEST_CASE("A shape that clearly faces another side is turned, unless its front i
     CHECK(as_given.warnings.empty());
     turn_by_a_quarter(target);
   }
+}
+
+TEST_CASE("A shape is not turned to a side where trees agree on parts that are clearly less like labelled ones")
+{
+  const Role_model model = train_role_model(labelled(examples()));
+  const Role_model_data& data = Role_model_access::data(model);
+  const Category_roles& chairs = data.categories[0];
+  const auto of_role = [&](const char* role) {
+    for (const Role_example& example : chairs.examples)
+      if (chairs.roles[chairs.classes[example.role].role] == role) return example.features;
+    return chairs.examples[0].features;
+  };
+  const auto leg = of_role("leg"), back = of_role("back");
+  // \param share of the features that are the back's \param moved number of features that no part has
+  const auto roles_of = [&](double share, int moved) {
+    Role_evidence evidence{Role_features(1, ROLE_FEATURE_COUNT), {Side::NEITHER}};
+    for (int k = 0; k < ROLE_FEATURE_COUNT; ++k)
+      evidence.features(0, k) = std::uint8_t((1 - share) * leg[std::size_t(k)] + share * back[std::size_t(k)]);
+    for (int k = ROLE_FEATURE_COUNT - moved; k < ROLE_FEATURE_COUNT; ++k)
+      evidence.features(0, k) = std::uint8_t(evidence.features(0, k) < 127 ? 254 : 0);
+    return std::make_shared<const Shape_roles>(std::move(evidence), model);
+  };
+  const auto given = roles_of(0.5, 0);
+  int moved = 0;
+  while (roles_of(0, moved)->distance(0) < 1.1 * given->distance(0))
+    ++moved;
+  const auto likeness = [&](const Shape_roles& shape) {
+    return std::log(double(shape.votes(0).roles.maxCoeff()) / data.trees) - shape.distance(0);
+  };
+  const auto far = roles_of(0, moved), near = roles_of(0, 0);
+  REQUIRE(likeness(*far) > likeness(*given) + 0.2);
+  CHECK(likely_front({given, given, near, given}, 0, data.trees) == 2);
+  CHECK(likely_front({given, given, far, given}, 0, data.trees) == 0);
 }
 
 TEST_CASE("A shape that tells no front keeps the given one")

@@ -176,44 +176,16 @@ TEST_CASE("A lining joins the board that it lies on")
   CHECK(parts(0.2).size() == 4);
 }
 
-TEST_CASE("Screws join what they touch, all of them alike")
+TEST_CASE("Screws join what they touch")
 {
   std::vector<Part_mesh> pieces = legs();
   for (const Part_mesh& leg : legs()) {
     const Point middle = leg.points.rowwise().mean();
     pieces.push_back(box(middle + Point(0.035, 0.3, 0), {0.01, 0.015, 0.015}));
   }
-  const auto parts_of_wood = [&](double gap) {
-    std::vector<Part_mesh> all = pieces;
-    all.back().points.row(0).array() += gap;
-    return partition(split_parts(model({{"wood", joined(all)}, {"top", top()}})));
-  };
-  const std::set<std::set<std::string>> expected{
-      {"wood#1", "wood#2"}, {"wood#3", "wood#5"}, {"wood#4", "wood#6"}, {"wood#7", "wood#8"}, {"top"}};
-  CHECK(parts_of_wood(0) == expected);
-  CHECK(parts_of_wood(0.03) == expected); // one of four copies touches nothing
-}
-
-TEST_CASE("If only a few of several copies could join other pieces, none does")
-{
-  // Of four drawers, only one is so near a board that it could be its lining
-  std::vector<Part_mesh> pieces{box({0, 0.5, 0}, {0.02, 1, 1})};
-  for (int k = 0; k < 4; ++k)
-    pieces.push_back(box({k == 0 ? 0.0125 : 0.3, 0.1 + 0.25 * k, 0}, {0.004, 0.2, 0.5}));
-  const Part_split split = split_parts(model({{"wood", joined(pieces)}, {"other", box({1, 0.5, 0}, {0.1, 1, 1})}}));
-  CHECK(split.shape.parts().size() == 6);
-}
-
-TEST_CASE("Both shells of a panel are one part, two sheets farther apart are two")
-{
-  const auto parts = [](double distance) {
-    return split_parts(model({{"frame", box({0, -0.6, 0}, {1, 0.1, 0.1})},
-                              {"panel", joined({sheet({0, 0, 0}, 1, 1), sheet({0, 0, distance}, 1, 1)})}}))
-        .shape.parts()
-        .size();
-  };
-  CHECK(parts(0.03) == 2);
-  CHECK(parts(0.3) == 3);
+  CHECK(partition(split_parts(model({{"wood", joined(pieces)}, {"top", top()}}))) ==
+        std::set<std::set<std::string>>{
+            {"wood#1", "wood#2"}, {"wood#3", "wood#5"}, {"wood#4", "wood#6"}, {"wood#7", "wood#8"}, {"top"}});
 }
 
 TEST_CASE("Pieces that are deep in each other stay together, those that only touch do not")
@@ -237,15 +209,6 @@ TEST_CASE("A small object of pieces that touch stays whole")
   CHECK_THAT(split.decisions[1], Contains("its pieces touch"));
 }
 
-TEST_CASE("A tiny object joins what it touches")
-{
-  const Part_split split =
-      split_parts(model({{"top", top()}, {"leg", legs()[0]}, {"dot", box({0, 0.752, 0}, {0.004, 0.004, 0.004})}}));
-  CHECK(names(split) == std::vector<std::string>{"top", "leg"});
-  CHECK(split.changes_objects());
-  CHECK(split.pieces[2].reason == "tiny, touches top");
-}
-
 TEST_CASE("An object that would become too many parts stays as it is")
 {
   std::vector<Part_mesh> leaves;
@@ -265,58 +228,16 @@ TEST_CASE("An object that would become too many parts stays as it is")
   CHECK(names(dusty) == std::vector<std::string>{"pot", "dust"});
 }
 
-namespace {
-
-/// The cover of a cushion in three patches with piping between them: front, back, and a strip for the sides.
-std::vector<Part_mesh> patches_of_cushion(double gap)
+TEST_CASE("Materials must be those of all triangles of all objects")
 {
-  Part_mesh sides = box({0, 0, 0}, {1, 1, 0.3}, 0, 4);
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index t = 0; t < sides.triangles.cols(); ++t) {
-    const auto z = [&](int k) { return sides.points(2, sides.triangles(k, t)); };
-    if (z(0) != z(1) || z(0) != z(2)) kept.push_back(t);
-  }
-  Eigen::Matrix3Xi triangles(3, Eigen::Index(kept.size()));
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    triangles.col(Eigen::Index(i)) = sides.triangles.col(kept[i]);
-  sides.triangles = triangles;
-  return {sides, sheet({0, 0, 0.15 + gap}, 1, 1), sheet({0, 0, -0.15 - gap}, 1, 1)};
-}
-
-} // namespace
-
-TEST_CASE("Patches whose borders run along one another are one part, unless their materials differ")
-{
-  const Part_mesh frame = box({0, -0.7, 0}, {1, 0.1, 0.3});
-  const auto parts = [&](double gap, std::vector<std::vector<int>> materials) {
+  const auto parts = [](std::vector<std::vector<int>> materials) {
     Part_splitting_options options;
     options.materials = std::move(materials);
-    options.divide_by_materials = false;
-    return split_parts(model({{"fabric", joined(patches_of_cushion(gap))}, {"frame", frame}}), options);
+    return split_parts(model({{"leg", legs()[0]}, {"top", top()}}), options);
   };
-  const Part_split cushion = parts(0.004, {});
-  CHECK(cushion.shape.parts().size() == 2);
-  CHECK_THAT(cushion.pieces[0].reason + cushion.pieces[2].reason, Contains("has a seam with fabric#2"));
-  CHECK(parts(0.05, {}).shape.parts().size() == 4);
-  const Eigen::Index strip = patches_of_cushion(0)[0].triangles.cols();
-  std::vector<int> of_fabric(std::size_t(strip) + 4, 0);
-  of_fabric[std::size_t(strip)] = of_fabric[std::size_t(strip) + 1] = 1; // one face has another material
-  const std::vector<int> of_frame(std::size_t(frame.triangles.cols()), 0);
-  const Part_split split = parts(0.004, {of_fabric, of_frame});
-  CHECK(split.shape.parts().size() == 3);
-  CHECK_FALSE(split.by_materials);
-  CHECK_THROWS_WITH(parts(0.004, {of_fabric}), Contains("materials of 1 objects for 2"));
-  CHECK_THROWS_WITH(parts(0.004, {of_fabric, {0, 1}}), Contains("'frame' has ") && Contains("but materials of 2"));
-}
-
-TEST_CASE("Tubes that stand on one another are no patches")
-{
-  const auto tube = [](double closed_end, double open_end) {
-    return part_meshes::turned({{0, closed_end}, {0.05, closed_end}, {0.05, open_end}});
-  };
-  const Part_split split = split_parts(
-      model({{"metal", joined({tube(0, 1), tube(2, 1.001)})}, {"foot", box({0, -0.1, 0}, {0.5, 0.1, 0.5})}}));
-  CHECK(split.shape.parts().size() == 3);
+  const std::vector<int> of_leg(std::size_t(legs()[0].triangles.cols()), 0);
+  CHECK_THROWS_WITH(parts({of_leg}), Contains("materials of 1 objects for 2"));
+  CHECK_THROWS_WITH(parts({of_leg, {0, 1}}), Contains("'top' has ") && Contains("but materials of 2"));
 }
 
 TEST_CASE("Pieces that the frame of a model holds, such as drawers, are parts")
@@ -330,20 +251,6 @@ TEST_CASE("Pieces that the frame of a model holds, such as drawers, are parts")
   };
   CHECK(parts(0.9) == 4);
   CHECK(parts(0.2) == 2);
-}
-
-TEST_CASE("A decal joins what it lies on, larger sheets and solids do not")
-{
-  const auto parts = [](const Part_mesh& other) {
-    return split_parts(
-        model({{"door", box({0, 0, 0}, {1, 1, 0.1})}, {"other", other}, {"foot", box({0, -0.6, 0}, {1, 0.2, 0.5})}}));
-  };
-  const Part_split decal = parts(sheet({0, 0, 0.052}, 0.2, 0.2));
-  CHECK(decal.shape.parts().size() == 2);
-  CHECK(decal.pieces[1].reason == "lies on door");
-  CHECK(parts(sheet({0, 0, 0.1}, 0.2, 0.2)).shape.parts().size() == 3);
-  CHECK(parts(sheet({0, 0, 0.052}, 0.8, 0.8)).shape.parts().size() == 3);
-  CHECK(parts(box({0, 0, 0.0525}, {0.2, 0.2, 0.004})).shape.parts().size() == 3);
 }
 
 TEST_CASE("A model of one object becomes its pieces, one of one piece its segments")

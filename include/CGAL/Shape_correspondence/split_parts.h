@@ -14,6 +14,7 @@
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/segment_mesh.h>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -40,7 +41,7 @@ struct Part_splitting_options
   double touching_distance = 0.005;  ///< largest gap of pieces in contact
   std::size_t most_parts = 100;      ///< largest number of parts of an object; an object with more stays whole
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
-  /// Index of the material by object and triangle; patches of one material may have a seam. Empty: a single material.
+  /// Index of the material by object and triangle. Empty: a single material.
   std::vector<std::vector<int>> materials;
   bool divide_by_materials = true; ///< whether loose pieces also end at changes of the material
 };
@@ -74,7 +75,10 @@ struct Part_split
   std::string found_roles = {};
   std::vector<std::string> patched_objects = {}; ///< objects whose pieces are patches between creases
   bool by_materials = false;                     ///< whether pieces also end at changes of the material
-  std::size_t pieces_left_out = 0;               ///< number of pieces without area
+  /// If parts were found, the unions of pieces that may be parts, each of two numbers: a number below that of the
+  /// pieces is a piece, a larger one, less that number, an earlier union.
+  std::vector<std::array<std::size_t, 2>> unions = {};
+  std::size_t pieces_left_out = 0; ///< number of pieces without area
   /// Number of closed pieces that were not divided into segments, since they have no interior.
   std::size_t pieces_kept_whole = 0;
 
@@ -90,13 +94,8 @@ struct Part_split
 /// - an object stays whole if it is one piece, if the hull of its largest piece contains all others (a spoked wheel, a
 ///   cushion with its piping) and is smaller than .5 of the model, or if it is smaller than .3 of the model and its
 ///   pieces touch, unless it is the only object;
-/// - in other objects every piece is a part, except that a piece joins the one on which it lies (a lining, a screw, the
-///   other shell of a panel), a small piece joins one that it touches, and pieces that touch and are deep in each
-///   other's hulls stay together, as do patches of one material if the border of one, as wide as the patch, runs along
-///   that of the other (the front and the sides of a cushion);
-/// - a piece smaller than .01 also joins a piece of another object that it touches, and an open one smaller than .3
-///   joins one on which it lies (a decal);
-/// - three or more copies of a piece are all treated like the majority of them;
+/// - in other objects every piece is a part, except that a piece joins the one on which it lies (a lining, a screw), a
+///   small piece joins one that it touches, and pieces that touch and are deep in each other's hulls stay together;
 /// - an object that has more than 1000 pieces stays as it is, and so does one of several objects if it would become
 ///   over `most_parts` parts;
 /// - a model that would be one part is split into its pieces, and one that is one piece into its segments, if there are

@@ -217,7 +217,7 @@ private:
   bool needs_materials(const Section& section) const
   {
     const Part_mesh mesh = weld(part_of(section, "").corners);
-    const std::vector<internal::Loose_piece> pieces = internal::loose_pieces(0, mesh, 0, {}, false);
+    const std::vector<internal::Loose_piece> pieces = internal::loose_pieces(0, mesh, 0, {});
     double largest = 0, all = 0;
     for (const internal::Loose_piece& piece : pieces) {
       largest = std::max(largest, piece.area);

@@ -45,16 +45,6 @@ using internal::Part_model;
 using internal::Part_node;
 using internal::Surface_patches;
 
-std::vector<std::size_t> parts_of_patches(const Surface_patches& surface, const std::vector<Part_node>& nodes,
-                                          const std::vector<std::size_t>& cut)
-{
-  std::vector<std::size_t> result(surface.patches.size(), 0);
-  for (std::size_t i = 0; i < cut.size(); ++i)
-    for (std::size_t patch : nodes[cut[i]].patches)
-      result[patch] = i;
-  return result;
-}
-
 /// The parts alone, for their roles: canonical surfaces, and which of them touch.
 Structural_graph graph_of_cut(const Surface_patches& surface, const std::vector<Part_node>& nodes,
                               const std::vector<std::size_t>& cut)
@@ -130,7 +120,7 @@ std::optional<Part_split> find_parts(const Segmented_shape& objects, const std::
       std::vector<std::size_t> known = internal::likeliest_parts(surface, nodes, model, category);
       if (known.size() > 1) cut = std::move(known);
     }
-  Part_split split = internal::split_patches(objects, surface, materials, parts_of_patches(surface, nodes, cut));
+  Part_split split = internal::split_patches(objects, surface, materials, nodes, cut);
   if (!may_be_matched(split)) return std::nullopt;
   if (likest.index < data.categories.size()) { // clearly
     const internal::Shape_roles of_cut(graph_of_cut(surface, nodes, cut), roles);

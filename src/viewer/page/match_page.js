@@ -61,7 +61,7 @@ function uncovered(missing, names, titles, shares) {
 }
 
 /** Which parts are two things in one piece, in a sentence; or nothing. */
-function inOnePiece(pieces, titles) {
+export function inOnePiece(pieces, titles) {
   return pieces.map((list, side) => list.length ? ` In ${titles[side]}, ${list.map(([role, others]) => listed([role, ...others].map(roleText))).join(' seem to be one piece, and so do ')}` +
       (list.length === 1 ? ' seem to be one piece.' : '.') : '').join('');
 }

@@ -8,6 +8,7 @@
 Ends with status 77, which ctest counts as skipped, where there is no Chromium.
 """
 import argparse
+import glob
 import json
 import os
 import re
@@ -402,6 +403,37 @@ class Pages(unittest.TestCase):
         result = subprocess.run([arguments.program, "match", stool, chair, "--source-parts-from", path, "--json", "-", "--quiet"], check=True, capture_output=True)
         match = json.loads(result.stdout)
         self.assertEqual(len({pair[0] for pair in match["pairs"]} | set(match["unmatched_source"])), before - 1)
+
+    def test_found_parts_are_joined_and_divided_along_their_tree(self):
+        one, page = (os.path.join(setUpModule.folder.name, name) for name in ("one.obj", "one.html"))
+        with open(one, "w", encoding="utf-8") as file:  # a chair as one object
+            points = 0
+            for part in sorted(glob.glob(os.path.join(arguments.data, "chair_four_legged", "parts", "*.obj"))):
+                with open(part, encoding="utf-8") as lines:
+                    rows = [line.split() for line in lines]
+                file.writelines("v " + " ".join(row[1:4]) + "\n" for row in rows if row[:1] == ["v"])
+                file.writelines("f " + " ".join(str(int(word.split("/")[0]) + points) for word in row[1:]) + "\n" for row in rows if row[:1] == ["f"])
+                points += sum(row[:1] == ["v"] for row in rows)
+        subprocess.run([arguments.program, "parts", one, "--html", page, "--quiet"], check=True)
+        pages["one"] = page
+        self.open("one")
+        del pages["one"]
+        rows = "document.querySelectorAll('tbody tr').length"
+        click = "[...document.querySelectorAll('#told button')].find(b => b.textContent.startsWith('{}')).click()"
+        before = browser.evaluate(rows)
+        browser.evaluate("document.querySelector('tbody tr').onclick(new Event('click'))")
+        browser.evaluate(click.format("Join"))
+        joined = browser.evaluate(rows)
+        self.assertLess(joined, before)
+        path = os.path.join(setUpModule.folder.name, "one.parts.json")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(browser.evaluate("document.querySelector('#stage').partsFile()"))
+        graph = subprocess.run([arguments.program, "graph", one, "--parts-from", path, "--json", "-", "--quiet"], check=True, capture_output=True)
+        self.assertEqual(len(json.loads(graph.stdout)["parts"]), joined)
+        browser.evaluate(click.format("Divide"))
+        self.assertGreater(browser.evaluate(rows), joined)
+        browser.evaluate(click.format("Undo all"))
+        self.assertEqual(browser.evaluate(rows), before)
 
     def test_a_collection_shows_the_match_of_two_shapes_in_the_colours_of_clusters(self):
         self.open("collection")
