@@ -6,7 +6,7 @@
 #include "blend/Blend_stage.h"
 #include "blend/Growth.h"
 #include "blend/Seen_surface.h"
-#include "blend/Straight_motion.h"
+#include "blend/Space_warp.h"
 
 #include <array>
 #include <cstddef>

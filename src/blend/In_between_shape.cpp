@@ -66,7 +66,7 @@ std::vector<Points> In_between_shape::grown(const std::vector<Blend_task>& tasks
     if (shares[i] > least_remaining) surfaces[i] = 0;
   }
   for (std::size_t i : blend.carried) { // those that change at the same time as their carrier walk on it
-    const auto way_of = [&, i = i](const Hold& hold) -> Point {
+    const auto way_of = [&](const Hold& hold) -> Point {
       const std::size_t by = hold.carrier;
       const bool is_together = tasks[by].begin < tasks[i].end && tasks[i].begin < tasks[by].end;
       return is_together ? blend.growths[by]->way(hold.place, shares[by], ways[by]) : Point::Zero();

@@ -35,15 +35,16 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange>& exchanges,
                                     bool at_one_time)
 {
-  constexpr double half_way = 0.5, first = 0.4, second = 0.6; // middles of the exchanges
-  constexpr double spread = 0.16, spread_of_step = 0.04;      // times between the first and the last place
+  // Middles of the exchanges; half-way, what is alone in its place has been exchanged
+  constexpr double middle = 0.47, first = 0.36, second = 0.58;
+  constexpr double spread = second - first, spread_of_step = 0.04; // times between the first and the last place
   constexpr double change = 0.15, overlap = 0.06;
   constexpr double earliest = 0.02, vanished = 0.27, growing = 0.7, latest = 0.98, longest = 0.15;
   const auto is_first = [](const Exchange& exchange) { return exchange.step == Exchange_step::FIRST; };
   const bool has_steps = std::any_of(exchanges.begin(), exchanges.end(), is_first);
   const auto middle_of = [&](const Exchange& exchange) {
-    if (!has_steps) return half_way + (exchange.order - 0.5) * spread;
-    if (at_one_time) return half_way;
+    if (!has_steps) return middle + (exchange.order - 0.5) * spread;
+    if (at_one_time) return middle;
     return (is_first(exchange) ? first : second) + (exchange.order - 0.5) * spread_of_step;
   };
   std::array<int, 2> deepest = {1, 1}; // indexed by end
@@ -57,8 +58,8 @@ std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vec
     const Blend_part& part = blend.parts[i];
     Blend_task task = part.task;
     if (exchanges[i].step != Exchange_step::NONE) {
-      const double middle = middle_of(exchanges[i]);
-      task.begin = part.end() == 0 ? middle + overlap / 2 - change : middle - overlap / 2;
+      const double at = middle_of(exchanges[i]);
+      task.begin = part.end() == 0 ? at + overlap / 2 - change : at - overlap / 2;
       task.end = task.begin + change;
     } else if (!part.is_matched()) {
       const int before = std::max(0, blend.depths[i] - 1);
