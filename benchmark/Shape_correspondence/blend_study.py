@@ -3,13 +3,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blends pairs of shapes and measures what people see of the blends.
 
-  blend_study.py PROGRAM OUT --pairs FILE --data FOLDER... [--only WORD,WORD] [--cache FOLDER] [--match FOLDER] [--measure-only]
+  blend_study.py PROGRAM OUT --pairs FILE --data FOLDER... [--only WORD,WORD] [--cache FOLDER] [--match FOLDER] [--glb] [--measure-only]
 
 FILE has a line for each pair: category, source, target. A shape is FOLDER/SHAPE or FOLDER/CATEGORY/SHAPE. Makes OUT/NN_SOURCE_TARGET with
 nine frames, a .json, and a .png that shows them. Prints a table as Markdown, and medians. morphs: share of the matched area of both shapes whose
 part has a task that ends as another part; matched: share of the area. jump: the largest change between two of the nine frames, as the share of
 the pixels covered in either frame of which one is empty; colour: likewise, or another part is seen. loose: the widest gap that has to be
-bridged to join all parts, over the height, more than at the ends. CPU: seconds in one thread.
+bridged to join all parts, over the height, more than at the ends. crowd: the longest time for which an old part and a new one are in one place,
+that is, share CROWDED of the smaller one's box, in the frame of either end. bent: the largest angle in degrees by which a part that is straight
+or flat at its ends is bent, or leans more than its ends, in a frame in which it has grown by half. CPU: seconds in one thread. kB: size of the animation (with --glb).
 """
 import argparse
 import glob
@@ -20,6 +22,7 @@ import shutil
 import statistics
 import struct
 import subprocess
+import sys
 import zlib
 
 import numpy as np
@@ -28,6 +31,8 @@ SIZE = 200  # pixels of a frame's side
 TURN, TILT = np.radians(32), np.radians(18)  # of the eye
 FRAMES = 9
 SAMPLES = 4  # points for each pixel of a triangle's area
+CROWDED = 0.4  # share of a box
+LARGE, SLENDER, FLAT, STRAIGHT = 0.02, 6, 6, 2  # share of the area; ratios of extents; degrees, of parts that are measured for bending
 
 
 def read_obj(file):
@@ -117,6 +122,101 @@ def morphing(frames, tasks):
     return matched / total, morphs / matched if matched else 1
 
 
+def times_of(task):
+    return task.get("begin", 0), task.get("end", 1)
+
+
+def crowd(frames, tasks):
+    """The longest time for which an old part and a new part are in one place."""
+    boxes = []
+    for end in (0, -1):
+        points = np.concatenate([triangles.reshape(-1, 3) for _, triangles in frames[end]])
+        low, size = points.min(0), np.maximum(np.ptp(points, 0), 1e-9)
+        relative = lambda triangles: ((triangles.reshape(-1, 3) - low) / size)
+        boxes.append({name: (relative(t).min(0) - 0.02, relative(t).max(0) + 0.02) for name, t in frames[end]})
+    longest = 0
+    for old in tasks:
+        for new in tasks:
+            if old["task"] != "shrink" or new["task"] != "grow":
+                continue
+            (a, b), (c, d) = boxes[0][old["source"]], boxes[1][new["target"]]
+            common = np.prod(np.clip(np.minimum(b, d) - np.maximum(a, c), 0, None))
+            if common > CROWDED * min(np.prod(b - a), np.prod(d - c)):
+                longest = max(longest, times_of(old)[1] - times_of(new)[0])
+    return longest
+
+
+def axes_of(triangles):
+    """Middle, principal axes (rows, the longest first) and extents of a surface."""
+    weights, middles = area(triangles), triangles.mean(1)
+    if weights.sum() <= 0:
+        return None
+    middle = np.average(middles, axis=0, weights=weights)
+    spread = np.einsum("t,tij,tik->jk", weights, triangles - middle, triangles - middle)
+    axes = np.linalg.eigh(spread)[1][:, ::-1].T
+    return middle, axes, np.maximum(np.ptp(triangles.reshape(-1, 3) @ axes.T, 0), 1e-9)
+
+
+def angle(a, b):
+    return np.degrees(np.arccos(np.clip(abs(a @ b) / max(np.linalg.norm(a) * np.linalg.norm(b), 1e-12), 0, 1)))
+
+
+def slices(triangles, middle, axis, count=4):
+    """Middles of slices of a surface across an axis."""
+    generator = np.random.default_rng(0)
+    weights = area(triangles)
+    chosen = generator.choice(len(triangles), 2000, p=weights / weights.sum())
+    a, b = generator.random((2, 2000))
+    a, b = np.where(a + b > 1, 1 - a, a), np.where(a + b > 1, 1 - b, b)
+    t = triangles[chosen]
+    points = t[:, 0] + a[:, None] * (t[:, 1] - t[:, 0]) + b[:, None] * (t[:, 2] - t[:, 0]) - middle
+    at = points @ axis
+    borders = np.linspace(at.min(), at.max(), count + 1)[1:-1]
+    of = np.searchsorted(borders, at)
+    return [(points[of == i].min(0) + points[of == i].max(0)) / 2 for i in range(count) if (of == i).sum() > 5]
+
+
+def bend(triangles, found):
+    """The largest angle between directions from slice to slice, along the length of a rod or, of a plate, out of its plane."""
+    middle, axes, extents = found
+    worst = 0
+    for along in range(1 if extents[0] > SLENDER * extents[1] else 2):
+        places = slices(triangles, middle, axes[along])
+        steps = np.diff(places, axis=0)
+        if along == 1 or extents[0] <= SLENDER * extents[1]:  # only out of the plane
+            steps = np.outer(steps @ axes[along], axes[along]) + np.outer(steps @ axes[2], axes[2])
+        worst = max([worst] + [angle(a, b) for a, b in zip(steps[:-1], steps[1:])])
+    return worst
+
+
+def bent(frames, tasks):
+    """The largest bend or lean of a part that is straight at its ends, and the name of the part."""
+    ends = []
+    for end in (0, -1):
+        found = {name: (triangles, axes_of(triangles)) for name, triangles in frames[end]}
+        whole = sum(area(triangles).sum() for triangles, _ in found.values())
+        is_straight = lambda t, axes: axes is not None and (
+            axes[2][0] > SLENDER * axes[2][1] or axes[2][1] > FLAT * axes[2][2]) and bend(t, axes) < STRAIGHT
+        ends.append({name: (axes, area(t).sum() / whole, bend(t, axes)) for name, (t, axes) in found.items()
+                     if area(t).sum() > LARGE * whole and is_straight(t, axes)})
+    worst, which = 0, ""
+    for frame in frames[1:-1]:
+        whole = sum(area(triangles).sum() for _, triangles in frame)
+        for name, triangles in frame:
+            names = name.split("~")
+            at = [end[part] for end, part in zip(ends, names) if part in end]
+            if len(at) < sum(part != "" for part in names) or area(triangles).sum() / whole < max(a[1] for a in at) / 2:
+                continue
+            found = axes_of(triangles)
+            principal = 0 if all(a[0][2][0] > SLENDER * a[0][2][1] for a in at) else 2  # the length, or the normal
+            to_ends = [angle(found[1][principal], a[0][1][principal]) for a in at]
+            lean = (sum(to_ends) - angle(at[0][0][1][principal], at[-1][0][1][principal])) / len(at)
+            value = max(bend(triangles, found) - max(a[2] for a in at), lean)
+            if value > worst:
+                worst, which = value, name
+    return worst, which
+
+
 def measure(folder, picture):
     frames = [read_obj(file) for file in sorted(glob.glob(os.path.join(folder, "*.obj")))]
     with open(folder + ".json") as file:
@@ -157,8 +257,11 @@ def measure(folder, picture):
     if picture:
         write_png(folder + ".png", sheet)
     matched, morphs = morphing(frames, tasks)
+    worst, which = bent(frames, tasks)
+    if worst > 5:
+        print(f"{os.path.basename(folder)}: {which} is bent", file=sys.stderr)
     return {"matched": matched, "morphs": morphs, "jump": jump, "colour": visible,
-            "loose": max(frame["quality"]["apart"] for frame in document["frames"])}
+            "loose": max(frame["quality"]["apart"] for frame in document["frames"]), "crowd": crowd(frames, tasks), "bent": worst}
 
 
 def find_model(folders, category, shape):
@@ -170,18 +273,22 @@ def find_model(folders, category, shape):
 
 
 def blend(args, models, name):
-    """Makes the frames; the seconds of processor time."""
+    """Makes the frames and, if asked for, the animation; the seconds of processor time for the frames, and the kilobytes."""
     folder = os.path.join(args.out, name)
     shutil.rmtree(folder, ignore_errors=True)
-    command = [args.program, "blend", *models, "-o", folder, "--frames", str(FRAMES), "--json", folder + ".json", "-q", "--threads", "1"]
+    command = [args.program, "blend", *models, "-q", "--threads", "1"]
     if args.cache:
         command += ["--cache", args.cache]
     if args.match:
         command += ["--match", os.path.join(args.match, name + ".json")]
     used = lambda: sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
     before = used()
-    subprocess.run(command, check=True)
-    return used() - before
+    subprocess.run(command + ["-o", folder, "--frames", str(FRAMES), "--json", folder + ".json"], check=True)
+    seconds = used() - before
+    if not args.glb:
+        return {"CPU": seconds}
+    subprocess.run(command + ["-o", folder + ".glb"], check=True)
+    return {"CPU": seconds, "kB": os.path.getsize(folder + ".glb") / 1000}
 
 
 def main():
@@ -194,6 +301,7 @@ def main():
     parser.add_argument("--cache")
     parser.add_argument("--match")
     parser.add_argument("--measure-only", action="store_true")
+    parser.add_argument("--glb", action="store_true")
     args = parser.parse_args()
     os.makedirs(args.out, exist_ok=True)
     with open(args.pairs) as file:
@@ -204,8 +312,8 @@ def main():
         models = [find_model(args.data, category, shape) for shape in (source, target)]
         if None in models or not any(word in name for word in args.only.split(",")):
             continue
-        seconds = 0 if args.measure_only else blend(args, models, name)
-        row = {**measure(os.path.join(args.out, name), True), "CPU": seconds}
+        made = {} if args.measure_only else blend(args, models, name)
+        row = {**measure(os.path.join(args.out, name), True), **made}
         if not rows:
             print("| blend | " + " | ".join(row) + " |\n|---|" + "---|" * len(row))
         rows.append(row)

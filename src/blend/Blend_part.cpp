@@ -187,7 +187,6 @@ void Blend_part::set_ends()
   for (int surface = 0; surface < number_of_surfaces(); ++surface) {
     const Points at_end = points(surface, surface);
     trees.push_back(tree_of(at_end, triangles(surface)));
-    rests.emplace_back(at_end, triangles(surface));
     size = std::max(size, trees.back().box().diagonal().norm());
   }
 }

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "blend/Part_morph.h"
-#include "blend/Rest_surface.h"
 #include "map/Charted_mesh.h"
 #include "map/Piece_pair.h"
 
@@ -31,7 +30,6 @@ struct Blend_part
   std::shared_ptr<const Part_morph> morph;    ///< defined for matched parts
   Part_mesh mesh;                             ///< defined for unmatched parts, which shrink or grow
   std::vector<contacts::Triangle_tree> trees; ///< indexed by surface, at the surface's end of the blend
-  std::vector<Rest_surface> rests;
   double change =
       0; ///< how much a matched part changes its proportions and position, if more than little; see `Difference`
   double size = 0; ///< the greater of the diagonals of the surfaces' bounding boxes
@@ -53,7 +51,7 @@ struct Blend_part
   Points end_points(int at_end) const { return points(end_surface(at_end), at_end); }
   const contacts::Triangle_tree& end_tree(int at_end) const { return trees[std::size_t(end_surface(at_end))]; }
 
-  /// Sets the members derived from the surfaces: trees, rests and size.
+  /// Sets the members derived from the surfaces: trees and size.
   void set_ends();
 };
 

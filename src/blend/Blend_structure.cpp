@@ -7,12 +7,9 @@
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 
 namespace CGAL::Shape_correspondence::internal {
 namespace {
@@ -52,120 +49,134 @@ bool carries(const Blend_part& part)
   return part.is_matched() || part.task.obstacle != Blend_obstacle::NONE || stands(part);
 }
 
+/// Extends distances, in contacts, of some parts to all that are connected with them; the others keep theirs.
+void spread(std::vector<int>& distances, const std::vector<Touch>& touches)
+{
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (const Touch& touch : touches)
+      for (std::size_t i : {0u, 1u}) {
+        int& distance = distances[touch[i]];
+        const int by_other = distances[touch[1 - i]] + 1;
+        if (by_other < distance) distance = by_other, is_new = true;
+      }
+  }
+}
+
 std::vector<int> depths_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
 {
   const int unknown = int(parts.size());
   std::vector<int> result(parts.size(), unknown);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (carries(parts[i])) result[i] = 0;
-  for (bool is_new = true; is_new;) {
-    is_new = false;
-    for (const Touch& touch : touches)
-      for (std::size_t i : {0u, 1u}) {
-        int& depth = result[touch[i]];
-        const bool is_less = result[touch[1 - i]] + 1 < depth;
-        if (is_less) depth = result[touch[1 - i]] + 1, is_new = true;
-      }
-  }
+  spread(result, touches);
   for (int& depth : result)
     if (depth == unknown) depth = 1; // attached to nothing
   return result;
 }
 
-/// Where an unmatched part is held: by those that carry it or, if it carries others itself, by all that it touches.
-std::vector<Point> places_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches,
-                             const std::vector<int>& depths, std::size_t number)
+/// The number of contacts between each part and those that morph or, where none does, the largest of the parts that are
+/// connected with it.
+std::vector<int> ranks_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
 {
-  const Blend_part& part = parts[number];
-  std::vector<Point> result;
-  for (const Touch& touch : touches) {
-    if (touch[0] != number && touch[1] != number) continue;
-    const std::size_t other = touch[0] == number ? touch[1] : touch[0];
-    if (!parts[other].is_at(part.end())) continue;
-    if (depths[number] == 0 || depths[other] < depths[number])
-      // The overlap of the boxes, or the gap between them
-      result.push_back(part.trees[0].box().intersection(parts[other].end_tree(part.end()).box()).center());
+  const int unknown = int(parts.size());
+  std::vector<int> result(parts.size(), unknown);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].is_matched()) result[i] = 0;
+  spread(result, touches);
+  while (std::find(result.begin(), result.end(), unknown) != result.end()) {
+    Steps largest = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (result[i] == unknown) largest = std::max(largest, quantized(parts[i].size));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (result[i] == unknown && quantized(parts[i].size) == largest) result[i] = 0;
+    spread(result, touches);
   }
-  if (stands(part) || result.empty()) result.push_back(foot_of(part.mesh.points));
   return result;
+}
+
+/// The middle of a contact, by boxes: their overlap, or the gap between them.
+Point place_of(const std::vector<Blend_part>& parts, const Touch& touch, int end)
+{
+  return parts[touch[0]].end_tree(end).box().intersection(parts[touch[1]].end_tree(end).box()).center();
 }
 
 } // namespace
-
-Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& places)
-    : chart_(chart), points_(points), coordinates_(3, points.cols()), offsets_(3, points.cols())
-{
-  constexpr double near = 0.25; // distance along the axis, in coordinates, of places of which one stays
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const Point k = chart.coordinates(points.col(i));
-    coordinates_.col(i) = k;
-    offsets_.col(i) = chart.frame(k).inverse() * (points.col(i) - chart(k));
-  }
-  contacts::Box box;
-  std::vector<Point> sorted;
-  for (const Point& place : places) {
-    sorted.push_back(chart.coordinates(place));
-    box.extend(sorted.back());
-  }
-  box.sizes().cwiseProduct(chart.half_extents()).maxCoeff(&axis_);
-  const auto key = [&](const Point& k) {
-    const Point p = chart(k);
-    return std::tuple(quantized(p.y()), quantized(p.z()));
-  };
-  std::sort(sorted.begin(), sorted.end(), [&](const Point& a, const Point& b) {
-    return std::tuple(quantized(a[axis_]), key(a)) < std::tuple(quantized(b[axis_]), key(b));
-  });
-  for (const Point& place : sorted)
-    if (places_.empty() || place[axis_] - places_.back()[axis_] > near)
-      places_.push_back(place);
-    else if (key(place) < key(places_.back()))
-      places_.back() = place;
-    else if (!(key(places_.back()) < key(place)))
-      places_.back() = (places_.back() + place) / 2; // mirror images
-}
-
-/// The point of the line through the places that is next to a point along the axis.
-Point Growth::held(const Point& k) const
-{
-  const auto next = std::find_if(places_.begin(), places_.end(), [&](const Point& p) { return p[axis_] >= k[axis_]; });
-  if (next == places_.begin()) return places_.front();
-  if (next == places_.end()) return places_.back();
-  const Point &a = *(next - 1), &b = *next;
-  return a + (k[axis_] - a[axis_]) / (b[axis_] - a[axis_]) * (b - a);
-}
-
-Points Growth::points(double share) const
-{
-  if (share >= 1) return points_;
-  Points result(3, points_.cols());
-  for (Eigen::Index i = 0; i < result.cols(); ++i) {
-    const Point k = coordinates_.col(i), from = held(k), now = from + share * (k - from);
-    result.col(i) = chart_(now) + chart_.frame(now) * (share * offsets_.col(i));
-  }
-  return result;
-}
 
 Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const Correspondence& correspondence,
                                  const Blend_options& options)
     : stage(inputs, options.size)
 {
   parts = blend_parts(stage, correspondence, unlike);
+  motions.resize(parts.size());
   touches = touches_of(stage, parts, options.contact_tolerance);
   depths = depths_of(parts, touches);
+  const std::vector<int> ranks = ranks_of(parts, touches);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     growths.emplace_back();
     if (parts[i].is_matched()) continue;
-    const auto end = std::size_t(parts[i].end());
-    growths[i].emplace(stage.charted[end].charts[parts[i].given(parts[i].end())], parts[i].mesh.points,
-                       places_of(parts, touches, depths, i));
+    carried.push_back(i);
+    growths[i].emplace(chart_of(i), parts[i].mesh.points, holds(i, ranks));
   }
+  std::stable_sort(carried.begin(), carried.end(), [&](std::size_t a, std::size_t b) { return ranks[a] < ranks[b]; });
   for (int end : {0, 1}) {
     std::vector<Seen_surface> seen;
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (parts[i].is_at(end)) seen.emplace_back(parts, i, parts[i].end_surface(end), parts[i].end_points(end));
     supports[std::size_t(end)] = number_of_supports(seen);
-    if (!seen.empty() && !seen.back().part.is_matched()) warps[std::size_t(end)].emplace(stage, parts, unlike, end);
+    if (!seen.empty() && !seen.back().part.is_matched()) set_motions(end);
   }
+}
+
+/// Where an unmatched part touches others, or the ground.
+Points Blend_structure::contacts(std::size_t unmatched) const
+{
+  const Blend_part& part = parts[unmatched];
+  std::vector<Point> places;
+  for (const Touch& touch : touches)
+    if (touch[0] == unmatched || touch[1] == unmatched) places.push_back(place_of(parts, touch, part.end()));
+  if (stands(part)) places.push_back(foot_of(part.mesh.points));
+  Points result(3, Eigen::Index(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    result.col(Eigen::Index(i)) = places[i];
+  return result;
+}
+
+/// Sets the warp of an end, and how its unmatched parts follow it.
+void Blend_structure::set_motions(int end)
+{
+  constexpr double half_way = 0.5;
+  const Space_warp& warp = warps[std::size_t(end)].emplace(stage, parts, unlike, end);
+  std::vector<Points> surfaces;
+  for (const Blend_part& part : parts)
+    surfaces.push_back(part.is_matched() ? part.points(end, half_way) : Points());
+  const Points ways = warp.ways(parts, surfaces, half_way);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!parts[i].is_matched() && parts[i].end() == end) motions[i].emplace(chart_of(i), contacts(i), warp, ways);
+}
+
+const Part_chart& Blend_structure::chart_of(std::size_t unmatched) const
+{
+  const int end = parts[unmatched].end();
+  return stage.charted[std::size_t(end)].charts[parts[unmatched].given(end)];
+}
+
+/// Where an unmatched part is held: by those that carry it or, if it carries others itself, by all that it touches.
+std::vector<Hold> Blend_structure::holds(std::size_t unmatched, const std::vector<int>& ranks) const
+{
+  const Blend_part& part = parts[unmatched];
+  std::vector<Hold> result;
+  for (const Touch& touch : touches) {
+    if (touch[0] != unmatched && touch[1] != unmatched) continue;
+    const std::size_t other = touch[touch[0] == unmatched ? 1 : 0];
+    if (!parts[other].is_at(part.end()) || (depths[unmatched] > 0 && depths[other] >= depths[unmatched])) continue;
+    const Hold::By by = parts[other].is_matched()         ? Hold::By::MATCHED
+                        : ranks[other] < ranks[unmatched] ? Hold::By::CARRIER
+                                                          : Hold::By::OTHER;
+    result.push_back({place_of(parts, touch, part.end()), by, other});
+  }
+  if (stands(part) || result.empty()) result.push_back({foot_of(part.mesh.points), Hold::By::GROUND});
+  return result;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "blend/Blend_stage.h"
+#include "blend/Growth.h"
 #include "blend/Seen_surface.h"
 #include "blend/Space_warp.h"
 
@@ -16,27 +17,6 @@ namespace CGAL::Shape_correspondence::internal {
 
 /// Two parts of a blend that touch at one of the ends or at both.
 using Touch = std::array<std::size_t, 2>;
-
-/// How an unmatched part comes and goes: it grows from the line through places that stay, along its own curve or sheet.
-class Growth
-{
-public:
-  /// \param chart the chart of the part
-  /// \param places where others hold the part, at least one
-  Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& places);
-
-  /// The points when a share, in [0, 1], has grown.
-  Points points(double share) const;
-
-private:
-  Point held(const Point& k) const;
-
-  Part_chart chart_;
-  Points points_;
-  Points coordinates_, offsets_; ///< in the chart, and from there to the points in the chart's frames
-  int axis_ = 0;                 ///< coordinate along which the places are farthest apart
-  std::vector<Point> places_;    ///< coordinates of the places that stay, sorted along the axis
-};
 
 /// The structure of a blend: its parts, which of them touch, and properties of both shapes. Lengths are relative to the
 /// height, on the stage; arrays are indexed by end.
@@ -54,8 +34,17 @@ public:
   /// For each part, the number of parts between it and what carries it: what morphs, is exchanged, or stands on the
   /// ground.
   std::vector<int> depths;
+  std::vector<std::size_t> carried;               ///< the unmatched parts, what is carried after what carries it
   std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts
-  std::array<double, 2> supports;                 ///< numbers of parts on the ground
+  /// For each part, how it follows the warp of its end; defined if it is unmatched.
+  std::vector<std::optional<Straight_motion>> motions;
+  std::array<double, 2> supports; ///< numbers of parts on the ground
+
+private:
+  const Part_chart& chart_of(std::size_t unmatched) const;
+  std::vector<Hold> holds(std::size_t unmatched, const std::vector<int>& ranks) const;
+  Points contacts(std::size_t unmatched) const;
+  void set_motions(int end);
 };
 
 } // namespace CGAL::Shape_correspondence::internal

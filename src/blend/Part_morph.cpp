@@ -3,8 +3,8 @@
 
 #include "blend/Part_morph.h"
 
+#include "base/clamped.h"
 #include "base/quantized.h"
-#include "blend/Rest_surface.h"
 #include "map/Charted_mesh.h"
 
 #include <Eigen/Geometry>
@@ -98,6 +98,50 @@ double spread_of(const Points& offsets, const Points& points, const Eigen::Matri
   return all > 0 ? std::sqrt(sum / all) / diagonal : 0;
 }
 
+/// How a surface looks along three axes.
+struct Look
+{
+  std::array<double, 3> covered; ///< share of the bounding rectangle that is covered, by axis
+  double area;                   ///< over that of the bounding box
+};
+
+/// Marks the cells of a grid that a triangle covers, by samples.
+void mark_covered(const std::array<Eigen::Vector2d, 3>& corners, int cells, std::vector<char>& marks)
+{
+  const auto& [a, b, c] = corners;
+  const int steps = 1 + int(std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}));
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; i + j <= steps; ++j) {
+      const Eigen::Vector2d p = (double(i) * a + double(j) * b + double(steps - i - j) * c) / steps;
+      marks[std::size_t(clamped_cell(p.x(), cells - 1) * cells + clamped_cell(p.y(), cells - 1))] = 1;
+    }
+}
+
+Look look_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3d& axes)
+{
+  constexpr int cells = 32;
+  constexpr double thin = 0.02; // least extent, over the longest
+  const Points local = axes.transpose() * points;
+  const Point low = local.rowwise().minCoeff(), extents = local.rowwise().maxCoeff() - low,
+              sizes = extents.cwiseMax(thin * extents.maxCoeff());
+  Look result = {{}, 0};
+  for (std::size_t axis : {0u, 1u, 2u}) {
+    const auto u = Eigen::Index((axis + 1) % 3), v = Eigen::Index((axis + 2) % 3);
+    std::vector<char> marks(cells * cells, 0);
+    for (const auto& corners : triangles.colwise()) {
+      const auto place = [&](int i) -> Eigen::Vector2d {
+        return cells * Eigen::Vector2d((local(u, i) - low[u]) / sizes[u], (local(v, i) - low[v]) / sizes[v]);
+      };
+      mark_covered({place(corners[0]), place(corners[1]), place(corners[2])}, cells, marks);
+    }
+    result.covered[axis] = double(std::count(marks.begin(), marks.end(), 1)) / (cells * cells);
+  }
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+    result.area += contacts::area_vector(triangle_of(local, triangles, t)).norm();
+  result.area /= 4 * (sizes[0] * sizes[1] + sizes[1] * sizes[2] + sizes[2] * sizes[0]);
+  return result;
+}
+
 } // namespace
 
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
@@ -117,17 +161,16 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
   return charts_along(surfaces, {from, best});
 }
 
-Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target)
+Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, double longest_edge)
     : charts_{charts.source, charts.target}
 {
-  add(charts.source, source);
-  add(charts.target, target);
+  add(charts.source, source, longest_edge);
+  add(charts.target, target, longest_edge);
   meet();
 }
 
-void Part_morph::add(const Part_chart& chart, const Part_mesh& mesh)
+void Part_morph::add(const Part_chart& chart, const Part_mesh& mesh, double longest_edge)
 {
-  constexpr double longest_edge = 0.3; // in chart coordinates, from -1 to 1; no part of 2, which rounding would decide
   const Charted_mesh fine = charted_mesh(mesh, chart, longest_edge);
   const Chart_outline& outline = outlines_.emplace_back(fine.coordinates, fine.triangles);
   Sliding_surface surface = {fine.triangles, places_on(outline, chart, fine), Points(3, fine.points.cols()),
@@ -164,14 +207,23 @@ void Part_morph::meet()
 bool Part_morph::is_faithful() const
 {
   constexpr double most = 0.04, most_together = 0.05; // error, misfit, and their sum
-  constexpr double most_torn = 0.3;                   // share of a surface
-  if (!(error_ <= most && misfit_ <= most && error_ + misfit_ <= most_together)) return false;
-  for (int side : {0, 1}) {
-    const Rest_surface rest(points(side, side), triangles(side));
-    const Points at_change = points(side, change);
-    if (rest.torn_area(at_change) > most_torn * rest.area(at_change)) return false;
+  return error_ <= most && misfit_ <= most && error_ + misfit_ <= most_together && looks_alike();
+}
+
+/// Whether the surface half-way covers as much as either end, along each axis, and is no rougher.
+bool Part_morph::looks_alike() const
+{
+  constexpr double more = 0.08;   // share of the bounding rectangle
+  constexpr double rougher = 1.2; // ratio of areas
+  const Look first = look_of(points(0, 0), triangles(0), charts_[0].axes()),
+             last = look_of(points(1, 1), triangles(1), charts_[1].axes()),
+             half_way =
+                 look_of(points(0, change), triangles(0), Part_chart::between(charts_[0], charts_[1], change).axes());
+  for (std::size_t axis : {0u, 1u, 2u}) {
+    const auto [least, most] = std::minmax(first.covered[axis], last.covered[axis]);
+    if (half_way.covered[axis] < least - more || half_way.covered[axis] > most + more) return false;
   }
-  return true;
+  return half_way.area <= rougher * std::max(first.area, last.area);
 }
 
 Points Part_morph::points(int surface, double t) const
@@ -195,13 +247,21 @@ std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& cha
                                              const Part_mesh& target)
 {
   constexpr double good = 0.015; // sum of error and misfit, below which further charts are not tried
+  constexpr std::array coarser = {3.1, 0.9};
+  constexpr double worse = 0.002; // by how much their sum of error and misfit may exceed that of the finest
   std::shared_ptr<const Part_morph> best;
+  const Pair_charts* best_pair = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const Pair_charts& pair : charts) {
     const auto morph = std::make_shared<const Part_morph>(pair, source, target);
     const double cost = morph->error() + morph->misfit();
-    if (cost < least && morph->is_faithful()) least = cost, best = morph;
+    if (cost < least && morph->is_faithful()) least = cost, best = morph, best_pair = &pair;
     if (least < good) break;
+  }
+  for (double longest_edge : coarser) {
+    if (!best) break;
+    const auto morph = std::make_shared<const Part_morph>(*best_pair, source, target, longest_edge);
+    if (morph->error() + morph->misfit() <= least + worse && morph->is_faithful()) return morph;
   }
   return best;
 }

@@ -31,8 +31,12 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 class Part_morph
 {
 public:
+  /// Length of edges, in coordinates from -1 to 1, to which meshes are subdivided so that they can be bent. It is no
+  /// part of 2, which rounding would decide.
+  static constexpr double fine = 0.3;
+
   /// \param charts the charts of both ends, of curves, along which the sections are
-  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target);
+  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, double longest_edge = fine);
 
   static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
 
@@ -46,7 +50,8 @@ public:
   double error() const { return error_; }
   /// Likewise, of the surfaces from each other when one replaces the other, before they slide onto each other.
   double misfit() const { return misfit_; }
-  /// Whether the stand-in describes both parts well enough, and neither is torn.
+  /// Whether the stand-in describes both parts well enough, and the surface half-way is no rougher, and covers neither
+  /// more nor less, than both ends.
   bool is_faithful() const;
 
 private:
@@ -59,8 +64,9 @@ private:
     Points meets;   ///< likewise, from there to the other surface, at the change
   };
 
-  void add(const Part_chart& chart, const Part_mesh& mesh);
+  void add(const Part_chart& chart, const Part_mesh& mesh, double longest_edge);
   void meet();
+  bool looks_alike() const;
 
   // Members by end
   std::array<Part_chart, 2> charts_;
@@ -69,7 +75,8 @@ private:
   double error_ = 0, misfit_ = 0;
 };
 
-/// The morph in one of several pairs of charts in which the stand-in is the best; null if none is faithful.
+/// The morph in one of several pairs of charts in which the stand-in is the best; null if none is faithful. Its meshes
+/// are subdivided no more than it takes.
 std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& charts, const Part_mesh& source,
                                              const Part_mesh& target);
 

@@ -6,6 +6,7 @@
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
 #include "shape/all_vertices.h"
+#include "shape/sample_triangles.h"
 
 #include <algorithm>
 #include <array>
@@ -37,11 +38,12 @@ bool is_inside(const Point& p, const contacts::Triangle_tree& surface)
 double share_inside(const Seen_surface& a, const Seen_surface& b)
 {
   if (!a.tree.box().intersects(b.tree.box())) return 0;
-  const Points samples = a.rest.samples(a.points);
+  constexpr int samples = 24;
+  const Part_mesh mesh{a.points, a.part.triangles(a.surface)};
   int inside = 0;
-  for (const auto& p : samples.colwise())
+  for (const Point& p : contacts::sample_triangles(contacts::sampled_triangles_of(mesh), samples).points)
     inside += is_inside(p, b.tree);
-  return samples.cols() > 0 ? double(inside) / double(samples.cols()) : 0;
+  return double(inside) / samples;
 }
 
 Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
@@ -87,11 +89,7 @@ double widest_gap(const Tree_pointers& surfaces, double enough)
 }
 
 Seen_surface::Seen_surface(const std::vector<Blend_part>& parts, std::size_t number, int surface, const Points& points)
-    : number(number),
-      part(parts[number]),
-      rest(part.rests[std::size_t(surface)]),
-      points(points),
-      tree(part.trees[std::size_t(surface)])
+    : number(number), part(parts[number]), surface(surface), points(points), tree(part.trees[std::size_t(surface)])
 {
   tree.move([&](std::size_t t) { return triangle_of(points, part.triangles(surface), Eigen::Index(t)); });
 }

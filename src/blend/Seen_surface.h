@@ -29,7 +29,7 @@ struct Seen_surface
 
   std::size_t number;
   const Blend_part& part;
-  const Rest_surface& rest;
+  int surface; ///< index of the surface of the part
   Points points;
   contacts::Triangle_tree tree;
 };

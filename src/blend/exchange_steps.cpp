@@ -100,12 +100,23 @@ public:
     find_joined();
   }
 
-  std::vector<Exchange_step> steps(const std::function<bool(double)>& progress) const
+  std::vector<Exchange> steps(const std::function<bool(double)>& progress) const
   {
     const Parts is_there = best(progress);
-    std::vector<Exchange_step> result(seen_.size(), Exchange_step::NONE);
+    std::vector<Exchange> result(seen_.size());
     for (std::size_t i = 0; i < result.size(); ++i)
-      if (is_exchanged(i)) result[i] = is_there[i] != old_[i] ? Exchange_step::FIRST : Exchange_step::SECOND;
+      if (is_exchanged(i)) result[i].step = is_there[i] != old_[i] ? Exchange_step::FIRST : Exchange_step::SECOND;
+    for (Exchange_step step : {Exchange_step::FIRST, Exchange_step::SECOND}) {
+      std::vector<std::size_t> places; // in which something changes in this step, from the ground up
+      for (const Parts& group : exchanged_)
+        if (const std::size_t part = group.find_first(); result[part].step == step)
+          if (std::find(places.begin(), places.end(), places_[part]) == places.end()) places.push_back(places_[part]);
+      for (std::size_t i = 0; i < result.size() && places.size() > 1; ++i) {
+        if (result[i].step != step) continue;
+        const auto at = std::find(places.begin(), places.end(), places_[i]) - places.begin();
+        result[i].order = double(at) / double(places.size() - 1);
+      }
+    }
     return result;
   }
 
@@ -402,7 +413,7 @@ private:
 
 } // namespace
 
-std::vector<Exchange_step> exchange_steps(const Blend_structure& blend, const std::function<bool(double)>& progress)
+std::vector<Exchange> exchange_steps(const Blend_structure& blend, const std::function<bool(double)>& progress)
 {
   return Exchange_search(blend).steps(progress);
 }

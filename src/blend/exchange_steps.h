@@ -13,7 +13,14 @@ namespace CGAL::Shape_correspondence::internal {
 /// How a part changes: in the first or second step of an exchange, or (`NONE`) by morphing, appearing or vanishing.
 enum class Exchange_step { NONE, FIRST, SECOND };
 
-/// For each part, its step of exchange.
+/// A part's step of exchange, and the order in which the parts of a step change.
+struct Exchange
+{
+  Exchange_step step = Exchange_step::NONE;
+  double order = 0.5; ///< from 0 to 1, from the ground up; equal for parts in one place
+};
+
+/// For each part, how it is exchanged.
 ///
 /// Parts are *exchanged* if they replace others or are replaced by them: if groups, contacts and shared places connect
 /// them with parts of both ends. A *group* changes in one step: parts that correspond, mirror images, all parts on the
@@ -26,6 +33,6 @@ enum class Exchange_step { NONE, FIRST, SECOND };
 /// found by local search, starting from steps in order of height. If no mixed shape costs less than both ends,
 /// everything is in the second step.
 /// \param progress called before every search with the share done; `false` ends the search with the best steps so far
-std::vector<Exchange_step> exchange_steps(const Blend_structure& blend, const std::function<bool(double)>& progress);
+std::vector<Exchange> exchange_steps(const Blend_structure& blend, const std::function<bool(double)>& progress);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -29,30 +29,37 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
   return worst;
 }
 
-/// The tasks with their times. Exchanged parts change together with the surfaces of matched parts or, in two steps, one
-/// before and one after that: old parts go while new ones come, for a short time both. Unmatched parts that are not
-/// exchanged vanish before the first step, what is carried before what carries it, or grow after the second, the
-/// inverse.
-std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange_step>& steps,
+/// The tasks with their times. Exchanged parts change about half-way or, in two steps, before and after that: old parts
+/// go while new ones come, for a short time both, one place after the other. Unmatched parts that are not exchanged
+/// vanish before the first step, what is carried before what carries it, or grow after the second, the inverse.
+std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange>& exchanges,
                                     bool at_one_time)
 {
-  constexpr double first = 0.36, second = 0.58; // middles of the steps
-  constexpr double change = 0.09, overlap = 0.02;
-  constexpr double earliest = 0.02, vanished = 0.27, growing = 0.67, latest = 0.98, longest = 0.15;
-  const bool has_steps = !at_one_time && std::count(steps.begin(), steps.end(), Exchange_step::FIRST) > 0;
+  // Middles of the exchanges; half-way, what is alone in its place has been exchanged
+  constexpr double middle = 0.47, first = 0.36, second = 0.58;
+  constexpr double spread = second - first, spread_of_step = 0.04; // times between the first and the last place
+  constexpr double change = 0.15, overlap = 0.06;
+  constexpr double earliest = 0.02, vanished = 0.27, growing = 0.7, latest = 0.98, longest = 0.15;
+  const auto is_first = [](const Exchange& exchange) { return exchange.step == Exchange_step::FIRST; };
+  const bool has_steps = std::any_of(exchanges.begin(), exchanges.end(), is_first);
+  const auto middle_of = [&](const Exchange& exchange) {
+    if (!has_steps) return middle + (exchange.order - 0.5) * spread;
+    if (at_one_time) return middle;
+    return (is_first(exchange) ? first : second) + (exchange.order - 0.5) * spread_of_step;
+  };
   std::array<int, 2> deepest = {1, 1}; // indexed by end
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (const Blend_part& part = blend.parts[i]; !part.is_matched() && steps[i] == Exchange_step::NONE)
+  for (std::size_t i = 0; i < exchanges.size(); ++i)
+    if (const Blend_part& part = blend.parts[i]; !part.is_matched() && exchanges[i].step == Exchange_step::NONE)
       deepest[std::size_t(part.end())] = std::max(deepest[std::size_t(part.end())], blend.depths[i]);
   const double going = std::min(longest, (vanished - earliest) / deepest[0]),
                coming = std::min(longest, (latest - growing) / deepest[1]);
   std::vector<Blend_task> result;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
+  for (std::size_t i = 0; i < exchanges.size(); ++i) {
     const Blend_part& part = blend.parts[i];
     Blend_task task = part.task;
-    if (steps[i] != Exchange_step::NONE) {
-      const double middle = !has_steps ? Part_morph::change : steps[i] == Exchange_step::FIRST ? first : second;
-      task.begin = part.end() == 0 ? middle + overlap / 2 - change : middle - overlap / 2;
+    if (exchanges[i].step != Exchange_step::NONE) {
+      const double at = middle_of(exchanges[i]);
+      task.begin = part.end() == 0 ? at + overlap / 2 - change : at - overlap / 2;
       task.end = task.begin + change;
     } else if (!part.is_matched()) {
       const int before = std::max(0, blend.depths[i] - 1);
@@ -79,10 +86,10 @@ std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const
   constexpr double most_apart = 0.05, most_missing = 0.6;
   bool goes_on = true;
   const auto go_on = [&](double done) { return goes_on = goes_on && (!options.progress || options.progress(done)); };
-  const std::vector<Exchange_step> steps = exchange_steps(blend, [&](double done) { return go_on(done / 2); });
+  const std::vector<Exchange> exchanges = exchange_steps(blend, [&](double done) { return go_on(done / 2); });
   std::vector<Blend_schedule> result;
   for (const std::string& name : Shape_blend::schedule_names())
-    result.push_back({name, timed_tasks(blend, steps, !result.empty()), {}});
+    result.push_back({name, timed_tasks(blend, exchanges, !result.empty()), {}});
   Blend_schedule &in_steps = result[0], &at_once = result[1];
   if (!go_on(0.5)) return result;
   in_steps.quality = quality_of(blend, in_steps.tasks, options.samples);

@@ -146,6 +146,23 @@ TEST_CASE("The warp between symmetric shapes is symmetric")
   }
 }
 
+TEST_CASE("An unmatched post that touches one part stays straight and upright")
+{
+  // The top moves to one side; a post stands beside it, and touches only the base
+  std::vector<Named_box> from = stand(), to = stand();
+  from.push_back({"post", {0.44, 0.4, 0.25}, {0.06, 0.6, 0.06}});
+  to[2].middle.x() = 0.3;
+  const Shape_blend blend = blend_of(model_of(from), model_of(to), same_parts(3));
+  for (double t : {0.05, 0.1}) {
+    const Segmented_shape shape = blend(t);
+    const Part_mesh* post = mesh_of(shape, "post~");
+    REQUIRE(post);
+    const internal::contacts::Box box = internal::box_of(post->points);
+    CHECK(box.sizes().x() == Approx(0.06).epsilon(0.1)); // it leans by less than .6 degrees
+    CHECK(box.sizes().z() == Approx(0.06).epsilon(0.1));
+  }
+}
+
 TEST_CASE("Blends do not depend on units and places")
 {
   // Corners of boxes are equally far from each other up to rounding

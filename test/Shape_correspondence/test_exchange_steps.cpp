@@ -2,7 +2,6 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "blend/Part_morph.h"
 #include "blend/exchange_steps.h"
 #include "box_models.h"
 
@@ -38,10 +37,10 @@ std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, c
   const std::array<internal::Blend_input, 2> inputs = {internal::Blend_input{source.graph, source.shape, 0},
                                                        internal::Blend_input{target.graph, target.shape, 0}};
   const internal::Blend_structure blend(inputs, correspondence, {});
-  const std::vector<Exchange_step> found = internal::exchange_steps(blend, [](double) { return true; });
+  const std::vector<internal::Exchange> found = internal::exchange_steps(blend, [](double) { return true; });
   std::map<std::string, Exchange_step> result;
   for (std::size_t i = 0; i < found.size(); ++i)
-    result[blend.parts[i].name] = found[i];
+    result[blend.parts[i].name] = found[i].step;
   return result;
 }
 
@@ -85,16 +84,16 @@ TEST_CASE("Exchanges have two times, or one if that is asked for")
     std::map<double, int> result;
     for (const Blend_task& task : blend.schedules()[0].tasks)
       if (task.type != Blend_task_type::MORPH) // the middle of the time in which old and new parts are there
-        ++result[std::round(1000 * (task.type == Blend_task_type::SHRINK ? task.end - 0.01 : task.begin + 0.01)) /
+        ++result[std::round(1000 * (task.type == Blend_task_type::SHRINK ? task.end - 0.03 : task.begin + 0.03)) /
                  1000];
     return result;
   };
   const std::map<double, int> two = ends("in two steps"), one = ends("at one time");
   REQUIRE(two.size() == 2);
-  CHECK(two.begin()->first < internal::Part_morph::change);
-  CHECK(two.rbegin()->first > internal::Part_morph::change);
+  CHECK(two.begin()->first < 0.5);
+  CHECK(two.rbegin()->first > 0.5);
   CHECK((two.begin()->second == 3 || two.rbegin()->second == 3)); // two walls and a column
-  CHECK(one == std::map<double, int>{{internal::Part_morph::change, 5}});
+  CHECK(one == std::map<double, int>{{0.47, 5}});
   CHECK(ends("") == two);
 }
 

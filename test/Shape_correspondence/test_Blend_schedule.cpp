@@ -1,0 +1,83 @@
+// Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
+//
+// This file is part of the CGAL package Shape_correspondence.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "box_models.h"
+
+#include <CGAL/Shape_correspondence/Blend_schedule.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Kinds of tasks, and the times at which parts come, go and replace others.
+
+using namespace CGAL::Shape_correspondence;
+using namespace box_models;
+
+namespace {
+
+constexpr double longest_crowd = 0.1;
+
+/// A board on walls or columns, a lamp that hangs from it, and a box on it.
+Box_model shelf(double width_of_supports, double width)
+{
+  return model_of({{"board", {0, 0.6, 0}, {1.6, 0.08, 0.8}},
+                   {"left support", {-0.6, 0.28, 0}, {0.05, 0.56, width_of_supports}},
+                   {"right support", {0.6, 0.28, 0}, {0.05, 0.56, width_of_supports}},
+                   {"lamp", {0, 0.46, 0}, {width, 0.2, 0.05}},
+                   {"box", {0, 0.8, 0}, {width, 0.32, width}}});
+}
+
+/// Begin and end of the tasks of some type, by place: that of the supports, 's', the lamp, 'l', or the box, 'b'.
+std::map<char, std::pair<double, double>> times(const Shape_blend& blend, const Box_model& model, Blend_task_type type)
+{
+  std::map<char, std::pair<double, double>> result;
+  for (const Blend_task& task : blend.schedules()[0].tasks) {
+    if (task.type != type) continue;
+    const std::string& name = model.shape.parts()[type == Blend_task_type::GROW ? task.target : task.source].name;
+    const std::pair when(task.begin, task.end);
+    const char place = name.find("support") == std::string::npos ? name[0] : 's';
+    const auto [known, is_new] = result.emplace(place, when);
+    CHECK(known->second == when); // what stands changes at one time
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("A task without times and parts is a morph over the whole time between no parts")
+{
+  const Blend_task task;
+  CHECK(task.type == Blend_task_type::MORPH);
+  CHECK(task.obstacle == Blend_obstacle::NONE);
+  CHECK((task.source == Blend_task::no_part && task.target == Blend_task::no_part));
+  CHECK((task.begin == 0 && task.end == 1));
+  const Blend_schedule schedule;
+  CHECK((schedule.tasks.empty() && schedule.quality.support == 0 && schedule.quality.apart == 0));
+}
+
+TEST_CASE("What is exchanged changes place by place: old and new are together for no more than a tenth of the time")
+{
+  const Box_model source = shelf(0.7, 0.9), target = shelf(0.05, 0.06);
+  const Shape_blend blend = blend_of(source, target, same_parts(1));
+  const auto go = times(blend, source, Blend_task_type::SHRINK), come = times(blend, target, Blend_task_type::GROW);
+  REQUIRE(go.size() == 3);
+  REQUIRE(come.size() == 3);
+  std::vector<double> middles;
+  for (const auto& [place, when] : go) {
+    INFO(place);
+    CHECK(when.second - when.first <= 0.2);
+    const double together = when.second - come.at(place).first;
+    CHECK(together > 0); // nothing is missing in between
+    CHECK(together <= longest_crowd);
+    middles.push_back((when.second + come.at(place).first) / 2);
+  }
+  std::sort(middles.begin(), middles.end());
+  CHECK((middles.front() >= 0.3 && middles.back() <= 0.7));
+  CHECK(middles.back() - middles.front() > 0.1);
+}
