@@ -73,7 +73,7 @@ function inOnePiece(pieces, titles) {
 function hiddenText(hidden, least) {
   if (!hidden.length) return '';
   const parts = [0, 1].map(side => hidden.reduce((sum, block) => sum + block.parts[side].length, 0)), roles = [...new Set(hidden.map(block => block.role).filter(Boolean))].map(roleText);
-  return ` Hidden, because they are below ${percent(least)}, and drawn faint: ${roles.length ? listed(roles, 10) + ', ' : ''}${parts[0]} and ${counted(parts[1], 'part')}.`;
+  return ` Hidden, because they are below ${percent(least)}, and drawn faint: ${roles.length ? listed(roles, 10) + ', ' : ''}${counted(parts[0], 'part')} and their ${counted(parts[1], 'counterpart')}.`;
 }
 
 /** What the page shows, for those who see it for the first time. @param blocks that are shown @param hidden in a sentence */

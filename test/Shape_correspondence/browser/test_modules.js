@@ -135,8 +135,8 @@ function glb(json, numbers) {
   selection.pin('b');
   equal(seen, ['a', null, 'b', 'c', 'b', null]);
   equal(walkTree(4, [[0, 1, 3], [1, 2, 1], [0, 3, 2]], 0),
-        [{shape: 0, depth: 0, distance: null}, {shape: 3, depth: 1, distance: 2}, {shape: 1, depth: 1, distance: 3},
-         {shape: 2, depth: 2, distance: 1}]);
+        [{shape: 0, parent: -1, depth: 0, distance: null}, {shape: 3, parent: 0, depth: 1, distance: 2}, {shape: 1, parent: 0, depth: 1, distance: 3},
+         {shape: 2, parent: 1, depth: 2, distance: 1}]);
   const maps = {'0,2': {energies: [0.1, 0.2], blocks: [[[3], [4, 5], 'split', 50]]}};
   equal(storedMatch(maps, 0, 2),
         {blocks: [{parts: [[3], [4, 5]], role: '', confidence: 0.5, operation: 'split'}], energies: [0.1, 0.2]});

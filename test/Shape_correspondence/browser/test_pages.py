@@ -198,7 +198,7 @@ class Pages(unittest.TestCase):
         browser.evaluate("(s => { s.value = 0.95; s.oninput(); })(document.querySelector('#tools input[type=range]'))")
         self.assertLess(browser.evaluate(rows), before)
         self.assertLess(browser.evaluate(grey), colours)
-        self.assertRegex(browser.evaluate("document.querySelector('#facts').textContent"), r"Hidden, because they are below 95 %, and drawn faint: .*\d and \d+ parts?\.")
+        self.assertRegex(browser.evaluate("document.querySelector('#facts').textContent"), r"Hidden, because they are below 95 %, and drawn faint: .*\d parts? and their \d+ counterparts?\.")
         self.assertEqual(browser.evaluate("document.querySelector('#show > summary').textContent"), "Show (filtered)")
         self.open("blend")
         browser.evaluate("(s => { s.value = 0.95; s.oninput(); })(document.querySelector('#tools input[type=range]'))")
