@@ -296,6 +296,7 @@ public:
     match.search.min_confidence = Blend_options().min_confidence;
     Option_table::Group add = table.group("Output");
     add_output_options(add, output_);
+    add("html", "FILE", &common.html, "the same as -o FILE.html").output();
     add_result_option(add);
     add("json", "FILE", &common.json,
         "write the schedule of the parts and the quality of every frame as JSON; - is standard output")
@@ -308,6 +309,14 @@ private:
   {
     Pair_command::check();
     search.min_confidence = 0; // less probable pairs are removed below, with a warning
+    if (!common.html.empty()) {
+      if (!output_.path.empty())
+        throw Usage_error("--html FILE is the same as -o FILE.html: give one of them, and run blend again for the "
+                          "other file");
+      output_.path = common.html;
+      if (!output_.is_page())
+        throw Usage_error("--html writes a web page: its name '" + common.html + "' must end in .html");
+    }
     check_output(output_);
   }
 

@@ -102,6 +102,12 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
   const std::string page = text_of(folder.path("b.html"));
   for (const char* id : {"match", "match.glb", "blend", "blend.glb"})
     CHECK(page.find(std::string("id=\"") + id + "\">") != std::string::npos);
+  CHECK(run(models + " --quiet --frames 2 --html " + quoted(folder.path("c.html"))).status == 0);
+  CHECK(text_of(folder.path("c.html")) == page);
+  CHECK(run(models + " --html " + quoted(folder.path("d.html")) + " -o " + quoted(folder.path("d.glb"))).status == 2);
+  const Run no_page = run(models + " --html " + quoted(folder.path("d.glb")));
+  CHECK(no_page.status == 2);
+  CHECK_THAT(no_page.error, Contains("d.glb") && Contains("must end in .html"));
 }
 
 TEST_CASE("Shapes of which one is more than twice as high as the other get one height, but for --size")

@@ -32,6 +32,8 @@ TEST_CASE("A name that says nothing about its part becomes the role")
 {
   CHECK(IO::part_labels({"Object_4", "mesh17", "part_02", "backrest"}, {"leg", "leg", "seat_frame", "back"}) ==
         Names{"leg 1", "leg 2", "seat frame", "backrest"});
+  CHECK(IO::part_labels({"mesh1", "mesh2", "mesh3"}, {"h_stab", "h_stab", "v_stab"}) ==
+        Names{"tailplane 1", "tailplane 2", "fin"}); // words for roles that are abbreviated
   // Pieces of one object that have several roles; and of one that has one
   CHECK(IO::part_labels({"midcentury", "midcentury#2", "arm", "arm#2"}, {"leg", "seat", "armrest", "armrest"}) ==
         Names{"leg", "seat", "arm 1", "arm 2"});

@@ -297,6 +297,8 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names, cons
 
 std::string role_text(std::string role)
 {
+  if (role == "h_stab") return "tailplane";
+  if (role == "v_stab") return "fin";
   std::replace(role.begin(), role.end(), '_', ' ');
   return role;
 }

@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence::IO {
 /// \param roles of the parts; empty if they are not known, as the roles of single parts may be
 std::vector<std::string> part_labels(const std::vector<std::string>& names, const std::vector<std::string>& roles = {});
 
-/// A role in words: without underscores.
+/// A role in words: without underscores and abbreviations. The viewer's `roleText()` has the same words.
 std::string role_text(std::string role);
 
 /// A list of labels in which three or more with consecutive numbers are replaced by a range: "seat, leg_1–4".

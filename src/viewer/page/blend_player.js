@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, cssColour, element} from './dom.js';
+import {$, cssColour, element, setBreakable} from './dom.js';
 import {morphed, valuesAt} from './glb.js';
-import {roleText} from './matching.js';
+import {counted, percent, roleText} from './matching.js';
 
 // A film in which the source becomes the target and the target the source again, with a slider and a bar for each role.
 
@@ -17,6 +17,8 @@ export class BlendPlayer {
     this.match = match;
     this.view = stage.addView('in between');
     this.view.figure.className = 'between';
+    match.labelled = [this.view];
+    match.listeners.push(() => this.fade());
     stage.root.classList.add('film');
     [this.begin, this.end] = [glb.animation.extras.begin, glb.animation.extras.end];
     for (const root of glb.scenes[0].nodes)
@@ -37,22 +39,28 @@ export class BlendPlayer {
   }
 
   addControls(blend) {
-    const root = $('#player'), line = element('div', '', root);
+    const root = $('#player');
     root.hidden = false;
-    this.button = element('button', 'Play', line);
+    this.bars = element('div', '', root);
+    this.bars.className = 'bars';
+    this.button = element('button', 'Play', this.bars);
     this.button.className = 'next';
     this.button.onclick = () => this.isPlaying ? this.stop() : this.play();
+    const line = element('div', '', this.bars), ends = element('div', '', line);
+    ends.className = 'ends';
+    for (const title of this.match.match.titles) setBreakable(title, element('small', '', ends));
     this.slider = element('input', '', line);
     Object.assign(this.slider, {type: 'range', min: 0, max: 1, step: 0.001, value: 0, ariaLabel: 'time of the blend'});
     this.slider.oninput = () => { this.stop(); this.pose(Number(this.slider.value)); };
-    this.bars = element('div', '', root);
-    this.bars.className = 'bars';
-    for (const {text, colour, tasks} of this.rowsOf(blend)) {
-      element('span', text, this.bars);
+    this.rows = this.rowsOf(blend);
+    for (const row of this.rows) {
+      const {text, colour, tasks} = row;
+      row.name = element('span', text, this.bars);
       const box = element('span', '', this.bars), bar = element('b', '', box), begin = Math.min(...tasks.map(task => task.begin));
       bar.style.left = 100 * begin + '%';
       bar.style.width = Math.max(0.5, 100 * (Math.max(...tasks.map(task => task.end)) - begin)) + '%';
       bar.style.background = colour;
+      row.bar = bar;
       box.title = tasks.map(task => this.told(task)).join('\n');
     }
   }
@@ -63,11 +71,22 @@ export class BlendPlayer {
     for (const task of blend.tasks) {
       const places = [task.source, task.target].map((name, side) => names[side].indexOf(name)), side = places[0] >= 0 ? 0 : 1;
       const block = places[side] >= 0 ? blockOf[side][places[side]] : -1, row = block >= 0 ? rowOf[block] : side === 0 ? 'goes' : 'comes';
-      if (!result.has(row)) result.set(row, {tasks: [], colour: block >= 0 ? cssColour(own[side][places[side]]) : '#888',
-                                             text: block < 0 ? (side === 0 ? 'vanishes' : 'grows') : roleText(rows[row].role) || labels[side][places[side]]});
+      if (!result.has(row)) result.set(row, {tasks: [], blocks: block >= 0 ? rows[row].blocks : [], colour: block >= 0 ? cssColour(own[side][places[side]]) : '#888',
+                                             text: block < 0 ? '' : roleText(rows[row].role) || labels[side][places[side]]});
       result.get(row).tasks.push(task);
     }
+    for (const [key, row] of result)
+      if (!row.text) row.text = `${counted(row.tasks.length, 'part')} ${key === 'goes' ? 'vanish' : 'grow'}${row.tasks.length > 1 ? '' : key === 'goes' ? 'es' : 's'}`;
     return [...result].sort((a, b) => (typeof a[0] === 'string') - (typeof b[0] === 'string') || a[0] - b[0]).map(([, row]) => row);
+  }
+
+  /** Shows rows faint whose pairs the slider hides. */
+  fade() {
+    const {match, match: {match: {blocks}}} = this;
+    for (const {name, bar, blocks: own} of this.rows) {
+      const isFaint = own.length > 0 && !own.some(b => match.isSure(blocks[b]));
+      for (const box of [name, bar]) box.classList.toggle('faint', isFaint);
+    }
   }
 
   told(task) {
@@ -81,6 +100,8 @@ export class BlendPlayer {
     this.time = t;
     this.slider.value = t;
     this.bars.style.setProperty('--t', t);
+    const {titles} = this.match.match;
+    this.view.caption.textContent = t <= 0 ? titles[0] : t >= 1 ? titles[1] : `in between, ${percent(t)}`;
     const seconds = this.begin + t * (this.end - this.begin);
     for (const item of this.stage.items) {
       if (item.view !== this.view || !item.tracks) continue;

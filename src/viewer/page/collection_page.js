@@ -4,7 +4,7 @@
 import {$, addTabs, addWarnings, documentOf, element, setBreakable} from './dom.js';
 import {listed, readersNote, roleText} from './matching.js';
 import {fillGallery, Pictures} from './gallery.js';
-import {addLayerSwitches, glbOf} from './match_page.js';
+import {addLayerSwitches, glbOf, unsureText} from './match_page.js';
 import {MatchView} from './match_view.js';
 import {Stage} from './stage.js';
 import {fillTree} from './tree.js';
@@ -12,7 +12,7 @@ import {fillTree} from './tree.js';
 // The page of a collection: a gallery, the spanning tree, and the match of two shapes that one chooses. A part has the
 // colour of its cluster everywhere.
 
-const withoutCounterpart = 0.25; // opacity
+const nearShare = 0.75, farShare = 1.25; // of the mean distance from the most typical shape
 
 const shown = x => x.toPrecision(3);
 
@@ -42,17 +42,18 @@ export function showCollection() {
   const roleOf = (shape, part) => roles[clusters[shape][part]] || '';
   const nodes = glbOf('collection.glb').scenes[0].nodes, shapes = collection.shapes;
   const number = new Map(shapes.map((shape, i) => [shape.name, i])), medoid = number.get(collection.medoid.shape);
-  const cards = shapes.map((shape, i) => ({name: shape.name, mark: i === medoid ? '★ medoid' : '', shape: nodes[i]}));
+  const cards = shapes.map((shape, i) => ({name: shape.name, mark: i === medoid ? '★ most typical' : '', shape: nodes[i]}));
   document.body.classList.add('with-gallery');
 
   $('h1').textContent = `Collection of ${total} shapes`;
-  element('p', (total > shapes.length ? `Shown are ${shapes.length} of them, from all branches of the spanning tree. ` : '') +
+  element('p', (total > shapes.length ? `Shown are ${shapes.length} of them, from all branches of the tree below. ` : '') +
       'Parts that are alike have one colour' + (roles.some(Boolean) ? ': ' + listed([...new Set(roles.filter(Boolean))].map(roleText), 10) : '') +
-      '; parts that are like no others are grey. Choose two shapes to see their match.',
+      '; parts that are like no others are grey. Choose two shapes to see which of their parts correspond.',
       $('#facts'));
   addWarnings($('#facts'), (collection.warnings || []).map(note => readersNote(note, {}).text));
-  addTabs([['models', 'Two shapes'], ['shapes', 'All shapes'], ['list', 'Parts']]);
+  const openTab = addTabs([['shapes', 'Set'], ['models', 'Pair'], ['list', 'Parts']]);
 
+  const toldDistance = distance => shown(distance) + (distance < nearShare * collection.medoid.mean_distance ? ' (near)' : distance > farShare * collection.medoid.mean_distance ? ' (far)' : '');
   const stage = new Stage($('#stage')), views = [stage.addView(''), stage.addView('')];
   const view = new MatchView(stage, views);
   const told = $('#told');
@@ -72,15 +73,12 @@ export function showCollection() {
     const of = list => [0, 1].map(side => side < indices.length ? list[indices[side]] : null);
     view.show({titles: of(shapes).map(shape => shape ? shape.name : ''), names: of(shapes).map(shape => shape ? shape.parts : []),
                labels: of(labels).map(list => list || []), blocks: match ? match.blocks.map(block => ({...block, least: block.confidence, role: roleOf(indices[0], block.parts[0][0])})) : [], roles: [[], []], groups: [[], []]});
-    if (match)
-      for (const item of stage.items)
-        if (view.blockOf[views.indexOf(item.view)][item.part] < 0) item.opacity = withoutCounterpart;
     $('table').hidden = $('#search').hidden = !match;
     told.replaceChildren();
     if (indices.length === 1) element('p', `${shapes[indices[0]].name}: choose another shape.`, told);
     else if (match)
-      element('p', `Distance ${shown(match.energies[0])} from left to right, ${shown(match.energies[1])} from right to ` +
-              'left. Parts without counterpart are faint.', told);
+      element('p', `Distance ${toldDistance((match.energies[0] + match.energies[1]) / 2)}: the mean of ${shown(match.energies[0])} from left to right and ${shown(match.energies[1])} back. ` +
+              'Grey parts have no counterpart.' + unsureText(match.blocks), told);
     else if (indices.length === 2) {
       element('p', 'This page stores the matches of shapes that are near each other. To match these two, run', told);
       element('code', `shape_correspondence match ${indices.map(i => shellWord(shapes[i].file)).join(' ')} --html match.html`, told);
@@ -95,12 +93,13 @@ export function showCollection() {
   }
 
   const pictures = new Pictures();
-  const chooseAndLook = i => { choose(i); if (chosen.length === 2) $('#stage').scrollIntoView({block: 'nearest'}); };
+  const chooseAndLook = i => { choose(i); if (chosen.length < 2) return; openTab('models'); $('#stage').scrollIntoView({block: 'nearest'}); };
   const buttons = fillGallery($('#gallery'), cards, pictures, chooseAndLook);
-  element('h2', 'Spanning tree', $('#tree'));
-  element('p', 'The shortest way to join the shapes, from the medoid on; numbers are distances to the shape above.', $('#tree'));
+  element('h2', 'Nearest relatives', $('#tree'));
+  element('p', `${shapes[medoid].name} is the most typical shape: its distances to the others are the smallest, ${shown(collection.medoid.mean_distance)} on average. ` +
+      'Each shape stands below the relative to which its distance is told; together these are the shortest way to join all shapes (a spanning tree).', $('#tree'));
   const edges = collection.spanning_tree.map(({shapes: [a, b], distance}) => [number.get(a), number.get(b), distance]);
-  fillTree($('#tree'), cards, edges, medoid, pictures, chooseAndLook);
+  fillTree($('#tree'), cards, edges, medoid, pictures, chooseAndLook, toldDistance);
   show([]);
   const nearest = edges.filter(([a, b]) => storedMatch(stored, a, b) && (a === medoid || b === medoid));
   if (nearest.length) {

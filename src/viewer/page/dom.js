@@ -36,18 +36,20 @@ export function addSwitch(parent, text, hint, isSet, change) {
   return box;
 }
 
-/** Tabs of narrow windows. @param tabs [[name, text]] */
+/** Tabs of narrow windows, the first one open. @param tabs [[name, text]] @returns what opens one by its name */
 export function addTabs(tabs) {
   const buttons = tabs.map(([name, text]) => {
     const button = element('button', text, $('#tabs'));
     button.role = 'tab';
-    button.onclick = () => {
-      document.body.dataset.tab = name;
-      buttons.forEach(other => { other.ariaSelected = String(other === button); });
-    };
+    button.onclick = () => open(name);
     return button;
   });
-  buttons[0].onclick();
+  const open = chosen => {
+    document.body.dataset.tab = chosen;
+    tabs.forEach(([name], i) => { buttons[i].ariaSelected = String(name === chosen); });
+  };
+  open(tabs[0][0]);
+  return open;
 }
 
 /** Notes, folded: there may be many. @param what they are about */

@@ -4,21 +4,22 @@
 import {$, addTabs, addWarnings, cssColour, documentOf, element, linearColour, setBreakable, tip} from './dom.js';
 import {addGestures} from './gestures.js';
 import {addLayerSwitches, glbOf} from './match_page.js';
-import {listed, readersNote, roleText} from './matching.js';
+import {counted, listed, readersNote, roleText} from './matching.js';
 import {Selection} from './selection.js';
 import {Stage} from './stage.js';
 import {fillTable} from './table.js';
 
 // The page of a structural graph.
 
-const symmetries = {self: '', reflection: 'mirrored', rotation: 'in a ring', translation: 'in a row'};
+const symmetries = {self: '', reflection: 'mirror images', rotation: 'in a ring', translation: 'in a row'};
+
+const mostNames = 12; // of parts in a cell or line
 
 function kindOf(part) {
   return part.type === 'sheet' ? 'sheet' : part.closed ? 'closed curve' : 'curve';
 }
 
-function detailsOf(part, group, touched, labelOf) {
-  const labels = names => listed(names.map(name => labelOf.get(name)));
+function detailsOf(part, group, touched, labels) {
   const {method, repair, residual, coverage, flags, fallback} = part.abstraction || {};
   const lines = [`${kindOf(part)}${method ? `, ${method.replace(/_/g, ' ')}` : ''}`];
   if (group.parts.length > 1)
@@ -29,6 +30,13 @@ function detailsOf(part, group, touched, labelOf) {
   if (fallback) lines.push('bounding box, because ' + fallback);
   if (residual !== undefined) lines.push(`residual ${residual.toPrecision(2)}, coverage ${coverage.toPrecision(2)}`);
   return lines;
+}
+
+/** A list that is folded. */
+function addList(title, lines) {
+  const details = element('details', '', $('#told'));
+  element('summary', title, details);
+  for (const line of lines) element('p', line, details);
 }
 
 export function showGraph() {
@@ -47,10 +55,11 @@ export function showGraph() {
   const groupOf = new Map(graph.groups.flatMap((group, g) => group.parts.map(name => [name, g])));
   const touched = new Map(graph.parts.map(part => [part.name, new Set()]));
   for (const {parts: [a, b]} of graph.contacts) { touched.get(a).add(b); touched.get(b).add(a); }
+  const labelsOf = names => listed(names.map(name => labelOf.get(name)), mostNames);
   const told = index => {
     const part = graph.parts[index];
     return [labels[index], [...(roles[index] ? ['role: ' + roleText(roles[index])] : []), ...(labels[index] === part.name ? [] : ['name in the file: ' + part.name]),
-                            ...detailsOf(part, graph.groups[groupOf.get(part.name)], [...touched.get(part.name)], labelOf)]];
+                            ...detailsOf(part, graph.groups[groupOf.get(part.name)], [...touched.get(part.name)], labelsOf)]];
   };
   let table = null;
   const selection = new Selection(key => {
@@ -59,9 +68,11 @@ export function showGraph() {
   });
   const order = graph.parts.map((part, i) => i).sort(
       (a, b) => groupOf.get(graph.parts[a].name) - groupOf.get(graph.parts[b].name) || a - b);
-  table = fillTable($('table'), ['part', ...(roles.length ? ['role'] : []), 'kind', 'symmetry'].map(text => ({text})), order.map(i => {
+  table = fillTable($('table'), ['part', 'kind', 'symmetric with', 'touches'].map(text => ({text})), order.map(i => {
     const part = graph.parts[i], group = graph.groups[groupOf.get(part.name)];
-    return {key: i, colour: colours[i], words: [part.name], cells: [{text: labels[i], title: part.name}, ...(roles.length ? [roleText(roles[i])] : []), kindOf(part), group.parts.length > 1 ? symmetries[group.symmetry] : '']};
+    const others = group.parts.filter(name => name !== part.name);
+    return {key: i, colour: colours[i], words: [part.name, roleText(roles[i] || '')], cells: [{text: labels[i], title: part.name}, kindOf(part),
+            {text: labelsOf(others), small: others.length ? symmetries[group.symmetry] || 'alike' : ''}, labelsOf([...touched.get(part.name)])]};
   }), selection, $('#search'));
   addGestures(stage, (item, x, y) => {
     selection.hover(item ? item.part : null);
@@ -71,7 +82,11 @@ export function showGraph() {
     selection.pinned === null ? tip.hide() : tip.show(x, y, ...told(item.part));
   });
   setBreakable(graph.name, $('h1'));
-  element('p', `${graph.parts.length} parts, ${graph.groups.length} groups, ${graph.contacts.length} contacts`, $('#facts'));
+  element('p', `How ${graph.name} is built, as matches see it: each of ${counted(graph.parts.length, 'part')} is a curve if it is long, or a sheet if it is flat (the coloured pipes and plates in the faint surfaces); ` +
+      'black lines join parts that touch.', $('#facts'));
+  const groups = graph.groups.filter(group => group.parts.length > 1);
+  addList(`${counted(groups.length, 'group')} of symmetric parts`, groups.map(group => `${labelsOf(group.parts)}: ${symmetries[group.symmetry] || 'alike'}`));
+  addList(counted(graph.contacts.length, 'contact'), graph.contacts.map(({parts}) => labelsOf(parts)));
   addWarnings($('#facts'), (graph.warnings || []).map(note => readersNote(note, {}).text));
   addTabs([['models', 'Model'], ['list', 'Parts']]);
 }

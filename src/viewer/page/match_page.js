@@ -53,10 +53,13 @@ function isOnePiece(names) {
   return names.length > 1 && new Set(names.map(name => name.replace(/#\d+$/, ''))).size === 1;
 }
 
+/** What `percent()` says, on one line, and not that there is nothing of what there is. */
+const shareText = share => (share < 0.005 ? 'less than 1 %' : percent(share)).replace(' %', '\u00a0%');
+
 /** What has no counterpart, in a sentence. @param shares of the surfaces that have one */
 function uncovered(missing, names, titles, shares) {
   const rest = [0, 1].filter(side => missing[side].length).map(side => `${missing[side].length} of ${counted(names[side].length, 'part')} of ${titles[side]}, ` +
-      `${percent(1 - shares[side]).replace(' ', '\u00a0')} of its surface`);
+      `${shareText(1 - shares[side])} of its surface`);
   return rest.length ? ` Grey parts have no counterpart: ${rest.join(', and ')}.` : ' Every part has a counterpart.';
 }
 
@@ -66,13 +69,32 @@ export function inOnePiece(pieces, titles) {
       (list.length === 1 ? ' seem to be one piece.' : '.') : '').join('');
 }
 
-/** What the page shows, for those who see it for the first time. */
-function answer(blocks, rest) {
+/** Which pairs the slider hides, in a sentence; or nothing. @param hidden blocks */
+function hiddenText(hidden, least) {
+  if (!hidden.length) return '';
+  const parts = [0, 1].map(side => hidden.reduce((sum, block) => sum + block.parts[side].length, 0)), roles = [...new Set(hidden.map(block => block.role).filter(Boolean))].map(roleText);
+  return ` Hidden, because they are below ${percent(least)}, and drawn faint: ${roles.length ? listed(roles, 10) + ', ' : ''}${counted(parts[0], 'part')} and their ${counted(parts[1], 'counterpart')}.`;
+}
+
+/** What the page shows, for those who see it for the first time. @param blocks that are shown @param hidden in a sentence */
+function answer(blocks, rest, hidden) {
   const roles = [...new Set(blocks.map(block => block.role).filter(Boolean))].map(roleText);
   const sure = blocks.map(block => block.confidence).filter(value => value !== null), mean = sure.reduce((sum, value) => sum + value, 0) / sure.length;
-  if (!blocks.length) return 'No parts correspond.';
+  if (!blocks.length) return hidden ? 'All pairs of parts are hidden.' + hidden : 'No parts correspond.';
   return 'Parts of one colour correspond' + (roles.length ? ': ' + listed(roles, 10) : '') + '.' + (sure.length ? ` On average they are ${percent(mean)} sure.` : '') +
-      rest + (blocks.some(block => block.least !== null && block.least < unsure) ? ' What is pale or hatched is unsure.' : '');
+      rest + unsureText(blocks) + hidden;
+}
+
+/** What stripes mean, in a sentence, where there are any. */
+export function unsureText(blocks) {
+  return blocks.some(({confidence}) => confidence !== null && confidence < unsure) ? ` Striped parts are unsure, less than ${percent(unsure)}.` : '';
+}
+
+/** What a film shows, and what of the match it leaves out. */
+function filmText(blend, titles) {
+  if (!blend) return '';
+  const left = blend.warnings.filter(warning => / correspond with probability /.test(warning)).length;
+  return `Press Play: ${titles[0]} becomes ${titles[1]}.` + (left ? ` ${counted(left, 'less probable pair')} of the match ${left === 1 ? 'is' : 'are'} left out, so that averages differ from its page.` : '') + ' ';
 }
 
 export function showMatch() {
@@ -97,13 +119,18 @@ export function showMatch() {
   });
   view.show({titles, names, labels, roles, blocks, pieces, groups: groupNumbers(result, names)});
   view.addSwitches($('#tools'));
-  setBreakable(titles.join(' and '), $('h1'));
-  element('p', answer(blocks, uncovered(missing, names, titles, shares)) + inOnePiece(pieces, titles), $('#facts'));
+  setBreakable(blend ? `From ${titles[0]} to ${titles[1]}` : titles.join(' and '), $('h1'));
+  const facts = element('p', '', $('#facts')), tell = () => {
+    const [shown, hidden] = [true, false].map(isShown => blocks.filter(block => view.isSure(block) === isShown));
+    facts.textContent = filmText(blend, titles) + answer(shown, uncovered(missing, names, titles, shares), hiddenText(hidden, view.leastConfidence)) + inOnePiece(pieces, titles);
+  };
+  tell();
+  view.listeners.push(tell);
   const notes = (result.warnings || []).map(note => readersNote(note, {[result.source]: titles[0], [result.target]: titles[1]}));
   const told = notes.filter(({text, isReading}) => text && !isReading).map(({text}) => text.replace(/'([^']+)'/g, (quoted, name) => labelOf.get(name) || quoted));
   for (const note of told.slice(0, mostNotes)) element('p', note, $('#facts')).className = 'note';
-  addWarnings($('#facts'), [...told.slice(mostNotes), ...notes.filter(note => note.isReading).map(note => note.text)], told.length > mostNotes ? '' : ' on how the files were read');
-  views.forEach((one, side) => { if (isOnePiece(names[side])) element('small', 'one piece in its file; its parts were found by their shape', one.caption); });
+  const single = titles.filter((_, side) => isOnePiece(names[side])).map(title => `${title} is one piece in its file; its parts were found by their shape.`);
+  addWarnings($('#facts'), [...told.slice(mostNotes), ...single, ...notes.filter(note => note.isReading).map(note => note.text)], told.length > mostNotes ? '' : ' on how the files were read');
   addTabs([['models', blend ? 'Film' : 'Models'], ['list', 'Parts']]);
   if (blend) new BlendPlayer(view, blend, glbOf('blend.glb'));
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {$, addSwitch, cssColour, element, tip} from './dom.js';
+import {$, addSwitch, cssColour, element, linearColour, tip} from './dom.js';
 import {addGestures} from './gestures.js';
 import {countedParts, inWords, listed, operationText, percent, roleText, rowsByRole, sentenceOf, unsure, withRanges} from './matching.js';
 import {Selection} from './selection.js';
@@ -10,14 +10,12 @@ import {fillTable} from './table.js';
 // Two shapes beside each other, and what corresponds: what is chosen in one lights up in the other.
 
 const grey = [0.45, 0.45, 0.45];
-const leastLabelled = 14, leastView = 170; // pixels: sides of what has a label, if it were square, and of the view
-const labelHeight = 18; // pixels
-
-/** A colour in linear light, the paler the less sure it is. */
-function paled(colour, confidence) {
-  const share = Math.max(0.25, Math.min(1, (confidence - 0.2) / 0.6)), light = 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
-  return colour.slice(0, 3).map(c => share * c + (1 - share) * (0.35 + 0.5 * light));
-}
+const hiddenOpacity = 0.25; // of pairs that the slider hides
+const spare = ['#c77d1e', '#2f7fc1', '#a3559e', '#3f9c6d'].map(linearColour); // for pairs whose parts have no colour of their own
+const leastChroma = 0.02;
+const leastLabelled = 14, leastChosen = 4, leastView = 170; // pixels: sides of what has a label, if it were square, the same of what is chosen, and of the view
+const labelHeight = 18, farthestLabel = 90, labelStep = 8; // pixels
+const labelShare = 0.6; // of a label that covers its part, so that it covers nothing else
 
 /** Labels of parts and lines between counterparts, over the stage. */
 class Overlay {
@@ -26,7 +24,26 @@ class Overlay {
     this.canvas = element('canvas', '', stage.root);
     this.canvas.className = 'links';
   }
-  /** @param links [{ends: [[view, part], [view, part]], colour}] @param labels [{x, y, text}] in the window */
+  /**
+   * Where a label stands: on its part, where it fits, or else beside all parts, as near as it can; nowhere if another label would be
+   * covered. @param half the label's width
+   */
+  placeOfLabel({spots, number, shareOf, confine}, half) {
+    const boxAt = (x, y) => ({left: x - half, right: x + half, top: y - labelHeight / 2, bottom: y + labelHeight / 2});
+    const isClear = box => box.left >= confine.left && box.right <= confine.left + confine.width && box.top >= confine.top && box.bottom <= confine.top + confine.height &&
+        this.placed.every(other => box.right < other.left || box.left > other.right || box.bottom + 2 < other.top || box.top - 2 > other.bottom);
+    const on = spots.map(({x, y}) => boxAt(x, y)).find(box => isClear(box) && shareOf(box, number) >= labelShare);
+    if (on) return on;
+    const [{x, y}] = spots;
+    for (let far = labelStep; far <= farthestLabel; far += labelStep)
+      for (let turn = 0; turn < 8; ++turn) {
+        const [dx, dy] = [Math.cos(turn * Math.PI / 4), Math.sin(turn * Math.PI / 4)];
+        const box = boxAt(x + dx * (far + half), y + dy * (far + labelHeight / 2));
+        if (isClear(box) && shareOf(box, -1) === 1) return {...box, from: spots[0]};
+      }
+    return null;
+  }
+  /** @param links [{ends: [[view, part], [view, part]], colour}] @param labels as of `shownLabels()` */
   draw(links, labels) {
     const box = this.stage.root.getBoundingClientRect(), ratio = Math.min(devicePixelRatio, 2);
     this.canvas.width = box.width * ratio;
@@ -48,21 +65,26 @@ class Overlay {
     g.textAlign = 'center';
     g.textBaseline = 'middle';
     this.placed = [];
-    for (const {x, y, text, confine} of labels) {
-      const half = g.measureText(text).width / 2 + 6;
-      const middle = Math.max(confine.left + half, Math.min(confine.left + confine.width - half, x));
-      const place = [0, -1, 1].map(step => ({left: middle - half, right: middle + half, middle: y + step * (labelHeight + 2), text})).find(
-          one => this.placed.every(other => one.right < other.left || one.left > other.right || Math.abs(one.middle - other.middle) > labelHeight));
+    const [paper, ink] = ['--paper', '--ink'].map(name => style.getPropertyValue(name));
+    g.lineWidth = 1;
+    g.strokeStyle = ink;
+    for (const label of labels) {
+      const half = g.measureText(label.text).width / 2 + 6, place = this.placeOfLabel(label, half);
       if (!place) continue;
-      this.placed.push(place);
+      this.placed.push({...place, text: label.text});
+      if (place.from) { // a line to the part
+        const {x, y} = place.from;
+        g.beginPath();
+        g.moveTo(x - box.left, y - box.top);
+        g.lineTo(Math.max(place.left, Math.min(place.right, x)) - box.left, Math.max(place.top, Math.min(place.bottom, y)) - box.top);
+        g.stroke();
+      }
       g.globalAlpha = 0.85;
-      g.fillStyle = style.getPropertyValue('--paper');
-      g.beginPath();
-      g.rect(place.left - box.left, place.middle - box.top - labelHeight / 2, 2 * half, labelHeight);
-      g.fill();
+      g.fillStyle = paper;
+      g.fillRect(place.left - box.left, place.top - box.top, 2 * half, labelHeight);
       g.globalAlpha = 1;
-      g.fillStyle = style.getPropertyValue('--ink');
-      g.fillText(text, middle - box.left, place.middle - box.top);
+      g.fillStyle = ink;
+      g.fillText(label.text, place.left + half - box.left, place.top + labelHeight / 2 - box.top);
     }
   }
 }
@@ -71,7 +93,8 @@ export class MatchView {
   /** @param views of the stage: source, target, and maybe others whose items have `sides`, [source, target] parts */
   constructor(stage, views) {
     this.stage = stage;
-    this.views = views;
+    this.views = this.labelled = views;
+    this.listeners = []; // called when the slider has hidden or shown pairs
     this.overlay = new Overlay(stage);
     this.hasLinks = this.hasGroups = false;
     this.hasLabels = true;
@@ -87,8 +110,8 @@ export class MatchView {
   addSwitches(parent) {
     addSwitch(parent, 'labels', 'What parts are', true, isSet => { this.hasLabels = isSet; this.stage.redraw(); });
     addSwitch(parent, 'links', 'Lines between corresponding parts', false, isSet => { this.hasLinks = isSet; this.stage.redraw(); });
-    if (this.match.groups.some(numbers => numbers.some(n => n >= 0)))
-      addSwitch(parent, 'groups', 'One colour for the symmetric parts that were matched together', false,
+    if (this.groupsJoinBlocks())
+      addSwitch(parent, 'groups', 'Symmetric parts that were matched together have one colour, and are chosen together', false,
                 isSet => { this.hasGroups = isSet; this.colour(); this.light(this.selection.key); });
     if (!this.match.blocks.some(block => block.confidence !== null)) return;
     const label = element('label', 'hide pairs below ', parent), slider = element('input', '', label), told = element('output', '0 %', label);
@@ -97,8 +120,21 @@ export class MatchView {
     slider.oninput = () => {
       this.leastConfidence = Number(slider.value);
       told.textContent = percent(this.leastConfidence);
+      $('#show > summary').textContent = this.leastConfidence ? 'Show (filtered)' : 'Show';
       this.colour();
+      for (const listener of this.listeners) listener();
     };
+  }
+
+  /** Whether symmetric parts that were matched together are in several blocks. */
+  groupsJoinBlocks() {
+    const blockOfGroup = new Map();
+    return this.match.groups.some((numbers, side) => numbers.some((n, part) => {
+      const block = this.blockOf[side][part];
+      if (n < 0 || block < 0) return false;
+      if (!blockOfGroup.has(n)) blockOfGroup.set(n, block);
+      return blockOfGroup.get(n) !== block;
+    }));
   }
 
   /**
@@ -165,33 +201,41 @@ export class MatchView {
 
   isSure(block) { return block.confidence === null || block.confidence >= this.leastConfidence; }
 
-  /** Parts of a group have the colour of its first one; what is not sure enough is grey. */
+  /** The one colour of all parts of a block, on both sides. */
+  colourOfBlock(b) {
+    const all = this.match.blocks[b].parts.flatMap((parts, side) => parts.map(part => this.own[side][part].slice(0, 3)));
+    return all.find(colour => Math.max(...colour) - Math.min(...colour) > leastChroma) || spare[b % spare.length];
+  }
+
+  /** Parts of a group have the colour of its first one; what has no counterpart is grey, and what is hidden is faint, too. */
   colour() {
     const {blocks, groups} = this.match, first = new Map();
     groups.forEach((numbers, side) => numbers.forEach((n, part) => {
-      if (n >= 0 && !first.has(n) && this.blockOf[side][part] >= 0) first.set(n, this.own[side][part]);
+      if (n >= 0 && !first.has(n) && this.blockOf[side][part] >= 0) first.set(n, this.colourOfBlock(this.blockOf[side][part]));
     }));
-    const sureOf = (side, part) => {
-      const block = blocks[this.blockOf[side][part]];
-      return block && block.confidence !== null ? (block.sure ? block.sure[side].get(part) : block.confidence) : 1;
-    };
+    const isUnsure = block => block.confidence !== null && block.confidence < unsure;
     const colourOf = (side, part) => {
-      const block = blocks[this.blockOf[side][part]], group = (groups[side] || [])[part];
-      if (!block || !this.isSure(block)) return block ? grey : this.own[side][part];
-      return paled(this.hasGroups && first.has(group) ? first.get(group) : this.own[side][part], sureOf(side, part));
+      const b = this.blockOf[side][part], group = (groups[side] || [])[part];
+      if (b < 0) return blocks.length ? grey : this.own[side][part];
+      if (!this.isSure(blocks[b])) return grey;
+      return this.hasGroups && first.has(group) ? first.get(group) : this.colourOfBlock(b);
     };
     for (const item of this.stage.items) {
       if (item.part < 0 || item.layer === 'materials') continue;
       const place = this.placeOfItem(item), block = blocks[this.blockOf[place[0]][place[1]]];
       item.colour.setRGB(...colourOf(...place).slice(0, 3));
-      item.hatch = block && this.isSure(block) && sureOf(...place) < unsure ? 1 : 0;
+      item.hatch = block && this.isSure(block) && isUnsure(block) ? 1 : 0;
+      item.opacity = block && !this.isSure(block) ? hiddenOpacity : 1;
     }
-    const colours = new Map(), hatched = new Set(), ofBlock = block => paled(colourOf(0, block.parts[0][0]), 1);
-    const isUnsure = block => block.least !== null && block.least < unsure;
-    blocks.forEach((block, b) => { colours.set('b' + b, cssColour(ofBlock(block))); if (isUnsure(block)) hatched.add('b' + b); });
-    this.rows.forEach((row, r) => { colours.set('r' + r, cssColour(ofBlock(blocks[row.blocks[0]]))); if (row.blocks.some(b => isUnsure(blocks[b]))) hatched.add('r' + r); });
+    const colours = new Map(), hatched = new Set(), partly = new Set(), ofBlock = b => cssColour(colourOf(0, blocks[b].parts[0][0]));
+    blocks.forEach((block, b) => { colours.set('b' + b, ofBlock(b)); if (isUnsure(block)) hatched.add('b' + b); });
+    this.rows.forEach((row, r) => {
+      colours.set('r' + r, ofBlock(row.blocks[0]));
+      const count = row.blocks.filter(b => isUnsure(blocks[b])).length;
+      if (count) (count === row.blocks.length ? hatched : partly).add('r' + r);
+    });
     [0, 1].forEach(side => colours.set('none' + side, cssColour(grey)));
-    this.table.paint(colours, hatched);
+    this.table.paint(colours, hatched, partly);
     const isHidden = b => !this.isSure(blocks[b]);
     this.table.hide(new Set([...blocks.flatMap((_, b) => isHidden(b) ? ['b' + b] : []), ...this.rows.flatMap((row, r) => row.blocks.every(isHidden) ? ['r' + r] : [])]));
     this.stage.redraw();
@@ -276,16 +320,25 @@ export class MatchView {
           ends: [[this.views[0], source], [this.views[1], target]], colour: cssColour(this.own[0][source])}))));
   }
 
-  /** The role of each row where it is seen best, or else a part's label; none of what is small or faded. */
+  /**
+   * The role of each row where it is seen best, or else a part's label; none of what is small or faded: [{x, y, text, spots, number,
+   * shareOf, confine}], where it is in the window, and what `Overlay` needs to find it a place
+   */
   shownLabels() {
     if (!this.match || !this.hasLabels) return [];
-    return this.views.flatMap((view, side) => {
-      const confine = this.stage.boxOf(view), rowOf = part => { const b = this.blockOf[side][part]; return b < 0 ? -1 : this.rowOf[b]; };
+    const rowOf = item => {
+      if (item.part < 0) return -1;
+      const [side, part] = this.placeOfItem(item), b = this.blockOf[side][part];
+      return b >= 0 && this.isSure(this.match.blocks[b]) && (!this.lit || this.lit.has('b' + b) || this.lit.has(side + ':' + part)) ? this.rowOf[b] : -1;
+    };
+    const least = this.lit ? leastChosen : leastLabelled;
+    return this.labelled.flatMap(view => {
+      const confine = this.stage.boxOf(view), side = Math.max(0, this.views.indexOf(view));
       if (view.figure.hidden || Math.min(confine.width, confine.height) < leastView) return [];
-      const isShown = (part, b) => b >= 0 && this.isSure(this.match.blocks[b]) && (!this.lit || this.lit.has('b' + b) || this.lit.has(side + ':' + part));
-      const places = this.stage.seenPlaces(view, ({part}) => part >= 0 && isShown(part, this.blockOf[side][part]) ? rowOf(part) : -1);
+      const {places, shareOf} = this.stage.seenPlaces(view, rowOf);
       const text = row => { const {role, blocks: [b]} = this.rows[row]; return role ? this.withOthers(side, role) : this.match.labels[side][this.match.blocks[b].parts[side][0]]; };
-      return [...places].filter(([, {area}]) => area >= leastLabelled * leastLabelled).sort((a, b) => b[1].area - a[1].area).map(([row, {x, y}]) => ({x, y, text: text(row), confine}));
+      return [...places].filter(([, {area}]) => area >= least * least).sort((a, b) => b[1].area - a[1].area).map(
+          ([number, {spots}]) => ({...spots[0], text: text(number), spots, number, shareOf, confine}));
     });
   }
 }

@@ -38,11 +38,17 @@ export function withRanges(names) {
 // Words that say where a part is or of what, not what it is
 const places = /^(.|[fr][lr]|left|right|front|rear|upper|lower|inner|outer|middle|center|centre|fabric|plastic|metal|wood|leather|steel|chrome)$/i;
 
+// In other words than those of modellers and of the model of roles
+const plainNouns = {star: 'star leg', h_stab: 'tailplane', v_stab: 'fin'};
+// What is not counted, but its parts are
+const uncounted = /^(bedding|glazing|lighting|steering|body|interior|trim|upholstery|gear|glass)$/;
+
 /** What a part is, by its label: its role if it is named so, or else the last word that is neither place nor material, without a number. */
 export function nounOf(label, role = '') {
   if (role && roleText(label.replace(/[\s_.:#-]*\d+$/, '')) === roleText(role)) return roleText(role);
   const words = label.replace(/[\s_.:#-]*\d+$/, '').split(/[_.:-]+/).filter(word => word && !places.test(word));
-  return words.length ? words[words.length - 1].replace(/\d+$/, '') || 'part' : label;
+  const noun = words.length ? words[words.length - 1].replace(/\d+$/, '') || 'part' : label;
+  return plainNouns[noun] || noun;
 }
 
 function plural(noun) {
@@ -53,24 +59,26 @@ function plural(noun) {
 }
 
 /** How many things: `4 legs`. */
-export const counted = (number, noun) => `${number} ${number === 1 ? noun : plural(noun)}`;
+export const counted = (number, noun) => `${number} ${number === 1 ? noun : uncounted.test(noun) ? noun + ' parts' : plural(noun)}`;
 
 /** A role in words. */
-export const roleText = role => role.replace(/_/g, ' ');
+export const roleText = role => plainNouns[role] || role.replace(/_/g, ' ');
 
-/** Parts as one counts them: `1 column and 5 arms`. @param role names those that have too many names; it may be empty */
+/** Parts as one counts them: `1 column and 5 arms`; without numbers if there is one of each. @param role names those that have too many names; it may be empty */
 export function countedParts(labels, role) {
   const counts = new Map();
   for (const noun of labels.map(label => nounOf(label, role))) counts.set(noun, (counts.get(noun) || 0) + 1);
   if (counts.size > mostNouns) return counted(labels.length, role ? roleText(role) : 'part');
-  return listed([...counts].map(([noun, number]) => counted(number, noun)));
+  const areSingle = [...counts.values()].every(number => number === 1);
+  return listed([...counts].map(([noun, number]) => areSingle ? noun : counted(number, noun)));
 }
 
-/** What becomes of parts, as a sentence: `4 legs become 1 column and 5 arms`. @param labels of source and target */
+/** What becomes of parts, as a sentence: `4 legs become 1 column and 5 arms`; the same things match. @param labels of source and target */
 export function sentenceOf(labels, role) {
   const [sources, targets] = labels.map(list => list.length);
   const isOne = sources === 1 && targets === 1, [from, to] = labels.map(list => isOne ? list[0] : countedParts(list, role));
-  const [verb, verbs] = from === to ? ['matches', 'match'] : ['becomes', 'become'];
+  const [nouns, others] = labels.map(list => [...new Set(list.map(label => nounOf(label, role)))].sort().join());
+  const [verb, verbs] = nouns === others ? ['matches', 'match'] : ['becomes', 'become'];
   return `${from} ${sources === 1 ? verb : verbs} ${to}`;
 }
 
@@ -112,8 +120,7 @@ function indicesOf(names) {
 
 /**
  * The blocks of a result of `match` by the indices of parts in `names`, the names of both shapes' parts: [{parts: [indices,
- * indices], role, operation, confidence, least, sure}]; the role may be empty, and the confidence null. `least` is that of its
- * least sure pair; `sure` has by side a map from part to the mean confidence of its pairs.
+ * indices], role, operation, confidence, least}]; the role may be empty, and the confidence null. `least` is that of its least sure pair.
  */
 export function indexedBlocks(result, names) {
   const index = indicesOf(names), confidences = new Map();
@@ -121,10 +128,8 @@ export function indexedBlocks(result, names) {
   return result.blocks.map(block => {
     const parts = [block.source, block.target].map((list, side) => list.map(name => index[side].get(name)));
     const of = pairs => pairs.map(([a, b]) => confidences.get(a + ':' + b)).filter(value => value !== undefined);
-    const mean = values => values.length ? values.reduce((sum, value) => sum + value, 0) / values.length : 1;
-    const sure = [new Map(parts[0].map(a => [a, mean(of(parts[1].map(b => [a, b])))])), new Map(parts[1].map(b => [b, mean(of(parts[0].map(a => [a, b])))]))];
     const confidence = block.confidence === undefined ? null : block.confidence, all = of(parts[0].flatMap(a => parts[1].map(b => [a, b])));
-    return {parts, role: block.role || '', operation: block.operation, confidence, least: all.length ? Math.min(...all) : confidence, sure};
+    return {parts, role: block.role || '', operation: block.operation, confidence, least: all.length ? Math.min(...all) : confidence};
   });
 }
 

@@ -20,7 +20,7 @@ export function showParts() {
   stage.setLayer('surfaces', true);
   setBreakable(models.length === 1 ? models[0].name : `Parts of ${models.length} models`, $('h1'));
   element('p', 'Each colour is a part, as a match takes it. If it should be another one, click it, and join it with others or divide it.', $('#facts'));
-  addTabs([['models', 'Picture'], ...(models.length > 1 ? [['shapes', 'Models']] : []), ['list', 'Parts']]);
+  const openTab = addTabs([...(models.length > 1 ? [['shapes', 'Models']] : []), ['models', 'Picture'], ['list', 'Parts']]);
   let model = null, table = null, start = [], into = [], colours = []; // by unit: its part at first; the unit that names its part now, the first one of it; its colour
   const marked = new Set(), buttons = {};
   const unitsOf = part => into.map((_, i) => i).filter(i => into[i] === part);
@@ -173,7 +173,7 @@ export function showParts() {
   }
 
   const cards = models.length < 2 ? [] : fillGallery($('#gallery'), models.map((one, i) => (
-      {name: one.name, mark: one.unusable ? 'unusable' : '', shape: one.unusable ? null : nodes[i]})), new Pictures(), choose);
+      {name: one.name, mark: one.unusable ? 'unusable' : '', shape: one.unusable ? null : nodes[i]})), new Pictures(), i => { choose(i); openTab('models'); });
   if (models.length > 1) document.body.classList.add('with-gallery');
   choose(0);
 }

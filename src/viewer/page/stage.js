@@ -13,11 +13,13 @@ const stackedGain = 1.1; // in size, for which views go one below the other
 const fadedOpacity = 0.1, overlaidOpacity = 0.3;
 const largestRatio = 1.25; // of the sizes of shapes that are drawn to one scale
 const groundPixels = 96, shadowTriangles = 12000; // of the picture of the ground, which is soft for its few pixels
-const hatching = `if (hatch > 0. && mod(gl_FragCoord.x + gl_FragCoord.y, 9.) < 3.) gl_FragColor.rgb = mix(gl_FragColor.rgb, vec3(1.), .75);`;
+const hatching = `if (hatch > 0. && mod(gl_FragCoord.x + gl_FragCoord.y, 12.) < 4.) gl_FragColor.rgb = mix(gl_FragColor.rgb, vec3(1.), .6);`;
 const fittedPoints = 3000; // at most, of a view that is to be in the picture
 const radiansPerSecond = 0.35; // of shapes that turn slowly
 const isDark = matchMedia('(prefers-color-scheme: dark)');
 const lightOfLines = 0.6; // in the dark
+const mostSpots = 40; // of a thing
+const otherThing = 254; // the number of what has none in `seenPlaces()`
 const noPoints = {points: [], middle: {x: 0, y: 0}};
 
 function geometryOf(mesh) {
@@ -389,17 +391,21 @@ export class Stage {
   }
 
   /**
-   * Where things are seen in a view: by number, {x, y, area}, a place in the window that is well inside, and pixels.
+   * Where things are seen in a view.
    * @param numberOf an item's thing, from 0 to 253, or -1
+   * @returns {places, shareOf}: by number, {spots: [{x, y}], area}, places in the window that are seen, the first one well inside, and
+   * pixels; the share of a box {left, right, top, bottom} of the window that shows a number, -1 for the background
    */
   seenPlaces(view, numberOf) {
-    const box = this.boxOf(view), result = new Map();
-    if (!this.renderer || box.width <= 0 || box.height <= 0) return result;
+    const box = this.boxOf(view), places = new Map();
+    if (!this.renderer || box.width <= 0 || box.height <= 0) return {places, shareOf: () => 0};
     const width = 160, height = Math.max(1, Math.round(width * box.height / box.width)), scale = box.width / width;
     view.numbers = view.numbers || new THREE.WebGLRenderTarget(width, height);
     view.numbers.setSize(width, height);
-    const items = this.items.filter(item => item.view === view && item.object.isMesh && item.object.visible), saved = items.map(item => item.object.material);
-    for (const item of items) item.object.material = numberMaterial(numberOf(item));
+    const seen = this.items.filter(item => item.view === view && item.object.visible), lines = seen.filter(item => !item.object.isMesh);
+    const items = seen.filter(item => item.object.isMesh), saved = items.map(item => item.object.material), numbers = items.map(numberOf);
+    items.forEach((item, i) => { item.object.material = numberMaterial(numbers[i] < 0 ? otherThing : numbers[i]); });
+    for (const item of lines) item.object.visible = false;
     view.ground.material.visible = false;
     this.renderer.gammaOutput = false; // numbers, no light
     this.renderer.setRenderTarget(view.numbers);
@@ -412,10 +418,11 @@ export class Stage {
     this.renderer.gammaOutput = true;
     view.ground.material.visible = true;
     items.forEach((item, i) => { item.object.material = saved[i]; });
+    for (const item of lines) item.object.visible = true;
     const cells = new Map(), at = i => pixels[4 * i] - 1;
     for (let i = width + 1; i < width * (height - 1) - 1; ++i) {
       const number = at(i);
-      if (number >= 0) cells.has(number) ? cells.get(number).push(i) : cells.set(number, [i]);
+      if (number >= 0 && number < otherThing) cells.has(number) ? cells.get(number).push(i) : cells.set(number, [i]);
     }
     for (const [number, list] of cells) { // the deepest inside, and of these the one nearest to the middle
       const isInside = i => [-width, -1, 1, width].every(step => at(i + step) === number);
@@ -426,9 +433,20 @@ export class Stage {
       }
       const [mx, my] = [i => i % width, i => Math.floor(i / width)].map(of => list.reduce((sum, i) => sum + of(i), 0) / list.length);
       const far = i => Math.hypot(i % width - mx, Math.floor(i / width) - my), best = inner.reduce((a, b) => far(b) < far(a) ? b : a);
-      result.set(number, {x: box.left + (best % width + 0.5) * scale, y: box.top + box.height - (Math.floor(best / width) + 0.5) * scale, area: list.length * scale * scale});
+      const step = Math.ceil(list.length / mostSpots), spots = [best, ...list.filter((_, k) => k % step === 0)].map(
+          i => ({x: box.left + (i % width + 0.5) * scale, y: box.top + box.height - (Math.floor(i / width) + 0.5) * scale}));
+      places.set(number, {spots, area: list.length * scale * scale});
     }
-    return result;
+    const shareOf = ({left, right, top, bottom}, number) => {
+      let all = 0, those = 0;
+      for (let y = Math.floor((box.top + box.height - bottom) / scale); y <= (box.top + box.height - top) / scale; ++y)
+        for (let x = Math.floor((left - box.left) / scale); x <= (right - box.left) / scale; ++x) {
+          ++all;
+          those += Number(x >= 0 && y >= 0 && x < width && y < height && at(y * width + x) === number);
+        }
+      return those / all;
+    };
+    return {places, shareOf};
   }
 
   /** Where the middle of a part is in the window. */

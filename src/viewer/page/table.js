@@ -34,8 +34,8 @@ function addCell(tr, cell, column, selection) {
  * @param rows [{key, colour (of a style sheet, or none), cells, rows, words}]; a row is chosen by its key, if it has one, and
  * folds its `rows`, if it has any. `words` are searched, too
  * @param search the input element whose text rows must contain, or null
- * @returns {light(keys), paint(colours, unsure), hide(keys)}: marks the rows of keys, a set or null; sets the colours of rows, a
- * map by key, and hatches those of a set; hides the rows of keys, a set
+ * @returns {light(keys), paint(colours, unsure, partly), hide(keys)}: marks the rows of keys, a set or null; sets the colours of rows, a
+ * map by key, and hatches those of a set, of another set in part; hides the rows of keys, a set
  */
 export function fillTable(table, columns, rows, selection, search) {
   table.replaceChildren();
@@ -105,11 +105,12 @@ export function fillTable(table, columns, rows, selection, search) {
         row.tr.setAttribute('aria-selected', isLit);
       }
     },
-    paint(colours, unsure = new Set()) {
+    paint(colours, unsure = new Set(), partly = new Set()) {
       for (const row of made) {
         if (!row.swatch || !colours.has(row.key)) continue;
         row.swatch.style.backgroundColor = colours.get(row.key);
         row.swatch.classList.toggle('unsure', unsure.has(row.key));
+        row.swatch.classList.toggle('partly', partly.has(row.key));
       }
     },
     hide(keys) { hidden = keys; showRows(); },

@@ -7,7 +7,7 @@ import {shellWord, storedMatch} from '../../../src/viewer/page/collection_page.j
 import {cssColour, linearColour} from '../../../src/viewer/page/dom.js';
 import {extentOf, rolesInOnePiece} from '../../../src/viewer/page/extent.js';
 import {bytesOfBase64, morphed, readGlb, valuesAt} from '../../../src/viewer/page/glb.js';
-import {countedParts, groupNumbers, indexedBlocks, inWords, listed, nounOf, operationText, percent, readersNote, rowsByRole, sentenceOf, withRanges} from '../../../src/viewer/page/matching.js';
+import {countedParts, groupNumbers, indexedBlocks, inWords, listed, nounOf, operationText, percent, readersNote, roleText, rowsByRole, sentenceOf, withRanges} from '../../../src/viewer/page/matching.js';
 import {Selection} from '../../../src/viewer/page/selection.js';
 import {walkTree} from '../../../src/viewer/page/tree.js';
 
@@ -89,11 +89,14 @@ function glb(json, numbers) {
   equal(listed(['a', 'b', 'c', 'd'], 3), 'a, b and 2 more');
   equal(withRanges(['leg_1', 'leg_2', 'leg_3', 'leg_5', 'seat', 'a#9', 'a#10', 'a#11']), ['leg_1–3', 'leg_5', 'seat', 'a#9–11']);
   equal([withRanges(['a1', 'b2', 'b3']), withRanges([])], [['a1', 'b2', 'b3'], []]);
-  equal(['front_left_leg', 'star_1', 'seat frame 2', 'arm_pad_l', 'wheels#3', '7', 'leg_left'].map(label => nounOf(label)), ['leg', 'star', 'seat frame', 'pad', 'wheels', '7', 'leg']);
+  equal(['front_left_leg', 'star_1', 'seat frame 2', 'arm_pad_l', 'wheels#3', '7', 'leg_left'].map(label => nounOf(label)), ['leg', 'star leg', 'seat frame', 'pad', 'wheels', '7', 'leg']);
   equal([countedParts(['column', 'star_1', 'star_2'], ''), countedParts(['a_x', 'shelf', 'body', 'box', 'leg'], 'seat_frame'), countedParts(['shelf 1', 'shelf 2'], '')],
-        ['1 column and 2 stars', '5 seat frames', '2 shelves']);
+        ['1 column and 2 star legs', '5 seat frames', '2 shelves']);
+  equal([countedParts(['bar', 'cushion_back'], 'back'), countedParts(['bedding_1', 'bedding_2'], ''), countedParts(['wing_l', 'wing_r'], 'wing')], ['bar and back', '2 bedding parts', '2 wings']);
+  equal([sentenceOf([['window 5'], ['window 7']], 'window'), sentenceOf([['h stab 1'], ['h stab 1', 'h stab 2']], 'h_stab'), roleText('v_stab')],
+        ['window 5 matches window 7', 'h stab matches 2 h stabs', 'fin']);
   equal([sentenceOf([['left_leg', 'right_leg'], ['column', 'star_1', 'star_2']], 'leg'), sentenceOf([['seat'], ['pad']], ''), sentenceOf([['wheels 1', 'wheels 2'], ['wheels 1', 'wheels 2']], '')],
-        ['2 legs become 1 column and 2 stars', 'seat becomes pad', '2 wheels match 2 wheels']);
+        ['2 legs become 1 column and 2 star legs', 'seat becomes pad', '2 wheels match 2 wheels']);
   equal([nounOf('seat_frame#2', 'seat_frame'), nounOf('seat_frame 2')], ['seat frame', 'frame']);
   const roles = ['leg', 'seat', 'leg', '', ''].map(role => ({role, parts: [[0], [0]]}));
   equal(rowsByRole(roles), [{role: 'leg', blocks: [0, 2]}, {role: 'seat', blocks: [1]}, {role: '', blocks: [3]}, {role: '', blocks: [4]}]);
@@ -110,7 +113,7 @@ function glb(json, numbers) {
   const shown = block => [block.parts, block.role, block.operation, block.confidence, block.least];
   equal(blocks.map(shown), [[[[0], [2]], '', 'match', 1, 1], [[[2], [0, 1]], 'back', 'split', 0.6, 0.6]]);
   const [, rated] = indexedBlocks({...result, pairs: [['leg', 'leg'], ['back', 'slat 1'], ['back', 'slat 2']], confidences: [1, 0.4, 0.8]}, names);
-  equal([rated.least, [...rated.sure[0]], [...rated.sure[1]].map(([part, sure]) => [part, Math.round(10 * sure)])], [0.4, [[2, (0.4 + 0.8) / 2]], [[0, 4], [1, 8]]]);
+  equal([rated.confidence, rated.least], [0.6, 0.4]);
   equal(blocks.map(operationText), ['match', 'split 1:2']);
   equal([0, 1].map(side => inWords(blocks[1], side)), ['splits into 2 parts', 'one part splits into this and 1 other part']);
   equal(inWords(blocks[0], 1), 'one part matches one part');
@@ -133,8 +136,8 @@ function glb(json, numbers) {
   selection.pin('b');
   equal(seen, ['a', null, 'b', 'c', 'b', null]);
   equal(walkTree(4, [[0, 1, 3], [1, 2, 1], [0, 3, 2]], 0),
-        [{shape: 0, depth: 0, distance: null}, {shape: 3, depth: 1, distance: 2}, {shape: 1, depth: 1, distance: 3},
-         {shape: 2, depth: 2, distance: 1}]);
+        [{shape: 0, parent: -1, depth: 0, distance: null}, {shape: 3, parent: 0, depth: 1, distance: 2}, {shape: 1, parent: 0, depth: 1, distance: 3},
+         {shape: 2, parent: 1, depth: 2, distance: 1}]);
   const stored = {operations: ['match', 'split'], maps: {'0,2': [0.1, 0.2, [[[3], [4, 5], 1, 50]]]}};
   equal(storedMatch(stored, 0, 2),
         {blocks: [{parts: [[3], [4, 5]], role: '', confidence: 0.5, operation: 'split'}], energies: [0.1, 0.2]});

@@ -108,6 +108,8 @@ class Pages(unittest.TestCase):
         browser.resize(*size, is_phone=size == PHONE)
         errors, requests = browser.open(pages[name])
         browser.wait_for("document.body.dataset.ready")
+        if size == PHONE:  # sets open on the set
+            browser.evaluate("document.body.dataset.tab = 'models'")
         browser.evaluate(AFTER_DRAWING)
         self.assertEqual(errors, [])
         self.assertEqual([request for request in requests if not request.startswith("data:")], [])
@@ -165,7 +167,7 @@ class Pages(unittest.TestCase):
 
     def test_a_row_and_the_search_light_parts(self):
         self.open("match")
-        row = "[...document.querySelectorAll('tbody tr')].find(tr => tr.textContent.includes('seat becomes saddle_seat'))"
+        row = "[...document.querySelectorAll('tbody tr')].find(tr => tr.textContent.includes('seat matches saddle_seat'))"
         browser.evaluate(row + ".onmouseenter()")
         self.assertEqual((self.lit(0), self.lit(1)), (["seat"], ["saddle_seat"]))
         browser.evaluate(row + ".onmouseleave()")
@@ -197,6 +199,41 @@ class Pages(unittest.TestCase):
         browser.evaluate("(s => { s.value = 0.95; s.oninput(); })(document.querySelector('#tools input[type=range]'))")
         self.assertLess(browser.evaluate(rows), before)
         self.assertLess(browser.evaluate(grey), colours)
+        self.assertRegex(browser.evaluate("document.querySelector('#facts').textContent"), r"Hidden, because they are below 95 %, and drawn faint: .*\d parts? and their \d+ counterparts?\.")
+        self.assertEqual(browser.evaluate("document.querySelector('#show > summary').textContent"), "Show (filtered)")
+        self.open("blend")
+        browser.evaluate("(s => { s.value = 0.95; s.oninput(); })(document.querySelector('#tools input[type=range]'))")
+        faint = browser.evaluate("document.querySelectorAll('.bars span.faint').length")
+        self.assertTrue(0 < faint < browser.evaluate("document.querySelectorAll('.bars > span').length / 2"))
+
+    def test_labels_stand_with_contacts_shown(self):
+        self.open("match", (1440, 900))
+        stage = "document.querySelector('#stage').stage"
+        before = browser.evaluate(f"{stage}.labels().map(label => label.text).sort()")
+        for layer in ("contacts", "curves and sheets"):
+            browser.evaluate(f"{stage}.setLayer('{layer}', true)")
+            browser.evaluate(AFTER_DRAWING)
+        browser.evaluate(f"{stage}.setLayer('curves and sheets', false)")
+        self.assertEqual(browser.evaluate(f"{stage}.labels().map(label => label.text).sort()"), before)
+        for x in range(50, 800, 150):
+            browser.mouse("mouseMoved", x, 400)
+        browser.evaluate(AFTER_DRAWING)
+        self.assertEqual(browser.heard()[0], [])
+
+    def test_a_film_says_what_it_leaves_out_of_the_match(self):
+        path = os.path.join(setUpModule.folder.name, "thinned.html")
+        chairs = [os.path.join(arguments.data, name) for name in ("chair_four_legged", "chair_swivel")]
+        subprocess.run([arguments.program, "blend", *chairs, "--frames", "3", "--html", path, "--quiet"], check=True)
+        pages["thinned"] = path
+        self.open("thinned")
+        self.assertEqual(browser.evaluate("document.querySelector('h1').textContent"), "From chair_four_legged to chair_swivel")
+        self.assertRegex(browser.evaluate("document.querySelector('#facts').textContent"), r"^Press Play: .* \d+ less probable pairs of the match are left out")
+        line = "(t => { const s = document.querySelector('#player input'); s.value = t; s.oninput(); const bar = document.querySelector('.bars > span:nth-of-type(2)').getBoundingClientRect(), {left, width} = s.getBoundingClientRect(); return [bar.left + t * bar.width, left + 10 + t * (width - 20)]; })"
+        for t in (0, 0.25, 1):  # of the bars, and of the slider's thumb
+            bar, thumb = browser.evaluate(f"{line}({t})")
+            self.assertAlmostEqual(bar, thumb, delta=1)
+        self.assertEqual(browser.evaluate("document.querySelector('.between figcaption').textContent"), "chair_swivel")
+        del pages["thinned"]
 
     def test_keys(self):
         self.open("match")
@@ -344,17 +381,25 @@ class Pages(unittest.TestCase):
         end = text.index("</script>", begin)
         match = json.loads(text[begin:end])
         match["confidences"] = [0.1 if "turned_leg_a" in pair else value for pair, value in zip(match["pairs"], match["confidences"])]
+        for block in match["blocks"]:
+            if block["target"] == ["turned_leg_a"]:
+                block["confidence"] = 0.1
         pages["unsure"] = pages["match"].replace(".html", "_unsure.html")
         with open(pages["unsure"], "w", encoding="utf-8") as file:
             file.write(text[:begin] + json.dumps(match) + text[end:])
         look = """(name => { const item = document.querySelector('#stage').stage.items.find(i => i.node.name === name);
-                    const {r, g, b} = item.colour; return [Math.max(r, g, b) - Math.min(r, g, b), item.hatch]; })"""
+                    return [JSON.stringify(item.colour), item.hatch]; })"""
+        told = "document.querySelector('#facts').textContent"
+        self.open("match")
+        self.assertNotIn("Striped", browser.evaluate(told))
         self.open("unsure")
-        (unsure, is_hatched), (sure, is_other_hatched) = [browser.evaluate(f"{look}('{name}')") for name in ("turned_leg_a", "turned_leg_b")]
-        self.assertLess(unsure, sure)
+        (colour, is_hatched), (other, is_other_hatched), counterpart = [browser.evaluate(f"{look}('{name}')") for name in ("turned_leg_a", "turned_leg_b", "front_left_leg")]
+        self.assertEqual(counterpart, [colour, 1])  # striped, but in the colour of its counterpart
         self.assertEqual((is_hatched, is_other_hatched), (1, 0))
+        self.assertIn("Striped parts are unsure, less than 50 %.", browser.evaluate(told))
         self.assertIn("least 10 %", browser.evaluate("document.querySelector('table').textContent"))
-        self.assertGreater(browser.evaluate("document.querySelectorAll('tr:not(.part) i.unsure').length"), 0)
+        striped = [browser.evaluate(f"document.querySelectorAll('{rows} i.{kind}').length") for rows in ("tr:not(.part)", "tr.part") for kind in ("unsure", "partly")]
+        self.assertEqual(striped, [0, 1, 1, 0])  # some blocks of the row; the block below it
         del pages["unsure"]
 
     def test_roles_stand_at_the_parts(self):
