@@ -11,6 +11,7 @@
 #include "generator/benchmark/degrade.h"
 #include "generator/grammar/kinds.h"
 #include "generator/models.h"
+#include "generator/surface_distance.h"
 #include "generator/writer.h"
 
 #include <catch2/catch.hpp>
