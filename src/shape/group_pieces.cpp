@@ -44,7 +44,6 @@ public:
       : piece_(piece), tree_(triangles_of(piece.surface)), samples_(samples_of(piece.surface)), model_size_(model_size)
   {}
 
-  const Loose_piece& piece() const { return piece_; }
   const Triangle_tree& tree() const { return tree_; }
   const Points& samples() const { return samples_; }
 
