@@ -19,7 +19,8 @@ Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<
     : chart_(chart), points_(points), coordinates_(3, points.cols()), offsets_(3, points.cols())
 {
   constexpr double near = 0.25; // distance along the axis, in coordinates, of places of which one stays
-  constexpr double thin = 0.03; // half extent, over the height, up to which the line is in the middle of the part
+  // Half extent, over the height and over that along the axis, up to which the line is in the middle of the part
+  constexpr double thin = 0.03, slender = 0.2;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Point k = chart.coordinates(points.col(i));
     coordinates_.col(i) = k;
@@ -35,7 +36,7 @@ Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<
   box.sizes().cwiseProduct(half).maxCoeff(&axis_);
   for (Station& station : sorted)
     for (int i = 0; i < 3; ++i)
-      if (i != axis_ && half[i] <= thin) station.at[i] = 0;
+      if (i != axis_ && half[i] <= std::min(thin, slender * half[axis_])) station.at[i] = 0;
   const auto key = [&](const Station& station) {
     const Point p = chart(station.at);
     return std::tuple(quantized(p.y()), quantized(p.z()));
