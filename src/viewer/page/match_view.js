@@ -18,7 +18,7 @@ const labelHeight = 18, farthestLabel = 90, labelStep = 8; // pixels
 const labelShare = 0.6; // of a label that covers its part, so that it covers nothing else
 
 /** Labels of parts and lines between counterparts, over the stage. */
-class Overlay {
+export class Overlay {
   constructor(stage) {
     this.stage = stage;
     this.canvas = element('canvas', '', stage.root);

@@ -64,20 +64,21 @@ export const counted = (number, noun) => `${number} ${number === 1 ? noun : unco
 /** A role in words. */
 export const roleText = role => plainNouns[role] || role.replace(/_/g, ' ');
 
-/** Parts as one counts them: `1 column and 5 arms`; without numbers if there is one of each. @param role names those that have too many names; it may be empty */
-export function countedParts(labels, role) {
+/** Parts as one counts them: `1 column and 5 arms`; without numbers, unless they are wanted, if there is one of each. @param role names those that have too many names; it may be empty */
+export function countedParts(labels, role, wantsNumbers = false) {
   const counts = new Map();
   for (const noun of labels.map(label => nounOf(label, role))) counts.set(noun, (counts.get(noun) || 0) + 1);
   if (counts.size > mostNouns) return counted(labels.length, role ? roleText(role) : 'part');
-  const areSingle = [...counts.values()].every(number => number === 1);
+  const areSingle = !wantsNumbers && counts.size === labels.length;
   return listed([...counts].map(([noun, number]) => areSingle ? noun : counted(number, noun)));
 }
 
 /** What becomes of parts, as a sentence: `4 legs become 1 column and 5 arms`; the same things match. @param labels of source and target */
 export function sentenceOf(labels, role) {
   const [sources, targets] = labels.map(list => list.length);
-  const isOne = sources === 1 && targets === 1, [from, to] = labels.map(list => isOne ? list[0] : countedParts(list, role));
-  const [nouns, others] = labels.map(list => [...new Set(list.map(label => nounOf(label, role)))].sort().join());
+  const nounsOf = list => [...new Set(list.map(label => nounOf(label, role)))].sort(), wantsNumbers = labels.some(list => nounsOf(list).length < list.length);
+  const isOne = sources === 1 && targets === 1, [from, to] = labels.map(list => isOne ? list[0] : countedParts(list, role, wantsNumbers));
+  const [nouns, others] = labels.map(list => nounsOf(list).join());
   const [verb, verbs] = nouns === others ? ['matches', 'match'] : ['becomes', 'become'];
   return `${from} ${sources === 1 ? verb : verbs} ${to}`;
 }

@@ -8,6 +8,7 @@ import {cssColour, linearColour} from '../../../src/viewer/page/dom.js';
 import {extentOf, rolesInOnePiece} from '../../../src/viewer/page/extent.js';
 import {bytesOfBase64, morphed, readGlb, valuesAt} from '../../../src/viewer/page/glb.js';
 import {countedParts, groupNumbers, indexedBlocks, inWords, listed, nounOf, operationText, percent, readersNote, roleText, rowsByRole, sentenceOf, withRanges} from '../../../src/viewer/page/matching.js';
+import {Overlay} from '../../../src/viewer/page/match_view.js';
 import {Selection} from '../../../src/viewer/page/selection.js';
 import {walkTree} from '../../../src/viewer/page/tree.js';
 
@@ -82,6 +83,16 @@ function glb(json, numbers) {
   equal(refused, true);
 }
 
+// match_view.js: a label on a large part, beside a thin one, and none where another part is all around or a label stands
+{
+  const confine = {left: 0, top: 0, width: 400, height: 400}, spots = [{x: 200, y: 200}];
+  const place = (partHalf, backgroundFrom, placed = []) => Overlay.prototype.placeOfLabel.call({placed}, {spots, number: 3, confine, shareOf: ({left, right}, number) =>
+      number === 3 ? Math.min(1, 2 * partHalf / (right - left)) : Number(left >= 200 + backgroundFrom)}, 20);
+  equal(place(50, 60), {left: 180, right: 220, top: 191, bottom: 209});
+  equal(place(2, 10), {left: 216, right: 256, top: 191, bottom: 209, from: spots[0]});
+  equal([place(2, 300), place(50, 300, [place(50, 60)])], [null, null]);
+}
+
 // matching.js
 {
   equal([percent(0.934), percent(null), percent(undefined), percent(0)], ['93 %', '', '', '0 %']);
@@ -93,8 +104,8 @@ function glb(json, numbers) {
   equal([countedParts(['column', 'star_1', 'star_2'], ''), countedParts(['a_x', 'shelf', 'body', 'box', 'leg'], 'seat_frame'), countedParts(['shelf 1', 'shelf 2'], '')],
         ['1 column and 2 star legs', '5 seat frames', '2 shelves']);
   equal([countedParts(['bar', 'cushion_back'], 'back'), countedParts(['bedding_1', 'bedding_2'], ''), countedParts(['wing_l', 'wing_r'], 'wing')], ['bar and back', '2 bedding parts', '2 wings']);
-  equal([sentenceOf([['window 5'], ['window 7']], 'window'), sentenceOf([['h stab 1'], ['h stab 1', 'h stab 2']], 'h_stab'), roleText('v_stab')],
-        ['window 5 matches window 7', 'h stab matches 2 h stabs', 'fin']);
+  equal([sentenceOf([['window 5'], ['window 7']], 'window'), sentenceOf([['body'], ['interior', 'body']], 'body'), sentenceOf([['h stab 1'], ['h stab 1', 'h stab 2']], 'h_stab'), roleText('v_stab')],
+        ['window 5 matches window 7', 'body becomes interior and body', '1 h stab matches 2 h stabs', 'fin']);
   equal([sentenceOf([['left_leg', 'right_leg'], ['column', 'star_1', 'star_2']], 'leg'), sentenceOf([['seat'], ['pad']], ''), sentenceOf([['wheels 1', 'wheels 2'], ['wheels 1', 'wheels 2']], '')],
         ['2 legs become 1 column and 2 star legs', 'seat becomes pad', '2 wheels match 2 wheels']);
   equal([nounOf('seat_frame#2', 'seat_frame'), nounOf('seat_frame 2')], ['seat frame', 'frame']);
