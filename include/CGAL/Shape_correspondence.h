@@ -22,6 +22,7 @@
 #include <CGAL/Shape_correspondence/energy_matrix.h>
 #include <CGAL/Shape_correspondence/estimate_up.h>
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
+#include <CGAL/Shape_correspondence/features_of_parts.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 #include <CGAL/Shape_correspondence/nearest_shapes.h>
 #include <CGAL/Shape_correspondence/parameters.h>

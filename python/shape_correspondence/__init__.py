@@ -38,6 +38,7 @@ from ._collections import (
 from ._core import InvalidInput, __version__
 from ._matches import (
     Block,
+    ComparedFeatures,
     ContactEnergy,
     EnergyTerms,
     GroupMatch,
@@ -55,10 +56,10 @@ from ._matches import (
 from ._shapes import Graph, Part, PartAbstraction, PartGroup, Shape, build_graph, read
 
 __all__ = [
-    "Blend", "BlendTask", "Block", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape", "ContactEnergy",
-    "EnergyTerms", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match", "MeanScore", "Medoid",
-    "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup", "Score",
-    "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks",
-    "TransferredPart", "TreeEdge", "blend", "build_graph", "collection", "evaluate", "match", "nearest",
-    "read", "roles", "schedule_names", "transfer", "transfer_labels", "transfer_looks",
+    "Blend", "BlendTask", "Block", "Bridge", "Cluster", "CoAnalysis", "Collection", "CollectionShape",
+    "ComparedFeatures", "ContactEnergy", "EnergyTerms", "Evaluation", "Graph", "GroupMatch", "InvalidInput", "Match",
+    "MeanScore", "Medoid", "Nearest", "NearShape", "PairMatch", "PairRoles", "Part", "PartAbstraction", "PartGroup",
+    "Score", "SearchSummary", "Seconds", "Shape", "Solution", "TransferredLooks", "TransferredPart", "TreeEdge",
+    "blend", "build_graph", "collection", "evaluate", "match", "nearest", "read", "roles", "schedule_names",
+    "transfer", "transfer_labels", "transfer_looks",
 ]

@@ -17,7 +17,7 @@ from ._options import defaults, with_options
 from ._pages import Page
 from ._pictures import MOST_TRIANGLES, picture
 from ._records import Record
-from ._shapes import Graph, Input, Path, Progress, _graphs
+from ._shapes import Features, Graph, Input, Path, Progress, _graphs
 from .roles import RoleModel, _model_of
 
 _MOST_ROWS, _MOST_NAMES = 30, 6  # of a table in a notebook
@@ -65,6 +65,15 @@ class PairRoles(Record):
 
     source: Dict[str, str]  #: the most probable role of every source part, by its name
     target: Dict[str, str]  #: the same for the target parts
+
+
+@dataclass
+class ComparedFeatures(Record):
+    """The features of both shapes that were compared."""
+
+    dimension: int  #: numbers for each face or vertex
+    weight: float  #: weight of their cosine distance in the cost of a pair of parts
+    calibrated: bool  #: whether confidences were calibrated with them: False
 
 
 @dataclass
@@ -128,6 +137,7 @@ class Match(Record, Page):
     confidences: Optional[List[float]] = None  #: probability of each pair; None if the method does not compute it
     category: Optional[str] = None  #: category whose roles were used; None: no roles were used
     roles: Optional[PairRoles] = None  #: roles of the parts, if there is a category
+    features: Optional[ComparedFeatures] = None  #: features that were compared; None: there are none
     blocks: List[Block] = field(default_factory=list)  #: parts that correspond as wholes, each part in one block
     groups: List[GroupMatch] = field(default_factory=list)  #: by group of the deformed shape
     contacts: List[ContactEnergy] = field(default_factory=list)  #: by contact of the deformed shape
@@ -219,6 +229,8 @@ def match(
     forbidden: Pairs = (),
     source_parts: Names = (),
     target_parts: Names = (),
+    source_features: Features = None,
+    target_features: Features = None,
     cache: Optional[Path] = None,
     threads: int = 0,
     progress: Progress = None,
@@ -244,13 +256,18 @@ def match(
     :param forbidden: pairs of parts that must not correspond
     :param source_parts: only these parts of the source, by name or index; empty: all
     :param target_parts: the same for the target
+    :param source_features: features of the surface of the source, see `build_graph()`; those of both shapes are compared
+    :param target_features: the same for the target
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`
     :param progress: see `build_graph()`; if it returns False, the search ends with what it has found
     :raises InvalidInput: if a shape cannot be used, or an option is out of its range
     """
     of_shapes = {name: options.pop(name) for name in (*defaults("read"), *defaults("build_graph")) if name in options}
-    graphs = _graphs([source, target], True, {**of_shapes, "cache": cache, "threads": threads}, progress)
+    features = (source_features, target_features)
+    if sum(given is None for given in features) == 1 and not any(isinstance(shape, Graph) for shape in (source, target)):
+        raise _core.InvalidInput("features of one shape are given; give those of the other, too, as both are compared")
+    graphs = _graphs([source, target], True, {**of_shapes, "cache": cache, "threads": threads}, progress, features)
     paper = of_shapes.get("paper", False)
     search: Dict[str, Any] = {**options, "part_matching": part_matching, "paper": paper}
     for name, parts, graph in zip(("source_parts", "target_parts"), (source_parts, target_parts), graphs):

@@ -83,6 +83,7 @@ def with_names_of_program(function: Function, options: Sequence[str] = ()) -> Fu
     known = {*options, *(p.name for p in parameters if p.kind is not p.VAR_KEYWORD)}
     if "roles" in known or name == "blend":
         known |= {*defaults("match"), "part_matching", "roles", "pinned", "forbidden", "source_parts", "target_parts",
+                  "source_features", "target_features",
                   "abstraction"}
     if name in ("match", "blend", "build_graph"):
         known |= {*defaults("read"), *defaults("build_graph")}

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import html
+import itertools
 import json
 import os
 from collections.abc import Mapping
@@ -22,6 +23,7 @@ from ._records import Record
 
 Path = Union[str, "os.PathLike[str]"]
 Progress = Optional[Callable[[float, str], Any]]
+Features = Any  # an (n, d) array, a file, or None
 
 
 class Part(NamedTuple):
@@ -48,12 +50,12 @@ class Shape:
     """
 
     def __init__(self, parts: Parts, name: str = "shape", up: Union[str, Sequence[float]] = "y"):
-        triples = parts_of(parts)
-        if is_mesh(parts):
-            ((part, vertices, faces),) = triples
-            triples = _core.divide_mesh(part, *_mesh_arrays(part, vertices, faces)).parts()
-        arrays = [(part, *_mesh_arrays(part, vertices, faces)) for part, vertices, faces in triples]
-        self._handle = _core.make_shape(arrays, name, _direction(up))
+        arrays = [(part, *_mesh_arrays(part, vertices, faces)) for part, vertices, faces in parts_of(parts)]
+        whole = arrays if is_mesh(parts) else []
+        if whole:
+            divided = _core.divide_mesh(*whole[0]).parts()
+            arrays = [(part, *_mesh_arrays(part, vertices, faces)) for part, vertices, faces in divided]
+        self._handle = _core.make_shape(arrays, name, _direction(up), whole)
 
     @classmethod
     def from_segmentation(
@@ -237,18 +239,26 @@ def read(path: Path, **options: Any) -> Shape:
 
 
 @with_options
-def build_graph(shape: Input, *, progress: Progress = None, **options: Any) -> Graph:
+def build_graph(shape: Input, *, features: Features = None, progress: Progress = None, **options: Any) -> Graph:
     """Builds the structural graph of a shape: a curve or sheet for every part, symmetry groups and contacts.
 
     :param shape: a `Shape`, what makes a `Shape`, a model file, or a saved graph (``.json``)
+    :param features: features of the surface, such as those of a neural network, which `match()` compares: an (n, d) array
+        of numbers or a ``.npy`` file, with a row for each face, or else for each vertex, in the order of the model file
+        (OBJ, OFF, PLY, STL, or a folder of these), or of the arrays of the shape, part by part. A saved graph has none
     :param progress: called with the fraction done, in [0, 1], and the name of the current step
     :raises InvalidInput: if the shape has fewer than two parts or more than 2000, or an option is out of its range
     """
-    return _graphs([shape], False, options, progress)[0]
+    return _graphs([shape], False, options, progress, [features])[0]
 
 
-def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], progress: Progress) -> List[Graph]:
+def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], progress: Progress,
+            features: Sequence[Features] = ()) -> List[Graph]:
     """The graphs of inputs: files all at once, other inputs one by one."""
+    arrays = [None if given is None else _feature_array(given) for given in features]
+    for shape, array in zip(shapes, arrays):
+        if isinstance(shape, Graph) and array is not None:
+            raise _core.InvalidInput(f"{shape!r} is built already; give its features to build_graph()")
     paths = [os.fspath(shape) for shape in shapes if isinstance(shape, (str, os.PathLike))]
     is_pair = is_pair and len(paths) == 2
     loaded = iter(_core.load_graphs(paths, is_pair, options, progress) if paths else [])
@@ -256,7 +266,8 @@ def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], pro
     # What the paper's method asks of graphs may be given beside graphs of another kind: a match warns of them
     further = {name for name, value in options.items() if value is not None} - {"cache", "threads", "allow_outside_files"}
     further -= {"paper"} if options.get("abstraction") != "flow" else {"paper", "abstraction"}
-    for shape in shapes:
+    for shape, array in itertools.zip_longest(shapes, arrays):
+        given = None
         done = further if isinstance(shape, Graph) else further & {*defaults("read")} if isinstance(shape, Shape) else {}
         if done:
             raise TypeError(f"{shape!r} is read already; leave {', '.join(sorted(done))} out")
@@ -265,9 +276,23 @@ def _graphs(shapes: Sequence[Input], is_pair: bool, options: Dict[str, Any], pro
         elif isinstance(shape, (str, os.PathLike)):
             result.append(Graph(next(loaded)))
         else:
-            shape = shape if isinstance(shape, Shape) else Shape(shape, up=options.get("up") or "y")
-            result.append(Graph(_core.build_graph(shape._handle, options, progress)))
+            given = (shape if isinstance(shape, Shape) else Shape(shape, up=options.get("up") or "y"))._handle
+            result.append(Graph(_core.build_graph(given, options, progress)))
+        if array is not None:
+            _core.add_features(result[-1]._handle, given, array)
     return result
+
+
+def _feature_array(features: Any) -> np.ndarray:
+    """An (n, d) array of float32."""
+    if isinstance(features, (str, os.PathLike)):
+        return _core.read_features(os.fspath(features))
+    array = np.asarray(features)
+    if array.ndim != 2 or array.dtype.kind not in "fiu" or 0 in array.shape:
+        raise _core.InvalidInput(f"features are an array of {array.dtype} of shape {array.shape}; give an (n, d) array of "
+                                 "numbers with a row for each face or vertex")
+    with np.errstate(over="ignore"):  # what is too large is told as not finite
+        return np.ascontiguousarray(array, np.float32)
 
 
 def _direction(up: Union[str, Sequence[float]]) -> Optional[Tuple[float, float, float]]:

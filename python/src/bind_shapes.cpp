@@ -15,6 +15,7 @@
 #include "viewer/page_models.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
+#include <CGAL/Shape_correspondence/IO/read_features.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_formats.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
@@ -39,6 +40,8 @@ namespace {
 
 using Vertices = py::array_t<double, py::array::c_style>;
 using Faces = py::array_t<std::int64_t, py::array::c_style>;
+using Named_mesh = std::tuple<std::string, Vertices, Faces>;
+using Features = py::array_t<float, py::array::c_style>;
 
 /// \pre both have three columns
 SC::Part_mesh mesh_of(const Vertices& vertices, const Faces& faces)
@@ -68,17 +71,23 @@ py::list parts_of(const Shape& shape)
   return result;
 }
 
-/// A shape of arrays. \param up a vector, or none to find it
-Shape make_shape(const std::vector<std::tuple<std::string, Vertices, Faces>>& parts, const std::string& name,
-                 const std::optional<std::array<double, 3>>& up)
+SC::Segmented_shape shape_of(const std::vector<Named_mesh>& parts, const std::string& name)
 {
   SC::Segmented_shape shape(name);
   for (const auto& [part, vertices, faces] : parts)
     shape.add_part(part, mesh_of(vertices, faces));
+  return shape;
+}
+
+/// A shape of arrays. \param up a vector, or none to find it \param whole the mesh that the parts are of; empty: none
+Shape make_shape(const std::vector<Named_mesh>& parts, const std::string& name,
+                 const std::optional<std::array<double, 3>>& up, const std::vector<Named_mesh>& whole)
+{
+  SC::Segmented_shape shape = shape_of(parts, name);
   shape.set_up(up ? SC::Point(up->data()) : SC::estimate_up(shape).up);
   Shape result;
   result.file = name;
-  result.model.objects = shape;
+  result.model.objects = whole.empty() ? shape : shape_of(whole, name);
   result.model.split.shape = shape;
   return result;
 }
@@ -98,7 +107,7 @@ Shape read(const std::string& path, const py::dict& options)
 {
   const SC::cli::Common_options common = model_options(options);
   py::gil_scoped_release unlocked;
-  return {path, SC::cli::read_model(path, common)};
+  return {path, SC::cli::read_model(path, common), common.reading_options()};
 }
 
 std::function<void(const std::string&, std::size_t, std::size_t)> reports_to(Work& work)
@@ -113,8 +122,32 @@ std::shared_ptr<Graph> build_graph(const Shape& shape, const py::dict& options, 
   return work.run(progress, [&](Work& work) {
     common.on_progress = reports_to(work);
     const std::shared_ptr<void> limit = SC::cli::limit_threads(common.threads);
-    return std::make_shared<Graph>(Graph{shape.file, SC::cli::load_shape(shape.file, shape.model, common)});
+    auto result = std::make_shared<Graph>(Graph{shape.file, SC::cli::load_shape(shape.file, shape.model, common)});
+    result->shape.reading = shape.reading;
+    return result;
   });
+}
+
+Features read_features(const std::string& path)
+{
+  const Eigen::MatrixXf features = SC::IO::read_features(path);
+  return Features({features.cols(), features.rows()}, features.data()); // rows become columns
+}
+
+/// Sets the features of a graph's parts. \param given the shape that it was built from; null: a file
+/// \param features a row for each face or vertex of the file, or of all arrays
+void add_features(Graph& graph, const Shape* given, const Features& features)
+{
+  SC::cli::Loaded_shape& shape = graph.shape;
+  if (!shape.model)
+    throw SC::Invalid_input(graph.file + ": features are of faces or vertices, which a structural graph does not have; "
+                                         "give the model that it was built from");
+  const Eigen::MatrixXf values =
+      Eigen::Map<const Eigen::MatrixXf>(features.data(), features.shape(1), features.shape(0));
+  py::gil_scoped_release unlocked;
+  structure(shape.graph).features = given && shape.split.pieces.empty()
+                                        ? SC::features_of_parts(values, given->model.objects, shape.split)
+                                        : SC::IO::features_of_parts(values, shape.path, shape.split, shape.reading);
 }
 
 /// Graphs of files, several at once. Of two whose upright axes nothing says, these are found together if `is_pair`.
@@ -235,8 +268,9 @@ void bind_shapes(py::module_& module)
              if (!graph.shape.model) return result;
              result.emplace();
              result->file = graph.file;
+             result->reading = graph.shape.reading;
              result->model.split = graph.shape.split;
-             result->model.split.shape = *graph.shape.model;
+             result->model.split.shape = result->model.objects = *graph.shape.model;
              return result;
            })
       .def("json", json_of)
@@ -246,6 +280,8 @@ void bind_shapes(py::module_& module)
   module.def("read", read);
   module.def("build_graph", build_graph);
   module.def("load_graphs", load_graphs);
+  module.def("read_features", read_features);
+  module.def("add_features", add_features);
 }
 
 } // namespace shape_correspondence_python

@@ -23,6 +23,7 @@ struct Shape
 {
   std::string file; ///< that it was read from; else its name
   SC::cli::Read_model model;
+  SC::IO::Reading_options reading = {}; ///< with which the file was read
 
   const SC::Segmented_shape& segmented() const { return model.split.shape; }
 };

@@ -314,6 +314,8 @@ void Pair_command::check()
 void Pair_command::load()
 {
   common.roles = search.roles;
+  for (std::size_t i = 0; i < 2; ++i)
+    common.of_pair[i].features = match.features[i];
   shapes = load_pair(inputs, common, warnings);
   for (const Loaded_shape& shape : shapes)
     append(warnings, about(shape.path, structure(shape.graph).warnings));

@@ -146,6 +146,7 @@ Common_options Common_options::of_input(std::size_t index) const
   if (index >= of_pair.size()) return result;
   if (!of_pair[index].up.empty()) result.up = of_pair[index].up;
   if (!of_pair[index].parts_from.empty()) result.parts_from = of_pair[index].parts_from;
+  result.features = of_pair[index].features;
   return result;
 }
 

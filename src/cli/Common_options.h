@@ -35,12 +35,14 @@ struct Common_options
   std::string up;              ///< x, -x, +x etc., or auto; empty: the axis in the file, or an estimate that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;
+  std::string features;   ///< `Of_input::features` of the input
   std::string parts_from; ///< a file that assigns pieces to parts, or has labels of faces; empty: none
   IO::Reading_options reading;
   Structure_options structure;
   struct Of_input
   {
     std::string up, parts_from; ///< empty: the value for all inputs
+    std::string features;       ///< array of features of its faces or vertices; empty: none
   };
   std::array<Of_input, 2> of_pair; ///< options of the source and of the target
   /// Role model to find the upright axes of models that do not give one; null: by stability alone.
@@ -102,6 +104,7 @@ struct Match_options
   std::string roles = "auto"; ///< auto, none or a file
   std::string examples;       ///< a folder; empty: none
   std::string source_parts, target_parts;
+  std::array<std::string, 2> features;        ///< files for the source and the target; empty: none
   std::vector<std::string> pinned, forbidden; ///< A=B
 };
 

@@ -5,6 +5,7 @@
 #include "cli/Common_options.h"
 #include "cli/labels.h"
 #include "cli/run.h"
+#include "matching/match_parts.h"
 
 #include <CGAL/Shape_correspondence/paper_structure_options.h>
 
@@ -86,6 +87,9 @@ void refuse_options_without_effect(const Match_options& match, const Option_tabl
   const bool has_no_model = match.roles == "none" && match.examples.empty();
   for (const char* name : {"role-weight", "category"})
     refuse(name, has_no_model, "with --roles none");
+  for (const char* name : {"source-features", "target-features", "feature-weight"})
+    refuse(name, match.features[0].empty() || match.features[1].empty(),
+           "without --source-features and --target-features, as those of both shapes are compared");
   refuse("front", match.alignments.has_value(), "with --alignments " + std::to_string(match.alignments.value_or(0)));
   if (!given.is_given("front") || match.front != "likely") return;
   if (method != Search_method::PARTS) refuse_option("front likely", on_search);
@@ -205,6 +209,23 @@ void add_match_options(Option_table& table, Match_options& match)
       .without_default()
       .asks_for("exact")
       .for_pairs();
+  add("source-features", "F.npy", &match.features[0],
+      "features of the faces or vertices of the source, such as those of a neural network: an array of NumPy with a "
+      "row for each of them, in the order of the model file (OBJ, OFF, PLY, STL, or a folder of these). They are "
+      "averaged over parts and compared")
+      .input()
+      .only_for({"parts"})
+      .for_pairs();
+  add("target-features", "F.npy", &match.features[1], "the same for the target; of the same network")
+      .input()
+      .only_for({"parts"})
+      .for_pairs();
+  add("feature-weight", "W", &search.parts.weights.features,
+      "weight of the cosine distance of these features in the cost of a pair of parts; 0: they are not used")
+      .between(0, largest_feature_weight)
+      .only_for({"parts"})
+      .for_pairs()
+      .in_python();
   add("source-parts", "NAMES", &match.source_parts,
       "match these parts of the source only; names are separated by commas")
       .for_pairs();

@@ -7,6 +7,7 @@
 #include "io/system/input_file.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
+#include <CGAL/Shape_correspondence/IO/read_features.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_cache.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
@@ -41,6 +42,10 @@ std::optional<bool> is_of_flow(const Structural_graph& graph)
 
 Loaded_shape read_graph(const std::string& path, const Common_options& common)
 {
+  if (!common.features.empty())
+    throw Invalid_input(path + ": " + common.features +
+                        " has features of faces or vertices, which a structural graph does not have; give the model "
+                        "that it was built from");
   const Structure_options& options = common.structure;
   const double begin = now();
   Loaded_shape shape;
@@ -167,9 +172,9 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
   Progress_bar bar(common, path);
   Structure_options options = common.structure;
   options.abstraction.progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
-  return with_path(path, [&] {
+  Loaded_shape shape;
+  with_path(path, [&] {
     check_has_parts(model.split, common);
-    Loaded_shape shape;
     shape.path = path;
     shape.reading = common.reading_options();
     shape.split = std::move(model.split);
@@ -179,8 +184,12 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
     structure(shape.graph).automatic_parts = shape.split.by_segments;
     std::vector<std::string>& warnings = structure(shape.graph).warnings;
     warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
-    return shape;
   });
+  if (common.features.empty()) return shape;
+  structure(shape.graph).features = with_path(common.features, [&] { // not cached either
+    return IO::features_of_parts(IO::read_features(common.features), path, shape.split, shape.reading);
+  });
+  return shape;
 }
 
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)

@@ -139,7 +139,7 @@ void write_glb(std::ostream& out, const std::string& path, const Common_options&
 void write_parts(const Parts_output& output, const std::string& path, const Common_options& options, Read_model& model)
 {
   const Segmented_shape& shape = model.split.shape;
-  if (!output.seg.empty() && model.faces.size() != model.objects.parts().size())
+  if (!output.seg.empty() && (fs::is_directory(path) || model.faces.size() != model.objects.parts().size()))
     throw Invalid_input(path + ": labels of faces, " + output.seg +
                         ", are for models in OBJ, OFF, PLY or STL; write the parts as .ply, .obj or .glb");
   write_output(output.seg, [&](std::ostream& out) { write_face_labels(out, path, model); });

@@ -104,6 +104,8 @@ private:
   static void mark_ended(const std::string& end, std::size_t done, std::size_t runs, Correspondence& correspondence);
 
   Part_match_result matched_parts(const Prepared_shape& target, const Deadline& limit) const;
+  // Says in the result whether features were compared.
+  void tell_features(const Prepared_shape& target, Part_match_result& found) const;
   // The alignments to try, the likeliest first. \param category set to the category of both shapes, if roles tell one
   std::vector<Alignment_candidate> candidates(const Prepared_shape& target, Pair_category& category) const;
   // The category of both shapes. If they belong to none in their given orientations, and these are not certain, the

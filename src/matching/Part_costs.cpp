@@ -4,9 +4,12 @@
 #include "matching/Part_costs.h"
 #include "base/quantized.h"
 
+#include <CGAL/Shape_correspondence/Invalid_input.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence {
@@ -26,6 +29,23 @@ double cost_of_kind(const Part_extent& a, const Part_extent& b, const Part_match
   if (a.on_ground != b.on_ground) result += (a.is_board || b.is_board ? 0.5 : 1) * weights.ground;
   if (a.is_in_chain != b.is_in_chain) result += incompatible;
   return result;
+}
+
+bool compares_features(const Shape_features& a, const Shape_features& b, const Part_matching_options& options)
+{
+  if (options.weights.features == 0 || a.learned.size() == 0 || b.learned.size() == 0) return false;
+  if (const auto [less, more] = std::minmax({a.learned.rows(), b.learned.rows()}); less < more)
+    throw Invalid_input("the features of one shape have " + std::to_string(less) + " dimensions, those of the other " +
+                        std::to_string(more) + "; give both those of the same network");
+  return true;
+}
+
+// The weighted cosine distance of features of length 1 at most.
+double cost_of_features(const Eigen::MatrixXd& a, std::size_t i, const Eigen::MatrixXd& b, std::size_t j,
+                        const Part_matching_options& options)
+{
+  const double cosine = a.col(Eigen::Index(i)).dot(b.col(Eigen::Index(j)));
+  return options.weights.features * (1 - std::clamp(cosine, -1., 1.));
 }
 
 // The costs of positions and extents, vectorized over the boxes of `a`.
@@ -237,13 +257,15 @@ void lower_to_unions(const Shape_features& a, const Shape_features& b, const Poi
 {
   if (b.unions.empty()) return;
   const Eigen::MatrixXd boxes = costs_of_boxes(a.boxes, b.union_boxes, options);
+  const bool has_features = compares_features(a, b, options);
   for (std::size_t h = 0; h < b.unions.size(); ++h) {
     deadline.check();
     for (std::size_t i = 0; i < a.parts.size(); ++i) {
       const std::vector<std::size_t>& parts = b.unions[h];
       const double cost = cost_of_kind(a.parts[i], b.union_parts[h], options) +
                           boxes(Eigen::Index(i), Eigen::Index(h)) +
-                          options.weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + options.whole;
+                          options.weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + options.whole +
+                          (has_features ? cost_of_features(a.learned, i, b.learned_of_unions, h, options) : 0);
       for (std::size_t j : parts) {
         double& least = costs(Eigen::Index(i), Eigen::Index(j));
         least = std::min(least, cost);
@@ -257,11 +279,13 @@ Eigen::MatrixXd costs_of_kind(const Shape_features& a, const Shape_features& b, 
                               const Part_matching_options& options)
 {
   Eigen::MatrixXd result(Eigen::Index(a.parts.size()), Eigen::Index(b.parts.size()));
+  const bool has_features = compares_features(a, b, options);
   for (std::size_t j = 0; j < b.parts.size(); ++j)
     for (std::size_t i = 0; i < a.parts.size(); ++i)
       result(Eigen::Index(i), Eigen::Index(j)) =
           cost_of_kind(a.parts[i], b.parts[j], options) +
-          (surfaces ? options.weights.chamfer * chamfer(surfaces->a_from_b, surfaces->b_from_a, i, j) : 0);
+          (surfaces ? options.weights.chamfer * chamfer(surfaces->a_from_b, surfaces->b_from_a, i, j) : 0) +
+          (has_features ? cost_of_features(a.learned, i, b.learned, j, options) : 0);
   return result;
 }
 
@@ -277,6 +301,21 @@ Eigen::MatrixXd ranked_part_costs(const Shape_features& a, const Shape_features&
 }
 
 } // namespace
+
+Eigen::MatrixXd evidence_of_features(const Shape_features& source, const Shape_features& target,
+                                     const Part_matching_options& options)
+{
+  if (!compares_features(source, target, options)) return {};
+  const Eigen::VectorXd of_source = source.learned.transpose() * target.mean_learned,
+                        of_target = target.learned.transpose() * source.mean_learned;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(of_source.size(), of_target.size());
+  for (Eigen::Index j = 0; j < result.cols(); ++j)
+    for (Eigen::Index i = 0; i < result.rows(); ++i)
+      if (source.has_learned[std::size_t(i)] && target.has_learned[std::size_t(j)])
+        result(i, j) = options.weights.features *
+                       (source.learned.col(i).dot(target.learned.col(j)) - (of_source[i] + of_target[j]) / 2);
+  return result;
+}
 
 double mean_least_cost(const Eigen::MatrixXd& costs)
 {

@@ -29,6 +29,11 @@ Eigen::MatrixXd part_costs(const internal::Shape_features& source, const interna
                            const Part_matching_options& options,
                            const internal::Deadline* deadline = &internal::no_deadline);
 
+/// How far the features of a pair of parts are nearer than those of its parts are on average, times their weight:
+/// source part × target part. 0 for parts without features. Empty if they have no weight, or a shape has none.
+Eigen::MatrixXd evidence_of_features(const internal::Shape_features& source, const internal::Shape_features& target,
+                                     const Part_matching_options& options);
+
 /// Dissimilarity of two shapes: the mean over source parts of the least cost in the row, plus the mean over target
 /// parts of the least cost in the column.
 /// \pre the matrix is not empty

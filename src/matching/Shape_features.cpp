@@ -90,6 +90,33 @@ void add_unions(Shape_features& result)
   result.union_boxes = Measured_boxes(boxes, options.tolerance);
 }
 
+// Adds the features of parts and unions, by their integrals over the surfaces.
+void add_learned(Shape_features& result)
+{
+  const std::vector<Sampled_part>& parts = result.shape.parts;
+  const Eigen::Index dimension = parts[0].features.size();
+  Eigen::MatrixXd& learned = result.learned;
+  learned.resize(dimension, Eigen::Index(parts.size()));
+  Eigen::Index known = 0;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    learned.col(Eigen::Index(part)) = parts[part].features.stableNormalized();
+    result.has_learned.push_back(!parts[part].features.isZero(0));
+    known += result.has_learned.back();
+  }
+  if (known == 0) return learned.resize(0, 0);
+  result.mean_learned = learned.rowwise().sum() / double(known);
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    if (!result.has_learned[part]) learned.col(Eigen::Index(part)) = result.mean_learned;
+  result.learned_of_unions.resize(dimension, Eigen::Index(result.unions.size()));
+  for (std::size_t k = 0; k < result.unions.size(); ++k) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(dimension);
+    for (std::size_t part : result.unions[k])
+      sum += parts[part].features;
+    result.learned_of_unions.col(Eigen::Index(k)) =
+        sum.isZero(0) ? result.mean_learned : Eigen::VectorXd(sum.stableNormalized());
+  }
+}
+
 constexpr Eigen::Index most_kept_parts = 128; // limit for caching, which takes 96 bytes for each pair of parts
 
 // \param others an even number of ends, since the vectorized exponential and the scalar one differ in bits
@@ -174,6 +201,7 @@ Shape_features::Shape_features(const Aligned_shape& shape, const Part_matching_o
   boxes = Measured_boxes(of_parts, options.tolerance);
   closeness = Closeness(of_parts, options.warp_width);
   add_unions(*this);
+  if (shape.parts[0].features.size() > 0) add_learned(*this);
   lanes = {surfaces.begin(), surfaces.end()};
 }
 

@@ -86,6 +86,12 @@ struct Shape_features
   std::vector<Part_extent> union_parts;
   Measured_boxes union_boxes;
 
+  // Of parts, and of unions: features of length 1. What has none has the mean of all parts, so that its distances from
+  // the parts of the other shape are theirs on average. Empty: the shape has no features
+  Eigen::MatrixXd learned, learned_of_unions;
+  Eigen::VectorXd mean_learned;
+  std::vector<char> has_learned; // indexed by part
+
   Shape_rank rank;
 
   Shape_features(const Aligned_shape& shape, const Part_matching_options& options);

@@ -110,9 +110,11 @@ Part_matching renumbered(const Part_matching& matching, const std::vector<std::s
     pair.source = rows[pair.source];
     pair.target = columns[pair.target];
   }
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      result.costs(Eigen::Index(rows[i]), Eigen::Index(columns[j])) = matching.costs(Eigen::Index(i), Eigen::Index(j));
+  for (auto values : {&Part_matching::costs, &Part_matching::evidence})
+    for (std::size_t i = 0; (matching.*values).size() > 0 && i < rows.size(); ++i)
+      for (std::size_t j = 0; j < columns.size(); ++j)
+        (result.*values)(Eigen::Index(rows[i]), Eigen::Index(columns[j])) =
+            (matching.*values)(Eigen::Index(i), Eigen::Index(j));
   return result;
 }
 
@@ -120,7 +122,7 @@ Part_matching match_by_terms(const Pair_terms& terms, const Pair_weights& weight
                              const Match_constraints& constraints, const Part_matching_options& options)
 {
   const auto m = std::size_t(geometric.costs.cols());
-  Eigen::ArrayXd probable = probabilities(terms, weights);
+  Eigen::ArrayXd probable = probabilities(terms, weights, geometric.evidence.transpose().reshaped().array());
   for (const auto& [i, j] : same_parts(geometric, options.tolerance))
     for (std::size_t k = 0; k < std::size_t(probable.size()); ++k)
       if ((k / m == i) != (k % m == j)) probable[Eigen::Index(k)] = 0;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/number_text.h"
 #include "base/quarter_turn.h"
 #include "matching/Correspondence_finder_impl.h"
 #include "matching/Search_run.h"
@@ -203,7 +204,23 @@ Part_match_result Correspondence_finder::Impl::matched_parts(const Prepared_shap
   if (found.tried == 0) found.target = aligned(target, found.alignment.turn);
   if (options_.roles && found.tried > 0)
     join_roles(target, *found.target, category, found.alignment, found.matching, found.known);
+  if (found.tried > 0) tell_features(target, found);
   return found;
+}
+
+void Correspondence_finder::Impl::tell_features(const Prepared_shape& target, Part_match_result& found) const
+{
+  const auto rows = [](const Prepared_shape& shape) { return structure(shape.graph()).features.rows(); };
+  const Eigen::Index dimension = std::max(rows(prepared_source_), rows(target));
+  const double weight = options_.parts.weights.features;
+  if (dimension == 0 || weight == 0) return;
+  std::vector<std::string>& warnings = found.known.warnings;
+  if (found.matching.evidence.size() == 0)
+    return warnings.push_back("The features were not compared, since one of the shapes has none.");
+  found.known.feature_dimension = std::size_t(dimension);
+  found.known.feature_weight = weight;
+  warnings.push_back("Features of " + std::to_string(dimension) + " dimensions were compared with weight " +
+                     number_text(weight) + "; confidences are not calibrated for them.");
 }
 
 void Correspondence_finder::Impl::warn_of_fronts(const Alignment_candidate& alignment, Correspondence& result)

@@ -173,6 +173,8 @@ void Correspondence_finder::Impl::take_roles(const Correspondence& known, Corres
   correspondence.category = known.category;
   correspondence.source_roles = known.source_roles;
   correspondence.target_roles = known.target_roles;
+  correspondence.feature_dimension = known.feature_dimension;
+  correspondence.feature_weight = known.feature_weight;
   correspondence.warnings.insert(correspondence.warnings.end(), known.warnings.begin(), known.warnings.end());
 }
 

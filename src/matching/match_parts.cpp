@@ -24,11 +24,13 @@ namespace {
 void check(const Part_matching_options& options)
 {
   const Part_cost_weights& w = options.weights;
-  for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, options.whole, options.excess,
-                       options.confident_excess, options.main_surface, options.side_depth, options.wall_width,
-                       options.category_ratio, options.category_distance, options.clearly_better})
+  for (double value : {w.overlap, w.extent, w.ground, w.place, w.orientation, w.chamfer, w.features, options.whole,
+                       options.excess, options.confident_excess, options.main_surface, options.side_depth,
+                       options.wall_width, options.category_ratio, options.category_distance, options.clearly_better})
     if (!(value >= 0) || !std::isfinite(value))
       throw Invalid_input("match_parts: the weights and bounds of costs must be finite and not negative");
+  if (w.features > largest_feature_weight)
+    throw Invalid_input("match_parts: the weight of features must be at most 1000");
   if (options.clearly_better >= 1)
     throw Invalid_input("match_parts: the share by which a front or an alignment is better must be less than 1");
   if (options.repetition < 2) throw Invalid_input("match_parts: a regular arrangement needs two parts or more");
@@ -305,8 +307,11 @@ Part_matching match_parts(const Shape_features& a, const Shape_features& b, cons
                           const Match_constraints& constraints, const Deadline* deadline)
 {
   check(options);
-  if (a.assemblies.has_chain() == b.assemblies.has_chain())
-    return matching_of(costs_of(a, b, options, constraints, deadline), a, b, options, constraints);
+  if (a.assemblies.has_chain() == b.assemblies.has_chain()) {
+    Part_matching result = matching_of(costs_of(a, b, options, constraints, deadline), a, b, options, constraints);
+    result.evidence = evidence_of_features(a, b, options);
+    return result;
+  }
 
   // A shape with a chain hangs from it: of the two shapes, the one is turned over for which the costs are lower
   const Aligned_shape source_over = turned_over(a.shape), target_over = turned_over(b.shape);
@@ -319,6 +324,7 @@ Part_matching match_parts(const Shape_features& a, const Shape_features& b, cons
   Part_matching result = turn_source ? matching_of(std::move(source_turned), a_over, b, options, constraints)
                                      : matching_of(std::move(target_turned), a, b_over, options, constraints);
   result.upside_down = true;
+  result.evidence = evidence_of_features(a, b, options);
   return result;
 }
 

@@ -14,6 +14,9 @@
 
 namespace CGAL::Shape_correspondence {
 
+/// Keeps the costs of features below those of pairs that are forbidden.
+constexpr double largest_feature_weight = 1000;
+
 /// A part-to-part correspondence of two aligned shapes.
 struct Part_matching
 {
@@ -21,6 +24,7 @@ struct Part_matching
   Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
   bool upside_down = false;               ///< one shape was turned over, such as a lamp that hangs from a chain
   Eigen::MatrixXd probabilities;          ///< source part × target part; empty without roles
+  Eigen::MatrixXd evidence;               ///< `evidence_of_features()`
 };
 
 /// Matches parts by their costs alone, without deforming a shape.

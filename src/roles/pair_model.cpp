@@ -36,9 +36,11 @@ Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs)
   return result;
 }
 
-Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weights)
+Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weights, const Eigen::ArrayXd& evidence)
 {
-  return 1 / (1 + (-(terms * weights).array()).exp());
+  Eigen::ArrayXd logits = (terms * weights).array();
+  if (evidence.size() > 0) logits += evidence;
+  return 1 / (1 + (-logits).exp());
 }
 
 std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilities)

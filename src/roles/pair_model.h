@@ -40,8 +40,8 @@ Pair_weights usual_pair_weights(std::size_t labelled_shapes);
 // The excess of every pair.
 Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs);
 
-// How probable it is that the pairs are right.
-Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weights);
+// How probable it is that the pairs are right. \param evidence added to the logits; empty: none
+Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weights, const Eigen::ArrayXd& evidence = {});
 
 // Which pairs to take so that the expected F1 is greatest: all that are as probable as the least of them, or more.
 // Without a parameter: many where the parts are told well, few where they are not. O(n log n).

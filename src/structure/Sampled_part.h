@@ -22,6 +22,7 @@ struct Sampled_part
   Points samples; ///< e samples, or e × e row by row
   Point centroid; ///< mean of the samples
   Points surface; ///< at most `surface_samples` points spread over the surface; equal to `samples` if it is unknown
+  Eigen::VectorXd features; ///< column of `Shape_structure::features`; empty: none
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -86,6 +86,10 @@ private:
       if (!is_finite(contact)) return fails("the parameters of a contact are not finite");
     for (std::size_t v = 0; v < num_vertices(graph_); ++v)
       if (!is_finite(graph_[v])) return fails("group " + std::to_string(v) + " is not finite");
+    const Eigen::MatrixXd& features = shape_.features;
+    if (features.size() > 0 && std::size_t(features.cols()) != shape_.parts.size())
+      return fails("there are features of " + std::to_string(features.cols()) + " parts");
+    if (!features.allFinite()) return fails("the features are not finite");
     return true;
   }
 

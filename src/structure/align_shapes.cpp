@@ -294,6 +294,7 @@ std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Ma
     rank[part] = i;
     result.parts.push_back(std::move(sampled[part]));
     result.prominence.push_back(prominence(shape.parts[part], result.parts.back()));
+    if (shape.features.size() > 0) result.parts.back().features = shape.features.col(Eigen::Index(part));
   }
   return rank;
 }

@@ -6,6 +6,7 @@
 #include "map/Charted_mesh.h"
 #include "map/Point_map.h"
 #include "shape/sample_triangles.h"
+#include "shape/triangles_below.h"
 #include "texture/Appearance_sampler.h"
 #include "texture/Texture_layout.h"
 
@@ -253,18 +254,6 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
 
 namespace {
 
-using Corners = std::array<std::array<double, 3>, 3>;
-
-/// The corners of a triangle in orientation order, the lexicographically least first, to compare triangles.
-Corners corners_of(const Part_mesh& mesh, Eigen::Index t)
-{
-  Corners result;
-  for (std::size_t k = 0; k < 3; ++k)
-    std::copy_n(mesh.points.col(mesh.triangles(Eigen::Index(k), t)).data(), 3, result[k].data());
-  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
-  return result;
-}
-
 /// Barycentric coordinates of the projection of a point to the plane of a triangle, also outside of the triangle.
 Eigen::Vector3d plane_coordinates(const Point& p, const internal::contacts::Triangle& triangle)
 {
@@ -282,21 +271,13 @@ Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appe
 {
   Part_appearance result;
   if (appearance.empty() || mesh.triangles.cols() == 0) return result;
-  const internal::contacts::Triangle_tree tree = internal::tree_of(mesh.points, mesh.triangles);
-  std::map<Corners, Eigen::Index> known;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-    known.emplace(corners_of(mesh, t), t);
+  const std::vector<std::size_t> below = internal::triangles_below(mesh, on_it);
   for (Eigen::Index t = 0; t < on_it.triangles.cols(); ++t) {
-    const auto same = known.find(corners_of(on_it, t));
-    const Eigen::Index lies_on =
-        same != known.end()
-            ? same->second
-            : internal::nearest_place(tree, internal::contacts::centre(internal::triangle_of(on_it, t))).triangle;
-    const auto triangle = std::size_t(lies_on);
+    const std::size_t triangle = below[std::size_t(t)];
     if (!appearance.materials.empty()) result.materials.push_back(appearance.materials[triangle]);
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector3d weights =
-          plane_coordinates(on_it.points.col(on_it.triangles(k, t)), internal::triangle_of(mesh, lies_on));
+      const Eigen::Vector3d weights = plane_coordinates(on_it.points.col(on_it.triangles(k, t)),
+                                                        internal::triangle_of(mesh, Eigen::Index(triangle)));
       if (!appearance.coordinates.empty())
         result.coordinates.push_back(internal::value_at<float>(appearance.coordinates, triangle, weights));
       if (appearance.colours.empty()) continue;

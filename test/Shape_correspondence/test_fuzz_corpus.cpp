@@ -38,6 +38,7 @@ TEST_CASE("Every file of the corpus is read or refused")
       {"pieces", file_readers::pieces},
       {"roles", file_readers::roles},
       {"image", file_readers::image},
+      {"features", file_readers::features},
       {"graph_json", [](const std::string& text) {
          std::istringstream in(text);
          std::stringstream again;

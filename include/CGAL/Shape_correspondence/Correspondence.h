@@ -82,7 +82,10 @@ struct Correspondence
   std::string category;         ///< category whose roles were used; empty: none
   std::vector<std::string> source_roles; ///< most probable role of each source part; empty without a category
   std::vector<std::string> target_roles; ///< most probable role of each target part; empty without a category
-  std::vector<std::string> warnings;     ///< sentences on approximations made and limits reached
+  /// Dimension of the features that were compared (`Shape_structure::features`), and their weight; 0: none.
+  std::size_t feature_dimension = 0;
+  double feature_weight = 0;         ///< see `feature_dimension`
+  std::vector<std::string> warnings; ///< sentences on approximations made and limits reached
 };
 
 } // namespace CGAL::Shape_correspondence

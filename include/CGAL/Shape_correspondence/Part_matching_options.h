@@ -37,6 +37,9 @@ struct Part_cost_weights
   double orientation = 1.5;
   /// Mean distance of points of either surface from the other one.
   double chamfer = 2;
+  /// Cosine distance of the features of the parts, in [0, 2], if both shapes have some (`Shape_structure::features`);
+  /// at most 1000.
+  double features = 3;
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions

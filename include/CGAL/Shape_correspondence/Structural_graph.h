@@ -84,6 +84,7 @@ struct Shape_structure
   std::vector<std::string> warnings;   ///< sentences on approximations made and limits reached
   bool automatic_parts = false;        ///< whether the parts come from an automatic segmentation
   std::string content;                 ///< hash of the meshes and options of the graph; empty: unknown
+  Eigen::MatrixXd features; ///< by column, those of the parts (`features_of_parts()`); empty: none. Not saved in files
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph

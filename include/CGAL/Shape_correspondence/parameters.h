@@ -34,6 +34,7 @@ struct Named_parameters;
 #define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(X)                                                                        \
   X(search_method, Search_options, method)                                                                             \
   X(min_confidence, Search_options, min_confidence)                                                                    \
+  X(feature_weight, Search_options, parts.weights.features)                                                            \
   X(beam_width, Search_options, beam.beam_width)                                                                       \
   X(expansions, Search_options, beam.expansions)                                                                       \
   X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
@@ -132,6 +133,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 /// | parameter | field | |---|---|
 /// | `search_method` | `Search_options::method` |
 /// | `min_confidence`, `maximum_parts`, `alignments`, `front_is_sure`, `solutions` | of this name in `Search_options` |
+/// | `feature_weight` | `Part_cost_weights::features` |
 /// | `beam_width`, `expansions` | of this name in `Beam_options` |
 /// | `unmatched_cost`, `pinned`, `forbidden` | of this name in `Matching_options` |
 ///

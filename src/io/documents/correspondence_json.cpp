@@ -165,6 +165,8 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
     result["category"] = c.category;
     result["roles"] = {{"source", roles(c.source_roles, source)}, {"target", roles(c.target_roles, target)}};
   }
+  if (c.feature_dimension > 0)
+    result["features"] = {{"dimension", c.feature_dimension}, {"weight", c.feature_weight}, {"calibrated", false}};
   result["blocks"] = blocks(c, source, target);
   result["groups"] = groups(c, source, target);
   result["contacts"] = contacts(c, forward ? source : target);

@@ -178,6 +178,8 @@ void divide_by_labels(const Face_labels& labels, Model_content& content)
       for (std::size_t t : list) {
         of_label.faces.push_back(part.faces[t]);
         of_label.corners.insert(of_label.corners.end(), &part.corners[3 * t], &part.corners[3 * t] + 3);
+        if (!part.vertices.empty())
+          of_label.vertices.insert(of_label.vertices.end(), &part.vertices[3 * t], &part.vertices[3 * t] + 3);
       }
     }
   }

@@ -27,6 +27,8 @@ struct Model_part
   Part_appearance appearance = {};
   /// For each triangle, the index of its face in the file, counting dropped faces; empty if faces have no indices.
   std::vector<std::size_t> faces = {};
+  /// Indexed by corner: the index of its vertex in the file; empty if vertices have no indices.
+  std::vector<int> vertices = {};
 };
 
 /// Labels of the faces of a model.
@@ -47,8 +49,9 @@ std::optional<Point> up_in_mark(std::string_view comment);
 struct Model_content
 {
   std::vector<Model_part> parts;
-  std::size_t faces_left_out = 0;  ///< number of faces with fewer than three corners
-  std::size_t number_of_faces = 0; ///< number of faces that `Model_part::faces` refers to
+  std::size_t faces_left_out = 0;     ///< number of faces with fewer than three corners
+  std::size_t number_of_faces = 0;    ///< number of faces that `Model_part::faces` refers to
+  std::size_t number_of_vertices = 0; ///< number of vertices that `Model_part::vertices` refers to
   std::vector<Surface_material> materials = {};
   std::vector<Texture> textures = {};          ///< textures without bytes are files of that name
   bool are_labelled = false;                   ///< whether the parts are labels of faces, or marked as parts

@@ -246,6 +246,7 @@ private:
       const std::vector<std::size_t> corners = triangles_of_polygon(polygon);
       for (std::size_t corner : corners) {
         result.corners.push_back(polygon[corner]);
+        result.vertices.push_back(int(of_file.vertices[corner]));
         const int number = of_file.coordinates.empty() ? -1 : of_file.coordinates[corner];
         if (!coordinates_.empty())
           result.appearance.coordinates.push_back(number < 0 ? Eigen::Vector2f(0, 0)
@@ -353,6 +354,7 @@ private:
     Model_content result;
     result.faces_left_out = faces_left_out_;
     result.number_of_faces = number_of_faces_;
+    result.number_of_vertices = points_.size();
     for (const Section& section : sections_)
       result.parts.push_back(part_of(section, part_name(section)));
     for (const std::string& material : materials_)

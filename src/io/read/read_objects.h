@@ -26,9 +26,13 @@ struct Model_objects
   std::vector<std::string> warnings; ///< warnings of the reader
   bool says_up = false;              ///< whether the files give the upright axis, which is then that of the shape
   bool are_labelled = false;         ///< whether the objects are labels of faces
-  /// For each object and triangle, the index of its face in the file, and the number of faces; empty for a folder.
+  /// For each object and triangle, the index of its face in the file, and the number of faces; of a folder, counted
+  /// through its files in their order. Empty and 0 if faces have no indices.
   std::vector<std::vector<std::size_t>> faces = {};
   std::size_t number_of_faces = 0;
+  /// For each object and corner of its triangles, the same for vertices.
+  std::vector<std::vector<int>> vertices = {};
+  std::size_t number_of_vertices = 0;
   Shape_appearance appearance = {}; ///< appearance in the model's own file, completed from the files that it names
 };
 

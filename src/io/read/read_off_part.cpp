@@ -51,6 +51,7 @@ public:
     Model_content result;
     result.parts.emplace_back();
     result.number_of_faces = faces;
+    result.number_of_vertices = vertices;
     for (std::size_t i = 0; i < faces; ++i)
       read_face(i, result);
     for (const Off_colour& colour : colours_of_corners_)
@@ -190,6 +191,7 @@ private:
     Model_part& part = result.parts[0];
     for (std::size_t corner : triangles_of_polygon(polygon_)) {
       part.corners.push_back(polygon_[corner]);
+      part.vertices.push_back(int(vertices[corner]));
       colours_of_corners_.push_back(vertices_have_colours_ ? colours_[vertices[corner]] : of_face);
     }
     part.faces.resize(part.corners.size() / 3, face);

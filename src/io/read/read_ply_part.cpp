@@ -40,6 +40,7 @@ public:
         polygon.push_back(points_[checked_index(index)]);
       for (std::size_t corner : triangles_of_polygon(polygon)) {
         part.corners.push_back(polygon[corner]);
+        part.vertices.push_back(int(face[corner]));
         add_appearance(i, corner, std::size_t(face[corner]), part.appearance);
       }
       part.faces.resize(part.corners.size() / 3, numbers_[i]);
@@ -47,6 +48,7 @@ public:
     }
     add_textures(part.appearance);
     result_.number_of_faces = faces_.size() + result_.faces_left_out;
+    result_.number_of_vertices = points_.size();
     result_.parts.push_back(std::move(part));
     if (!labels_of_vertices_.empty() && labels_.empty()) label_faces_by_vertices();
     if (!labels_.empty()) divide_by_labels(face_labels(), result_);

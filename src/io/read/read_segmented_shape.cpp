@@ -175,6 +175,10 @@ bool add_part(const std::string& file, const Model_part& part, Model_objects& ob
     throw Invalid_input(file + ": " + error.what());
   }
   objects.appearance.parts.push_back(appearance_of(part.appearance, kept));
+  std::vector<int>& vertices = objects.vertices.emplace_back();
+  for (std::size_t triangle : kept)
+    if (part.vertices.size() == part.corners.size())
+      vertices.insert(vertices.end(), &part.vertices[3 * triangle], &part.vertices[3 * triangle] + 3);
   if (part.faces.empty()) return true;
   for (std::size_t& triangle : kept)
     triangle = part.faces[triangle];
@@ -227,6 +231,8 @@ Model_part joined(const std::string& name, const std::vector<Model_part>& object
   for (const Model_part& object : objects) {
     add_appearance(object.appearance, object.corners.size() / 3, part.corners.size() / 3, part.appearance);
     part.corners.insert(part.corners.end(), object.corners.begin(), object.corners.end());
+    part.faces.insert(part.faces.end(), object.faces.begin(), object.faces.end());
+    part.vertices.insert(part.vertices.end(), object.vertices.begin(), object.vertices.end());
   }
   return part;
 }
@@ -235,11 +241,18 @@ Model_part joined(const std::string& name, const std::vector<Model_part>& object
 void add_content(Model_content more, Model_content& all)
 {
   append_appearance(more, all);
+  for (Model_part& part : more.parts) {
+    for (std::size_t& face : part.faces)
+      face += all.number_of_faces;
+    for (int& vertex : part.vertices)
+      vertex += int(all.number_of_vertices);
+  }
   std::move(more.parts.begin(), more.parts.end(), std::back_inserter(all.parts));
   std::move(more.warnings.begin(), more.warnings.end(), std::back_inserter(all.warnings));
   std::move(more.without_faces.begin(), more.without_faces.end(), std::back_inserter(all.without_faces));
   all.faces_left_out += more.faces_left_out;
   all.number_of_faces += more.number_of_faces;
+  all.number_of_vertices += more.number_of_vertices;
   all.are_labelled = more.are_labelled;
 }
 
@@ -317,7 +330,8 @@ Model_objects read_objects(const std::string& given, const Point& up, const Read
   const std::string name = is_folder ? folder_name(path) : utf8_text(fs::path(path).stem().string());
   Model_objects result;
   Model_content content;
-  bool agree = true, is_first = true; // whether all files have the same upright axis
+  bool agree = true, is_first = true;           // whether all files have the same upright axis
+  bool have_faces = true, have_vertices = true; // whether those of all files have indices
   for (const Part_files& part : files) {
     const std::size_t first = content.parts.size();
     std::string name_of_part = part.name;
@@ -332,6 +346,8 @@ Model_objects read_objects(const std::string& given, const Point& up, const Read
       if (is_first) content.up = of_file.up;
       is_first = false;
       agree = agree && of_file.up == content.up;
+      have_faces = have_faces && of_file.number_of_faces > 0;
+      have_vertices = have_vertices && of_file.number_of_vertices > 0;
       add_content(std::move(of_file), content);
     }
     if (!is_folder) continue;
@@ -356,7 +372,9 @@ Model_objects read_objects(const std::string& given, const Point& up, const Read
                         ": all triangles have zero area; give it a surface");
   result.warnings = std::move(content.warnings);
   result.are_labelled = content.are_labelled && !is_folder;
-  result.number_of_faces = content.number_of_faces;
+  result.number_of_faces = have_faces ? content.number_of_faces : 0;
+  result.number_of_vertices = have_vertices ? content.number_of_vertices : 0;
+  if (!have_faces) result.faces.clear();
   warn(content.faces_left_out, "Faces of fewer than three corners", result.warnings);
   warn(left_out.size(), "Parts without a surface", result.warnings, in_brackets(left_out));
   result.appearance.materials = std::move(content.materials);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
+#include <CGAL/Shape_correspondence/IO/read_features.h>
 #include <CGAL/Shape_correspondence/IO/read_part_labels.h>
 #include <CGAL/Shape_correspondence/Role_model.h>
 
@@ -71,6 +72,8 @@ inline void roles(const std::string& bytes)
   std::istringstream in(bytes);
   CGAL::Shape_correspondence::Role_model::read(in, "input");
 }
+
+inline void features(const std::string& bytes) { IO::read_features(File(bytes).path()); }
 
 inline void image(const std::string& bytes)
 {
