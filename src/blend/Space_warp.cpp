@@ -251,7 +251,7 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
 /// The map of the kind that is next to the warp at the samples; contacts weigh as much as the lattice.
 Straight_motion::Affine Straight_motion::fitted(const Space_warp& warp, const Points& ways) const
 {
-  constexpr double thin = 0.02; // extent, over the height, along which a part is hardly stretched
+  constexpr double thin = 0.002; // extent, over the height, along which a part is hardly stretched
   const Points ways_of_samples = warp.moved(samples_, ways) - samples_;
   const Eigen::Index contacts = samples_.cols() - lattice;
   const auto weight = [&](Eigen::Index i) { return i < lattice ? 1. / lattice : 1. / double(contacts); };
