@@ -489,7 +489,7 @@ class Pages(unittest.TestCase):
         browser.evaluate(AFTER_DRAWING)
         self.assertEqual(browser.evaluate("[...document.querySelectorAll('figcaption')].map(c => c.textContent)"),
                          ["chair_four_legged", "chair_spindle"])
-        self.assertTrue(browser.evaluate("""document.querySelector('#stage').stage.items.filter(i => i.hatch === 0 && i.opacity === undefined).some(
+        self.assertTrue(browser.evaluate("""document.querySelector('#stage').stage.items.filter(i => i.hatch === 0 && i.opacity === 1).some(
             i => i.colour.equals(new THREE.Color(...i.mesh.colour.slice(0, 3))))"""))
         self.assertEqual(len(set(browser.evaluate("""document.querySelector('#stage').stage.items.filter(
             i => /seat/.test(i.node.name)).map(i => JSON.stringify(i.colour))"""))), 1)
