@@ -125,7 +125,7 @@ bool Difference::is_little() const
 
 bool Difference::is_possible() const
 {
-  constexpr double most_way = 0.25; // over the diagonal of the shapes
+  constexpr double most_way = 0.25; // distance over the diagonal of the shapes
   return is_little() || way <= most_way * whole;
 }
 

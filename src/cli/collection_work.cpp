@@ -30,7 +30,7 @@ constexpr int matching_version = 9;
 // Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
 constexpr std::size_t least_block = 4, largest_block = 64;
 constexpr std::size_t most_kept_shapes = 512; // prepared ones in memory, some .2 MB each
-constexpr std::size_t blocks_of_process = 8;  // of a small collection, for each process
+constexpr std::size_t blocks_of_process = 8;  // pairs of a small collection for each process
 
 constexpr const char* extension = ".row";
 constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double ridge = 1; // added to the weight of a leaf
 constexpr double logit_unit = 1. / 4096;
-constexpr double largest_logit = 7.9;     // of a leaf
-constexpr std::size_t most_nodes = 65535; // of a tree
+constexpr double largest_logit = 7.9;     // bound of the logit of a leaf, either way
+constexpr std::size_t most_nodes = 65535; // nodes of a tree, as numbered in a file
 
 double logistic(double logit) { return 1 / (1 + std::exp(-logit)); }
 
@@ -78,7 +78,7 @@ private:
     Sum sum;
     int feature = -1;
     int value = 0;
-    double gain = 0; // of the best split
+    double gain = 0; // that of the best split
     int left = -1, right = -1;
   };
 
@@ -174,8 +174,8 @@ private:
   const Boosting_options& options_;
   Boosted_trees& result_;
   std::mt19937_64 random_;
-  std::vector<double> weights_, logits_, gradients_, curvatures_; // by example
-  std::vector<int> features_;                                     // that the tree may use
+  std::vector<double> weights_, logits_, gradients_, curvatures_; // indexed by example
+  std::vector<int> features_;                                     // those that the tree may use
 };
 
 Boosted_trees::Boosted_trees(const Byte_rows& rows, const std::vector<double>& targets,
@@ -243,7 +243,7 @@ bool Boosted_trees::read(Stored_bytes& bytes, int features)
   base_ = logit_of_stored(taken_number(bytes, 2));
   for (std::uint32_t tree = 0; tree < trees; ++tree) {
     roots_.push_back(std::uint32_t(nodes_.size()));
-    std::vector<std::size_t> parents; // whose right children are to come
+    std::vector<std::size_t> parents; // parents whose right children are to come
     do {
       if (bytes.size() < 3) return false;
       Node node;

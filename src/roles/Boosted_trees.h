@@ -19,10 +19,10 @@ using Byte_rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eig
 struct Boosting_options
 {
   int trees = 150;
-  int leaves = 16;                // of a tree
+  int leaves = 16;                // number of leaves of a tree
   double rate = 0.1;              // share of a tree's values that is added
-  double least_weight = 5;        // of the examples of a leaf, where all weigh 1 on average
-  double share_of_features = 0.5; // tried at each split
+  double least_weight = 5;        // least sum of the weights of the examples of a leaf; the mean weight is 1
+  double share_of_features = 0.5; // share of the features that is tried at each split
   std::uint64_t seed = 1;
 };
 
@@ -52,7 +52,7 @@ private:
     std::uint8_t feature = leaf;
     std::uint8_t value = 0;  // up to it, examples go left, to the next node
     std::uint16_t right = 0; // relative to this node
-    float logit = 0;         // at a leaf
+    float logit = 0;         // value of a leaf
   };
 
   class Builder;

@@ -23,8 +23,8 @@ namespace {
 
 constexpr Boosting_options affinity_options{150, 16, 0.1, 5, 0.5, 1}, partness_options{60, 12, 0.15, 5, 0.3, 1};
 constexpr double pure_enough = 0.85;             // share of a node in one true part, from which on it tells of it
-constexpr std::size_t most_pairs_of_shape = 250; // that affinities are learned from
-constexpr double worth_unit = 0.01;              // in a file
+constexpr std::size_t most_pairs_of_shape = 250; // pairs of nodes from which affinities are learned
+constexpr double worth_unit = 0.01;              // unit of worths in a file
 
 // Examples of pairs of nodes, and whether they are of one part.
 struct Node_pairs
@@ -33,7 +33,7 @@ struct Node_pairs
   std::vector<bool> are_same;
 };
 
-// What is met when pieces of the same part are merged, near and small ones first.
+// The pairs of nodes that are met when pieces of the same part are merged, near and small ones first.
 Node_pairs pairs_of(const Part_example& example)
 {
   const auto owner = [&](const Part_node& node) {
@@ -158,7 +158,9 @@ public:
   // Another worth than the usual one only if it is clearly better, whatever the source.
   double best() const
   {
-    constexpr double standard_errors = 1.5, most_divided = 1.25; // of the gain; found parts over true ones
+    constexpr double standard_errors = 1.5,
+                     most_divided =
+                         1.25; // standard errors of the gain that must be exceeded; found parts over true ones
     if (sources_.empty()) return usual_worth_of_part;
     double best = 0, result = usual_worth_of_part;
     for (std::size_t w = 0; w < worths.size(); ++w) {
@@ -187,7 +189,7 @@ private:
   {
     double shapes = 0;
     std::array<double, worths.size()> quality{}; // mean of the share of true parts that are found and its F1
-    std::array<double, worths.size()> ratio{};   // of found parts over true ones
+    std::array<double, worths.size()> ratio{};   // number of found parts over that of true ones
 
     double gain(std::size_t w) const { return (quality[w] - quality[0]) / shapes; }
   };

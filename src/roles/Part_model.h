@@ -15,14 +15,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// What a part must be more probable than to be worth one more: about half of the F1 with which parts are found, for
-// which the expected number of right parts less this for each one found makes F1 greatest.
+// The probability from which on a part is taken. If it is half of the F1 with which parts are found, the parts of
+// greatest F1 are those for which the number of right ones, less this for each one found, is greatest.
 constexpr double usual_worth_of_part = 0.45;
 
-// What tells the parts of a model that has none, learned from labelled shapes.
+// Tells the parts of a model that is not divided into parts; learned from labelled shapes.
 struct Part_model
 {
-  // What tells parts of one category.
+  // Tells the parts of one category.
   struct Category
   {
     std::string name;
@@ -30,8 +30,8 @@ struct Part_model
     double worth = usual_worth_of_part;
   };
 
-  Boosted_trees affinity;           // of two nodes: the probability that they are of one part
-  Boosted_trees partness;           // of a node: the probability that it is a part, whatever the category
+  Boosted_trees affinity;           // probability that two nodes are of one part
+  Boosted_trees partness;           // probability that a node is a part, whatever the category
   std::vector<Category> categories; // sorted by name
 
   bool is_empty() const { return affinity.is_empty(); }
@@ -44,7 +44,7 @@ struct Part_model
 // The candidates for parts of a surface.
 std::vector<Part_node> part_candidates(const Surface_patches& surface, const Part_model& model);
 
-// How much more probable it is that nodes are parts than they must be to be taken; copies have the same.
+// The probabilities that nodes are parts, less those from which on they are taken; copies have the same.
 // \param category null: it is not known
 std::vector<double> part_values(const std::vector<Part_node>& nodes, const Byte_rows& features, const Part_model& model,
                                 const Part_model::Category* category);
@@ -69,10 +69,10 @@ struct Part_example
 Part_example part_example(const Segmented_shape& objects, const std::vector<std::vector<std::size_t>>& parts,
                           std::string category, std::string source);
 
-// From which share of the union of two parts on one is the other.
+// Two parts are the same if their intersection has at least this share of the area of their union.
 constexpr double same_part_overlap = 0.75;
 
-constexpr std::size_t training_folds = 5; // of sources
+constexpr std::size_t training_folds = 5; // folds into which sources are divided
 
 // A number from 0 on for the fold of each source, so that folds have about as many shapes.
 // \param sources by shape

@@ -13,11 +13,11 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr int tried_features = ROLE_FEATURE_COUNT / 3; // at each split
+constexpr int tried_features = ROLE_FEATURE_COUNT / 3; // features tried at each split
 
 using Random = std::mt19937_64; // the same numbers on all machines, unlike the distributions of the standard library
 
-// Between 0 and n - 1; the bias is n / 2^64.
+// A number from 0 to n - 1; the bias is n / 2^64.
 std::size_t random_below(std::size_t n, Random& random) { return std::size_t(random() % n); }
 
 } // namespace
@@ -209,7 +209,7 @@ bool Role_forest::read(Stored_bytes& bytes, int trees, int roles)
 
 void Role_forest::make_trees(Trees& trees)
 {
-  std::vector<std::uint32_t> parents; // of right children that are to come
+  std::vector<std::uint32_t> parents; // parents whose right children are to come
   bool is_root = true;
   for (Stored_bytes stored = trees.stored; const std::optional<Node> taken = taken_node(stored);) {
     const auto node = std::uint32_t(trees.nodes.size());

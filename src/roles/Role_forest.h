@@ -43,7 +43,7 @@ public:
   Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed,
               const std::vector<std::vector<Role_example>>& drawn = {}, std::size_t drawn_per_tree = 0);
 
-  // How many trees vote for each role: part × role.
+  // The number of trees that vote for each role: part × role.
   Eigen::MatrixXi votes(const Role_features& parts, int roles) const;
 
   void write(std::ostream& out) const;
@@ -59,13 +59,13 @@ private:
     std::uint32_t right = 0; // index of the right child; the left one is next
   };
   static constexpr std::uint8_t leaf = 255;
-  // In a file, a node has two bytes, feature and value; but a leaf of one of the first roles has one, the number of
+  // A node has two bytes in a file, feature and value; but a leaf of one of the first roles has one, the number of
   // features plus the role.
   static constexpr int roles_in_one_byte = leaf - ROLE_FEATURE_COUNT;
 
   struct Trees
   {
-    std::vector<Node> nodes; // in the order root, left subtree, right subtree
+    std::vector<Node> nodes; // those of a tree in the order root, left subtree, right subtree
     std::vector<std::uint32_t> roots;
     Stored_bytes stored{}; // nodes that were read; none if the trees were grown
     Once are_made;         // built of `stored`

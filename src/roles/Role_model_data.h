@@ -19,7 +19,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// What trees vote for: a role, or a finer label of a role.
+// A class that trees vote for: a role, or a finer label of a role.
 struct Role_class
 {
   std::uint8_t role = 0; // index
@@ -32,12 +32,12 @@ struct Role_class
   }
 };
 
-// How the roles of a category and the geometric match are weighed.
+// The weights of the roles of a category and of the geometric match.
 struct Match_weights
 {
   Pair_weights weights = usual_pair_weights();
   Confidence_weights confidence = usual_confidence_weights();
-  // Of pairs that geometry alone matches, since this is the nearest category, but not clearly.
+  // The confidence of pairs that geometry alone matches, since this is the nearest category, but not clearly.
   Confidence_weights geometric_confidence = usual_confidence_weights();
 };
 
@@ -52,13 +52,13 @@ struct Category_roles : Match_weights
 };
 
 constexpr std::size_t maximum_classes = 255;
-constexpr int maximum_trees = 1000; // of a forest
+constexpr int maximum_trees = 1000; // trees of a forest
 
 struct Role_model_data
 {
-  std::vector<Category_roles> categories; // by name
-  int trees = 0;                          // of every forest
-  // Of pairs that geometry alone matches, where the nearest category has none of its own.
+  std::vector<Category_roles> categories; // sorted by name
+  int trees = 0;                          // number of trees of every forest
+  // The confidence of pairs that geometry alone matches, where the nearest category has no weights of its own.
   Confidence_weights geometric_confidence = usual_confidence_weights();
   std::shared_ptr<const Part_model> parts; // null: parts are not told by what was learned
 
@@ -66,7 +66,7 @@ struct Role_model_data
   std::size_t index(const std::string& category) const;
 };
 
-// What `Role_model::write()` has written. \throw Invalid_input if it is damaged; the message begins with `name`
+// Reads what `Role_model::write()` has written. \throw Invalid_input if it is damaged; the message begins with `name`
 Role_model_data read_role_model_data(Stored_bytes bytes, const std::string& name);
 
 // Distances of parts from labelled ones, every feature in units of its standard deviation over all labelled parts.
@@ -80,7 +80,7 @@ public:
   double mean_distance(const Role_features& parts, std::size_t category) const;
 
 private:
-  // In bytes: a multiple of 16, padded with 0.
+  // The number of bytes of a row: a multiple of 16, padded with 0.
   static constexpr int row_length = (ROLE_FEATURE_COUNT + 15) / 16 * 16;
   using Rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, row_length, Eigen::RowMajor>;
 
@@ -88,8 +88,8 @@ private:
   template <typename Features>
   Rows standardised(Eigen::Index rows, const Features& features) const;
 
-  std::array<std::array<std::uint8_t, 256>, ROLE_FEATURE_COUNT> standard_; // by feature and value
-  std::vector<Rows> examples_;                                             // by category, standardised
+  std::array<std::array<std::uint8_t, 256>, ROLE_FEATURE_COUNT> standard_; // indexed by feature and value
+  std::vector<Rows> examples_;                                             // indexed by category; standardised
 };
 
 // The inside of a model.
@@ -100,7 +100,7 @@ struct Role_model_access
   static const Role_distances& distances(const Role_model& model) { return *model.distances_; }
 };
 
-// What the labels of parts are predicted from, by index in the structural graph.
+// The labels of parts are predicted from these, indexed as in the structural graph.
 struct Role_evidence
 {
   Role_features features;

@@ -18,7 +18,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Of a shape of weight 1: weights are whole numbers, so that sums do not depend on the order of the parts.
+// The steps of a shape of weight 1: weights are whole numbers, so that sums do not depend on the order of the parts.
 constexpr double weight_steps = 1e6;
 
 void check(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)

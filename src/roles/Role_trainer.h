@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Of a real shape in the training, where a generated one weighs 1.
+// The weight of a real shape in the training, where a generated one weighs 1.
 constexpr double weight_of_real_shapes = 3;
 
 // Learns roles from labelled shapes, as often as asked for: features are computed once.
@@ -34,7 +34,7 @@ private:
   const std::vector<Labelled_graph>& shapes_;
   Role_training_options options_;
   Role_model_data known_;
-  std::vector<Role_evidence> evidence_; // by shape
+  std::vector<Role_evidence> evidence_; // indexed by shape
 };
 
 } // namespace CGAL::Shape_correspondence::internal

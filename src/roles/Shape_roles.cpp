@@ -32,7 +32,7 @@ void drop_repeated_fine_labels(std::vector<Part_label>& labels)
   }
 }
 
-// What labelled parts say of the ground: by role, how many parts there are, and how many stand on it.
+// For each role, the number of labelled parts, and the number of those that stand on the ground.
 Eigen::MatrixX2i parts_of_roles(const Category_roles& category)
 {
   Eigen::MatrixX2i result = Eigen::MatrixX2i::Zero(Eigen::Index(category.roles.size()), 2);
@@ -44,7 +44,7 @@ Eigen::MatrixX2i parts_of_roles(const Category_roles& category)
   return result;
 }
 
-// Of a part on the ground: votes for roles of which hardly a labelled part stands there, such as the seat of a chair,
+// Votes of a part on the ground for roles of which hardly a labelled part stands there, such as the seat of a chair,
 // go to the likeliest other role.
 void move_votes_on_ground(const Eigen::MatrixX2i& known, Eigen::Ref<Eigen::RowVectorXi, 0, Eigen::InnerStride<>> votes)
 {
@@ -160,7 +160,7 @@ double agreement_of_trees(const Shape_roles& shape, std::size_t category, int tr
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-// In the turn in which it is nearest to the category.
+// The shape's distance in the turn in which it is nearest to the category.
 double distance_of(const Turned_roles& shape, std::size_t category)
 {
   double least = shape[0]->distance(category);

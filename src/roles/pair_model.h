@@ -33,18 +33,18 @@ inline bool uses_roles(const Pair_weights& weights) { return weights.head<GEOMET
 // neither in the training (`weights` in data/roles/manifest.json); where there are too few pairs to fit weights to.
 Pair_weights usual_pair_weights();
 
-// For a category of which so many shapes are labelled: the fewer there are, the less the labels count, and the more
-// the geometric match does.
+// The weights for a category of which so many shapes are labelled: the fewer there are, the less the labels count, and
+// the more the geometric match does.
 Pair_weights usual_pair_weights(std::size_t labelled_shapes);
 
 // The excess of every pair.
 Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs);
 
-// How probable it is that the pairs are right. \param evidence added to the logits; empty: none
+// The probabilities that the pairs are right. \param evidence added to the logits; empty: none
 Eigen::ArrayXd probabilities(const Pair_terms& terms, const Pair_weights& weights, const Eigen::ArrayXd& evidence = {});
 
-// Which pairs to take so that the expected F1 is greatest: all that are as probable as the least of them, or more.
-// Without a parameter: many where the parts are told well, few where they are not. O(n log n).
+// For each pair, whether it is taken. Those taken, the most probable ones, have the greatest expected F1: many where
+// the parts are told well, few where they are not. O(n log n).
 std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilities);
 
 // Calibration of confidences: the probability that a matched pair is right has the logit of its probability times the
@@ -55,7 +55,7 @@ using Confidence_weights = Eigen::Matrix<double, CONFIDENCE_TERM_COUNT, 1>;
 
 inline Confidence_weights usual_confidence_weights() { return {1, 0}; }
 
-constexpr double least_doubt = 1e-3; // of a confidence: keeps its logit finite
+constexpr double least_doubt = 1e-3; // distance of a confidence from 0 and 1, which keeps its logit finite
 
 // The terms of the calibration of a pair of this probability.
 Eigen::Matrix<double, 1, CONFIDENCE_TERM_COUNT> confidence_terms(double probability);
@@ -63,6 +63,6 @@ Eigen::Matrix<double, 1, CONFIDENCE_TERM_COUNT> confidence_terms(double probabil
 // The calibrated confidence; 0 and 1 stay.
 double confidence(double probability, const Confidence_weights& weights);
 
-constexpr double pair_weight_unit = 1e-6; // of weights in a file
+constexpr double pair_weight_unit = 1e-6; // unit of weights in a file
 
 } // namespace CGAL::Shape_correspondence::internal

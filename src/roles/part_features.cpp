@@ -83,7 +83,7 @@ private:
     return result;
   }
 
-  // In the unit box of the shape.
+  // The point in the unit box of the shape.
   Eigen::Array3d in_box(const Point& turned_point) const
   {
     return (turned_point - box_.min()).array() / box_.sizes().array().max(thinnest);
@@ -105,7 +105,7 @@ private:
 
   const std::map<std::size_t, Piece>& sheets() const { return pieces_[0].second; }
 
-  // What is around a node.
+  // Sums over the surroundings of a node.
   struct Around
   {
     std::set<std::size_t> patches;
@@ -236,7 +236,7 @@ private:
     }
   }
 
-  // How much of the sheets, components and objects that it has to do with a node is.
+  // The shares of the node in the areas of the sheets, components and objects of its patches.
   void set_pieces(const Part_node& node, Feature_bytes& row) const
   {
     for (const auto& [number, pieces] : pieces_) {
@@ -293,7 +293,7 @@ private:
   Eigen::Matrix3d turn_;
   Byte_rows result_;
   Eigen::AlignedBox3d box_;                                                  // turned
-  std::vector<std::vector<std::pair<std::size_t, Patch_contact>>> contacts_; // by patch
+  std::vector<std::vector<std::pair<std::size_t, Patch_contact>>> contacts_; // indexed by patch
   std::array<std::pair<Piece_number, std::map<std::size_t, Piece>>, 3> pieces_{
       {{&Surface_patch::sheet, {}}, {&Surface_patch::component, {}}, {&Surface_patch::object, {}}}};
   std::size_t largest_sheet_ = 0;

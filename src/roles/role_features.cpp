@@ -14,17 +14,17 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double ground_tolerance = 0.03; // of the height: a part that begins lower stands on the ground
-constexpr double side_margin = 0.025;     // of the width: how far off the middle plane a part is on a side
-constexpr double middle_margin = 0.05;    // of the width: how far over the middle plane a part must reach to span it
+constexpr double ground_tolerance = 0.03; // share of the height: a part that begins lower stands on the ground
+constexpr double side_margin = 0.025;     // share of the width: a part farther off the middle plane is on a side
+constexpr double middle_margin = 0.05; // share of the width: a part that reaches farther over the middle plane spans it
 
 double ratio(double a, double b) { return b > comparison_grid ? a / b : 0; }
 
 // A part in the common frame and in the unit box.
 struct Placed_part
 {
-  Axis_box box;             // in the common frame
-  Eigen::Array3d low, high; // in the unit box
+  Axis_box box;             // box in the common frame
+  Eigen::Array3d low, high; // corners in the unit box
   Eigen::Matrix3d spread;   // root of the covariance, of Frobenius norm 1
   Eigen::Array3d lengths;   // roots of the principal variances, the least first
   double area;              // share of all parts'

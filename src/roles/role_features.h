@@ -27,14 +27,14 @@ enum Role_feature : int {
   MIDDLE_DEPTH,
   EXTENT_DEPTH,        // along z
   EXTENT_SIDEWAYS,     // along x
-  OFF_MIDDLE,          // of the middle of its box from the middle plane, over the half of the shape
-  FARTHEST_OFF_MIDDLE, // of its box
+  OFF_MIDDLE,          // distance of the middle of its box from the middle plane, over half the width of the shape
+  FARTHEST_OFF_MIDDLE, // the same for the side of its box farthest off the plane
   SPANS_MIDDLE,        // 1 or 0: reaches over both sides of the middle plane
-  DIAGONAL,            // of its box, over that of the shape's, in the common frame
-  HEIGHT,              // of its box, over the diagonal of the shape's, in the common frame
+  DIAGONAL,            // that of its box, over that of the shape's, in the common frame
+  HEIGHT,              // that of its box, over the diagonal of the shape's, in the common frame
   AREA,                // share of the surface of all parts
   SECOND_SIDE,
-  THIRD_SIDE, // of its box, over the longest one, in the common frame
+  THIRD_SIDE, // the sides of its box, over the longest one, in the common frame
   SECOND_LENGTH,
   THIRD_LENGTH, // root of a principal variance, over the largest, in the common frame
   SPREAD_SIDEWAYS,
@@ -42,15 +42,15 @@ enum Role_feature : int {
   SPREAD_DEPTH, // diagonal of the root of the covariance, of Frobenius norm 1
   TILT_SIDEWAYS,
   TILT_TO_FRONT,
-  TILT_LEVEL,     // what is off that diagonal: xy, yz, xz
+  TILT_LEVEL,     // elements off the diagonal: xy, yz, xz
   RANK_IN_HEIGHT, // share of the parts whose middle is lower, ties count half
   SIDEWAYS_OF_LARGEST,
   UP_OF_LARGEST,
-  TO_FRONT_OF_LARGEST, // from the middle of the part of most area
+  TO_FRONT_OF_LARGEST, // distance from the middle of the part of most area
   SIDEWAYS_OF_NEIGHBOUR,
   UP_OF_NEIGHBOUR,
-  TO_FRONT_OF_NEIGHBOUR, // the same, of those that it touches
-  SHARE_WITH_NEIGHBOUR,  // of its area in that of the two
+  TO_FRONT_OF_NEIGHBOUR, // distance from the middle of the largest part that it touches
+  SHARE_WITH_NEIGHBOUR,  // share of its area in that of the two
   SHAPE_WIDTH,
   SHAPE_DEPTH, // w / (w + height), of the shape's box in the common frame
   ROLE_FEATURE_COUNT

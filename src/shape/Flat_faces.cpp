@@ -25,7 +25,7 @@ Groups::Groups(const std::vector<int>& group_of) : members_(group_of.size())
     members_[next[std::size_t(group_of[i])]++] = int(i);
 }
 
-/// What flat faces are made of: sets of triangles, and sums over these.
+/// Sets of triangles of which flat faces are made, and sums over these.
 struct Flat_faces::Units
 {
   Units(const Flat_faces& mesh, const std::vector<int>& unit)
@@ -45,7 +45,7 @@ struct Flat_faces::Units
       }
   }
 
-  const std::vector<int>& unit_of; ///< by triangle
+  const std::vector<int>& unit_of; ///< indexed by triangle
   Groups triangles;
   std::vector<Point> area_vectors;
   std::vector<Point> moments; ///< centres by area
@@ -136,7 +136,7 @@ void Flat_faces::join_sides(const Side_range& sides)
 /// Joins units to flat faces, from the largest one on. \return by triangle, the number of its face
 std::vector<int> Flat_faces::grown(const Units& units, const Point& direction, double tolerance) const
 {
-  const double steps = 3; // per unit of the logarithm of an area: rounding does not decide between equal areas
+  const double steps = 3; // steps per unit of the logarithm of an area: rounding does not decide between equal areas
   std::vector<std::tuple<double, double, int>> order; // steps down to the area, place along the direction, unit
   for (std::size_t i = 0; i < units.areas.size(); ++i) {
     const double area = units.areas[i];

@@ -43,7 +43,7 @@ private:
 struct Side_of_triangle
 {
   std::uint64_t edge; ///< the same for all sides between two vertices
-  int corner;         ///< where it begins: three times the triangle, and the number of the corner
+  int corner;         ///< the corner at which it begins: three times the triangle plus the number of the corner
 
   int triangle() const { return corner / 3; }
 };
@@ -65,12 +65,12 @@ public:
   int neighbour(int corner) const { return neighbours_[std::size_t(corner)]; }
 
   double tolerance() const { return tolerance_; }
-  double exact_tolerance() const; ///< of what is exactly flat
+  double exact_tolerance() const; ///< the tolerance of faces that are exactly flat
 
-  /// By triangle, the number of its exactly flat face.
+  /// For each triangle, the number of its exactly flat face.
   const std::vector<int>& exactly_flat() const { return exact_; }
 
-  /// By triangle, the number of its flat face, which is made of exactly flat ones, from the largest on.
+  /// For each triangle, the number of its flat face, which is made of exactly flat ones, from the largest on.
   /// \param direction along which equally large ones are sorted
   std::vector<int> nearly_flat(const Point& direction) const;
 
@@ -101,9 +101,9 @@ private:
   double tolerance_;
   std::vector<Point> points_;
   std::vector<Corners> triangles_;
-  std::vector<Point> area_vectors_;     ///< by triangle, as long as twice its area
+  std::vector<Point> area_vectors_;     ///< indexed by triangle, as long as twice its area
   std::vector<Side_of_triangle> sides_; ///< those of one edge beside each other
-  std::vector<int> neighbours_;         ///< by corner
+  std::vector<int> neighbours_;         ///< indexed by corner
   std::vector<int> exact_;
 };
 

@@ -17,10 +17,10 @@ struct Loose_piece
   Part_mesh mesh;    ///< its triangles as they are in the model
   Part_mesh surface; ///< the same in canonical triangles, which is what is measured
   double area = 0;
-  Point middle = Point::Zero();            ///< of the surface
+  Point middle = Point::Zero();            ///< centre of the surface
   double size = 0;                         ///< approximate diameter, see `size_of()`
   bool closed = false;                     ///< an even number of triangles meets at every edge
-  std::vector<std::size_t> triangles = {}; ///< of the object, by index; empty for a segment
+  std::vector<std::size_t> triangles = {}; ///< indices of triangles of the object; empty for a segment
 };
 
 /// The connected components of a mesh, connected through vertices at the same place, in the order of first triangles.

@@ -275,7 +275,7 @@ private:
   const Surface_patches& surface_;
   const Merge_affinity& affinity_;
   std::vector<Part_node> nodes_;
-  std::vector<std::map<std::size_t, Patch_contact>> contacts_; // by node and other node
+  std::vector<std::map<std::size_t, Patch_contact>> contacts_; // indexed by node and other node
   std::vector<bool> is_merged_;
   std::priority_queue<Offer> queue_;
 };

@@ -21,14 +21,14 @@ struct Part_node
   Surface_moments moments;
   Eigen::AlignedBox3d box;
   std::vector<std::size_t> patches;
-  std::vector<std::size_t> shapes;                      ///< of the patches, sorted
-  std::vector<std::size_t> sheets, components, objects; ///< of the patches, each once, sorted
+  std::vector<std::size_t> shapes;                      ///< those of the patches, sorted
+  std::vector<std::size_t> sheets, components, objects; ///< those of the patches, each once, sorted
   std::array<std::size_t, 2> children{none, none};      ///< indices of nodes
   std::size_t parent = none;                            ///< index of a node
   double affinity = 1;                                  ///< probability with which the children were taken for one part
-  double gap = 0;                                       ///< between the children
+  double gap = 0;                                       ///< distance between the children
 
-  Point centre = Point::Zero(); ///< of the surface
+  Point centre = Point::Zero(); ///< centre of the surface
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   Eigen::Vector3d lengths = Eigen::Vector3d::Zero(); ///< roots of the principal variances, the least first
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();

@@ -196,7 +196,7 @@ private:
     return (high - low).prod();
   }
 
-  /// How far the points lie into the corners of a rectangle whose sides are along the plane and across it.
+  /// The reach of the points into the corners of a rectangle whose sides are along the plane and across it.
   double cornering(const Mirror_plane& plane) const
   {
     const Mirror_plane crossing = score(quarter_turn(plane.normal));
@@ -206,8 +206,8 @@ private:
     return sum;
   }
 
-  /// What has two mirror planes along its sides and two along its diagonals, like a square table, is seen along its
-  /// sides; what is round from above but for that, like a disc on four legs, with the legs in the corners.
+  /// A shape with two mirror planes along its sides and two along its diagonals, like a square table, is seen along its
+  /// sides; one that is round from above but for that, like a disc on four legs, with the legs in the corners.
   Mirror_plane tightest_alternative(const Mirror_plane& plane) const
   {
     const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
@@ -241,7 +241,7 @@ private:
   Nearest_points nearest_;
   Eigen::Array<Eigen::Index, Eigen::Dynamic, 1> queries_;
   Planar_points footprint_;
-  Planar_points hull_; ///< of the corners
+  Planar_points hull_; ///< convex hull of the corners
   Eigen::Vector2d centroid_ = Eigen::Vector2d::Zero();
   double extent_ = 0;
   double spacing_ = 0;
@@ -260,7 +260,7 @@ Eigen::Matrix3d axes_of_side(const Eigen::Vector2d& side)
   return result;
 }
 
-/// Of four quarter turns the one nearest to the given orientation.
+/// The one of four quarter turns that is nearest to the given orientation.
 Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
 {
   const double clearly = 1e-6;
@@ -272,7 +272,7 @@ Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
   return result;
 }
 
-/// Of two opposite sides the one that has the front towards positive z or, if it is across to that, positive x.
+/// The one of two opposite sides that has the front towards positive z or, if it is across to that, positive x.
 Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
 {
   const double clearly = 0.01; // more than the error of a mirror plane's normal

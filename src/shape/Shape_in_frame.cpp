@@ -16,9 +16,9 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr int frame_samples = 4096;    ///< of a whole shape, to find its frame
+constexpr int frame_samples = 4096;    ///< samples of a whole shape, to find its frame
 constexpr int rough_samples = 1024;    ///< the same, to find axes that settle ties
-constexpr int least_frame_samples = 4; ///< of every part, however small
+constexpr int least_frame_samples = 4; ///< samples of every part, however small
 constexpr double rounding_of_axes = 1e-12;
 
 /// The triangles of a part, their area, and the place of its centre along a direction.

@@ -22,7 +22,7 @@ namespace {
 constexpr double cosine_of_crease = 0.5;                     // 60 degrees: where the surface turns more, a patch ends
 constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which a piece joins a neighbour
 constexpr std::size_t many_sheets = 150, many_patches = 120; // numbers from which on larger ones join neighbours, too
-constexpr std::size_t most_triangles_at_edge = 64;           // at more, none are paired
+constexpr std::size_t most_triangles_at_edge = 64;           // triangles at an edge; at one with more, none are paired
 constexpr double turn_around = 2 * double(EIGEN_PI);         // full turn, in radians
 constexpr double same_angle = 0.002; // angle, in radians, of triangles at an edge that lie on each other
 
@@ -224,7 +224,7 @@ private:
   }
 
   const Welded_triangles& triangles_;
-  Numbers material_, sheet_, component_, patch_; // by triangle; a material is of one object
+  Numbers material_, sheet_, component_, patch_; // indexed by triangle; a material is of one object
 };
 
 } // namespace

@@ -38,10 +38,10 @@ struct Surface_patch
   std::size_t sheet = 0;     ///< number of the piece that is connected across edges of two triangles
   std::size_t component = 0; ///< number of the piece that is connected through vertices
   std::size_t shape = 0;     ///< the same number for patches that are about congruent
-  std::vector<std::array<Point, 3>> triangles{}; ///< of the canonical surface
+  std::vector<std::array<Point, 3>> triangles{}; ///< triangles of the canonical surface
 };
 
-/// How two patches touch, or two unions of patches.
+/// The contact of two patches, or of two unions of patches.
 struct Patch_contact
 {
   double gap = 0;                   ///< distance; 0 where they have a common border
@@ -64,16 +64,16 @@ struct Surface_patches
     Patch_contact contact;
   };
 
-  Point sides = Point::Ones();                        ///< of the box
-  double area = 0;                                    ///< of all patches
+  Point sides = Point::Ones();                        ///< lengths of the sides of the box
+  double area = 0;                                    ///< area of all patches
   std::vector<Surface_patch> patches;                 ///< at least one
-  std::vector<Contact> contacts;                      ///< of patches that may be merged
-  std::vector<std::vector<std::size_t>> of_triangles; ///< by object and triangle, the index of its patch
+  std::vector<Contact> contacts;                      ///< contacts of patches that may be merged
+  std::vector<std::vector<std::size_t>> of_triangles; ///< indexed by object and triangle: the index of its patch
 };
 
-constexpr double patch_reach = 0.02; ///< over the diagonal: how near points of patches are that touch
+constexpr double patch_reach = 0.02; ///< distance over the diagonal up to which patches touch
 
-constexpr std::size_t most_patches = 3000; ///< of more, neither measures nor contacts are found
+constexpr std::size_t most_patches = 3000; ///< if there are more, neither measures nor contacts are found
 
 /// Divides the objects at creases of 60 degrees and at edges of other than two triangles; patches that are small join
 /// the one of their sheet with which they have the longest border. O(n log n) in the number of triangles.

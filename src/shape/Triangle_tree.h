@@ -344,7 +344,7 @@ private:
   }
 
   std::vector<Triangle> triangles_;
-  std::vector<std::size_t> given_; ///< by triangle of the tree
+  std::vector<std::size_t> given_; ///< indexed by triangle of the tree
   std::vector<Node> nodes_;
 };
 

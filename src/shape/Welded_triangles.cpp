@@ -76,7 +76,7 @@ void Welded_triangles::collect(const Segmented_shape& shape, const Eigen::Matrix
 
 void Welded_triangles::weld()
 {
-  constexpr std::size_t most_compared = 8; // of a cell, whose points are one place in any case
+  constexpr std::size_t most_compared = 8; // points of a cell, which are one place in any case
   Disjoint_sets sets(std::size_t(points.cols()));
   const Point_grid grid(points, welding_distance / 2);
   grid.for_each_cell([&](const Numbers& of_cell) {

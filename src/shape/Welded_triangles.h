@@ -14,15 +14,15 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-constexpr double welding_distance = 1e-5; ///< over the diagonal: distance of vertices that are one
+constexpr double welding_distance = 1e-5; ///< distance over the diagonal up to which vertices are one
 
 /// A side of a triangle.
 struct Triangle_side
 {
   std::size_t low, high; // places of its ends
   std::size_t triangle;
-  int corner;      // that it begins at
-  bool is_forward; // from `low` to `high`
+  int corner;      // the corner at which it begins
+  bool is_forward; // whether it goes from `low` to `high`
 };
 
 /// The triangles of all objects, in a frame with y up in which their box begins at the origin and has diagonal 1.
@@ -32,14 +32,14 @@ public:
   /// \param axes the rows are the axes of the frame
   Welded_triangles(const Segmented_shape& shape, const Eigen::Matrix3d& axes);
 
-  Point sides = Point::Ones();                     ///< of the box
-  double area = 0;                                 ///< of all
+  Point sides = Point::Ones();                     ///< lengths of the sides of the box
+  double area = 0;                                 ///< area of all
   Points points;                                   ///< the vertices
-  Numbers places;                                  ///< by vertex, the number of its place
-  std::vector<std::array<std::size_t, 3>> corners; ///< by triangle, indices of vertices
-  Numbers objects;                                 ///< by triangle
-  std::vector<double> areas;                       ///< by triangle
-  std::vector<Point> normals;                      ///< by triangle
+  Numbers places;                                  ///< indexed by vertex: the number of its place
+  std::vector<std::array<std::size_t, 3>> corners; ///< indexed by triangle: indices of vertices
+  Numbers objects;                                 ///< indexed by triangle
+  std::vector<double> areas;                       ///< indexed by triangle
+  std::vector<Point> normals;                      ///< indexed by triangle
   std::vector<Triangle_side> edges;                ///< those at the same places next to one another
 
   std::size_t size() const { return corners.size(); }

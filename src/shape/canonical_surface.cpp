@@ -240,7 +240,7 @@ private:
   bool divide(const Groups::Range& members, std::vector<Corners>& result) const
   {
     const std::vector<Link> border = border_of(members);
-    if (members.size() == 1 && border.size() == 3) { // as it is, with its corners
+    if (members.size() == 1 && border.size() == 3) { // kept as it is, with its corners
       result.push_back(corners(*members.begin()));
       return true;
     }
@@ -254,9 +254,9 @@ private:
     }
     for (int t : members)
       area += mesh_.area_vector(t).norm();
-    const double error = tolerance * length + 1e-3 * area; // of twice the area
+    const double error = tolerance * length + 1e-3 * area; // error of twice the area
     if (std::abs(normal.norm() - area) > error) return false;
-    if (normal.norm() <= tolerance * length) return border.size() < 3; // next to nothing
+    if (normal.norm() <= tolerance * length) return border.size() < 3; // it is next to nothing
     if (std::adjacent_find(border.begin(), border.end()) != border.end()) return false;
     const std::vector<Corners> added =
         divide_polygon(mesh_.points(), border, points_within(members, border), normal.normalized(), stretch_);
@@ -320,12 +320,12 @@ private:
   const Flat_faces& mesh_;
   Point direction_;
   Eigen::Matrix3d stretch_;
-  std::vector<double> place_;    ///< by vertex, along the direction
-  std::vector<int> face_;        ///< by triangle
-  std::vector<char> is_whole_;   ///< by triangle, whether it is kept as it is
-  std::vector<int> degree_;      ///< by vertex, number of edges of faces
-  std::vector<Link> neighbours_; ///< of a vertex of degree 2
-  std::vector<char> is_kept_;    ///< by vertex
+  std::vector<double> place_;    ///< indexed by vertex: place along the direction
+  std::vector<int> face_;        ///< indexed by triangle
+  std::vector<char> is_whole_;   ///< indexed by triangle: whether it is kept as it is
+  std::vector<int> degree_;      ///< indexed by vertex: number of edges of faces
+  std::vector<Link> neighbours_; ///< neighbours of a vertex of degree 2
+  std::vector<char> is_kept_;    ///< indexed by vertex
 };
 
 /// Root of the sum of the squares of the height, along y, and the greatest width: turns about y do not change it.

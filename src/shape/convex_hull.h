@@ -11,7 +11,7 @@ struct Convex_hull
 {
   Points vertices;
   double volume = 0;   ///< 0 if the points lie in a plane
-  bool is_box = false; ///< that of the box around the points, since theirs could not be computed
+  bool is_box = false; ///< the volume is that of the box around the points, since theirs could not be computed
 };
 
 Convex_hull convex_hull(const Points& points);

@@ -28,9 +28,9 @@ constexpr double odds_of_visibility = 3.8;  // share of the pairs of points that
 constexpr double odds_of_concavity = -2.3;  // mean concave angle along the common border
 constexpr double odds_of_thickness = -0.57; // difference of the mean logarithms
 
-constexpr double detour = 8; // how much longer the way over a concave edge is, by its angle
+constexpr double detour = 8; // additional length of the way over a concave edge, per radian of its angle
 constexpr double least_thickness = 1e-3;
-constexpr double deepest = 4e-3; // of the points below the surface that look through the inside
+constexpr double deepest = 4e-3; // depth of the points below the surface that look through the inside
 constexpr double depth_by_thickness = 0.3;
 constexpr double above_rounding = 1e-5;
 constexpr double none = -std::numeric_limits<double>::infinity();
@@ -268,9 +268,9 @@ private:
   std::vector<Face> faces_;
   double total_area_ = 0;
   bool has_inside_ = false;
-  std::vector<std::size_t> seeds_; ///< by patch, its first face
+  std::vector<std::size_t> seeds_; ///< indexed by patch: its first face
   std::vector<Eigen::Index> patch_of_face_, set_of_patch_;
-  // By set of patches, or by two of them
+  // Indexed by set of patches, or by two of them
   Eigen::VectorXd members_, area_, thickness_;          ///< thickness: sum of the logarithms
   Eigen::MatrixXd visible_, border_, concavity_, odds_; ///< visible: number of pairs of seeds that see each other
 };

@@ -26,8 +26,8 @@ using namespace internal;
 namespace {
 
 constexpr double base_height =
-    0.02; // over the largest extent: vertices no higher than this above the lowest one are the base
-constexpr double horizontal_cosine = 0.9; // of a normal with the axis
+    0.02; // height above the lowest vertex, over the largest extent, up to which vertices are the base
+constexpr double horizontal_cosine = 0.9; // least cosine between the axis and the normal of a horizontal triangle
 constexpr double least_stability = -0.2;  // lower bound of the stability of shapes that fall over
 constexpr int shape_samples = 3000;       // points sampled on the surface
 constexpr int mirrored_samples = 600;     // points whose mirror images are compared with the surface
@@ -38,10 +38,10 @@ constexpr double weight_of_stability = 9.2;
 constexpr double weight_of_horizontal = 8.3;
 constexpr double weight_of_asymmetry = 36;
 constexpr double weight_of_base = -25;
-// Of logarithms, for a pair. On 437 pairs of the same shapes, in sample: 98 % right where y is up in both, 92 % where
-// in one, with odds of y of 4.5.
+// The weight of differences of logarithms, for a pair. On 437 pairs of the same shapes, in sample: 98 % right where y
+// is up in both, 92 % where in one, with odds of y of 4.5.
 constexpr double weight_of_proportions = 1;
-constexpr double largest_difference = 2; // of the logarithms; a larger one counts as this
+constexpr double largest_difference = 2; // difference of the logarithms; a larger one counts as this
 
 /// The features of a choice of the upright axis, in units of the shape's largest extent.
 struct Surface_summary
@@ -49,8 +49,8 @@ struct Surface_summary
   Points vertices;
   Points samples;
   Point extents = Point::Zero();
-  Point centre = Point::Zero();     // of the surface
-  Point horizontal = Point::Zero(); // by axis, the share of the surface that is perpendicular to it
+  Point centre = Point::Zero();     // centre of the surface
+  Point horizontal = Point::Zero(); // indexed by axis: the share of the surface that is perpendicular to it
 };
 
 Surface_summary summary_of_surface(const Segmented_shape& given)
@@ -124,7 +124,7 @@ double uprightness(const Surface_summary& surface, const Nearest_points& samples
          weight_of_asymmetry * asymmetry(surface, samples, axis) + weight_of_base * share_of_base;
 }
 
-using Logits = std::array<double, 3>; // by axis
+using Logits = std::array<double, 3>; // indexed by axis
 
 Logits logits_of(const Surface_summary& surface, double odds_of_y)
 {

@@ -50,7 +50,7 @@ Eigen::MatrixXd integrated(const Surface_features& features, const Segmented_sha
   double total = 0;
   for (std::size_t part = 0; part < objects_of.size(); ++part) {
     std::vector<const Part_mesh*> meshes;
-    std::vector<const int*> columns; // by triangle of all meshes
+    std::vector<const int*> columns; // indexed by triangle of all meshes
     for (std::size_t object : objects_of[part]) {
       meshes.push_back(&objects.parts()[object].mesh);
       for (const auto& corners : features.columns[object].colwise())

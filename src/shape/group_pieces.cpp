@@ -25,14 +25,14 @@ using contacts::Triangle_tree;
 
 // Calibrated on raw files of which the parts are known (the manual's page on accuracy). Lengths over the size of the
 // model.
-constexpr int piece_samples = 64;           // of a piece
-constexpr Eigen::Index vertex_samples = 64; // at most
+constexpr int piece_samples = 64;           // points sampled on a piece
+constexpr Eigen::Index vertex_samples = 64; // greatest number of vertices taken
 constexpr double hull_tolerance = 0.005;
-constexpr std::size_t most_pieces = 1000; // of an object; of one with more, such as leaves, no piece is a part
-constexpr double share_in_hull = 0.95;    // of a piece that is in a hull
-constexpr double share_interlocked = 0.3; // of each of two pieces that is in the hull of the other
+constexpr std::size_t most_pieces = 1000; // pieces of an object; if it has more, such as leaves, none is a part
+constexpr double share_in_hull = 0.95;    // share of a piece that is in a hull
+constexpr double share_interlocked = 0.3; // share of each of two pieces that is in the hull of the other
 constexpr double alike = 0.01;            // relative difference of sizes
-constexpr double holder_size = 0.5;       // of a piece that holds others; a larger one is the frame of the model
+constexpr double holder_size = 0.5;       // size of a piece that holds others; a larger one is the frame of the model
 constexpr double assembly_size = 0.3;     // of an object whose pieces stay together if they touch
 constexpr double unlimited = 1e100;       // a distance that none reaches
 

@@ -13,12 +13,13 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Which loose pieces make up each part.
+/// The loose pieces that make up each part.
 struct Piece_groups
 {
-  Disjoint_sets sets;               ///< of pieces
-  std::vector<std::string> reasons; ///< by piece, why it joined another one; empty if it did not
-  std::vector<std::string> kept;    ///< by object, why it was kept as it is although it has several pieces; or empty
+  Disjoint_sets sets;               ///< sets of pieces
+  std::vector<std::string> reasons; ///< indexed by piece: why it joined another one; empty if it did not
+  std::vector<std::string>
+      kept; ///< indexed by object: why it was kept as it is although it has several pieces; or empty
 };
 
 /// Decides it as `split_parts()` says for `Part_splitting::AUTO`.

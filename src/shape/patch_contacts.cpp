@@ -25,10 +25,10 @@ namespace {
 constexpr double concave_height = 1e-6; // least height of a triangle's middle over its neighbour's plane
 constexpr int all_samples = 8000;       // number of points on all patches
 constexpr int fewest_samples = 12;      // number of points on a patch
-// How far a patch may reach out of the box of another to lie in it, and the gap that such a pair counts as.
+// A patch may reach out of the box of another by this margin to lie in it; such a pair counts as this far apart.
 constexpr double box_margin = 0.01, gap_in_box = 0.03;
 constexpr std::size_t most_in_box = 20;            // patches that are paired with one that holds them
-constexpr std::size_t most_patches_in_boxes = 150; // of more, none are looked for in boxes
+constexpr std::size_t most_patches_in_boxes = 150; // if there are more, none are looked for in boxes
 
 class Patch_measures
 {
@@ -160,7 +160,7 @@ private:
       std::set<std::size_t> patches;
       for (std::size_t t : at)
         patches.insert(pieces_.patches[t]);
-      constexpr std::size_t most = 7; // at the hub of more, nothing is told by it
+      constexpr std::size_t most = 7; // patches that meet at a point; the hub of more tells nothing
       if (patches.size() > most) continue;
       for (auto i = patches.begin(); i != patches.end(); ++i)
         for (auto j = std::next(i); j != patches.end(); ++j)
@@ -200,7 +200,7 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return quantized(sizes[a][0]) > quantized(sizes[b][0]); });
-    constexpr double same_length = 0.004, same_share = 0.04, same_area = 0.015; // of roots of areas
+    constexpr double same_length = 0.004, same_share = 0.04, same_area = 0.015; // differences of roots of areas
     std::vector<bool> is_known(sizes.size(), false);
     std::size_t number = 0;
     for (std::size_t i : order) {
@@ -218,7 +218,7 @@ private:
   const Welded_triangles& triangles_;
   const Triangle_pieces& pieces_;
   Surface_patches& surface_;
-  std::vector<std::vector<contacts::Sampled_triangle>> surfaces_; // by patch, canonical
+  std::vector<std::vector<contacts::Sampled_triangle>> surfaces_; // indexed by patch; canonical
   std::map<std::pair<std::size_t, std::size_t>, Patch_contact> contacts_;
 };
 

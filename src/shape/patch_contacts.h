@@ -11,7 +11,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// The pieces that triangles are of, by their numbers from 0 on.
 struct Triangle_pieces
 {
-  Numbers sheets, components, patches; // as of `Surface_patch`; by triangle
+  Numbers sheets, components, patches; // indexed by triangle; numbers as in `Surface_patch`
 };
 
 /// Measures the patches and finds which may be merged; of more than `most_patches` it only tells how many there are.

@@ -62,7 +62,7 @@ std::vector<Halfedge_mesh> components_of(const Part_mesh& mesh, std::vector<doub
       [] { return std::vector<Halfedge_mesh>(); });
 }
 
-/// By face the number of its segment; none if the component has no inside, or CGAL fails.
+/// For each face, the number of its segment; none if the component has no inside, or CGAL fails.
 std::vector<std::size_t> segments_of(Halfedge_mesh& component, std::size_t patches, const Segmentation_options& options)
 {
   return library_call(
@@ -99,7 +99,7 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
     }
     std::vector<std::size_t> segments;
     if (CGAL::is_closed(component)) {
-      // So many that the time, which is quadratic in them, does not grow with the number of components
+      // Fewer patches for small components: the time, quadratic in them, must not grow with the number of components
       const double patches = std::ceil(double(options.patches) * std::sqrt(areas[i] / total_area));
       const double most = double(component.number_of_faces());
       segments = segments_of(component, std::size_t(std::clamp(patches, 1., most)), options);

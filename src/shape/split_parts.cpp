@@ -92,7 +92,7 @@ public:
     for (std::size_t i = 0; i < objects_.size(); ++i) {
       if (!are_taken[i]) continue;
       result_.patched_objects.push_back(objects_[i].name);
-      std::map<std::size_t, std::vector<std::size_t>> triangles; // by patch
+      std::map<std::size_t, std::vector<std::size_t>> triangles; // indexed by patch
       for (std::size_t t = 0; t < surface.of_triangles[i].size(); ++t)
         triangles[surface.of_triangles[i][t]].push_back(t);
       std::vector<int> number(std::size_t(objects_[i].mesh.points.cols()), -1);
@@ -196,7 +196,7 @@ public:
 
   Part_split assigned(const std::map<std::string, std::string>& part_of_piece)
   {
-    std::vector<std::string> names; // of parts
+    std::vector<std::string> names; // names of parts
     std::map<std::string, Group> groups;
     std::set<std::string> known;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -220,7 +220,7 @@ public:
   }
 
 private:
-  using Group = std::vector<std::size_t>; // of pieces
+  using Group = std::vector<std::size_t>; // indices of pieces
 
   /// What the nodes of a tree of patches have of whole pieces.
   std::vector<std::array<std::size_t, 2>> unions_of_pieces(const Surface_patches& surface,
@@ -237,7 +237,7 @@ private:
     struct Union
     {
       std::size_t whole = none;                 // number of the union of the whole pieces
-      std::map<std::size_t, std::size_t> begun; // by piece that is not whole, the number of its patches
+      std::map<std::size_t, std::size_t> begun; // indexed by piece that is not whole, the number of its patches
     };
     std::vector<std::array<std::size_t, 2>> result;
     const auto add = [&](Union& to, std::size_t number) {
@@ -386,7 +386,7 @@ private:
   const Segmentation_options segmentation_;
   double size_;
   std::vector<Loose_piece> pieces_;
-  std::vector<std::size_t> count_; ///< by object, number of pieces
+  std::vector<std::size_t> count_; ///< indexed by object: number of pieces
   Part_split result_;
 };
 

@@ -76,7 +76,7 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
 }
 
 constexpr double parallel_squared_sine =
-    1e-24; // under which segments count as parallel: rounding alone can make such an angle
+    1e-24; // segments at a smaller angle count as parallel: rounding alone can make it
 
 /// The point of the sides of the triangle nearest to `p`.
 inline Point nearest_on_sides(const Point& p, const Triangle& t)
@@ -93,7 +93,7 @@ inline Point nearest_on_sides(const Point& p, const Triangle& t)
 /// (Ericson, Real-Time Collision Detection, 2005, section 5.1.5), unless the triangle is a needle.
 inline Point nearest_on_triangle(const Point& p, const Triangle& t)
 {
-  constexpr double needle_squared_sine = 1e-8; // of an angle under which dot products lose half of their digits
+  constexpr double needle_squared_sine = 1e-8; // at smaller angles, dot products lose half of their digits
   const Point u = t[1] - t[0], v = t[2] - t[0], from_first = p - t[0], normal = u.cross(v);
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
   const auto projected = [&] { return Point(p - normal.dot(from_first) / normal.squaredNorm() * normal); };
@@ -105,9 +105,9 @@ inline Point nearest_on_triangle(const Point& p, const Triangle& t)
   }
   const double u0 = u.dot(from_first), v0 = v.dot(from_first); // seen from the first corner, along two sides
   if (u0 <= 0 && v0 <= 0) return t[0];
-  const double u1 = u0 - uu, v1 = v0 - uv; // from the second
+  const double u1 = u0 - uu, v1 = v0 - uv; // dot products from the second corner
   if (u1 >= 0 && v1 <= u1) return t[1];
-  const double u2 = u0 - uv, v2 = v0 - vv; // from the third
+  const double u2 = u0 - uv, v2 = v0 - vv; // dot products from the third corner
   if (v2 >= 0 && u2 <= v2) return t[2];
   if (u0 * v1 <= u1 * v0 && u0 >= 0 && u1 <= 0) return nearest_on_segment(p, t[0], t[1]);
   if (u2 * v0 <= u0 * v2 && v0 >= 0 && v2 <= 0) return nearest_on_segment(p, t[2], t[0]);
