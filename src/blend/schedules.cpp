@@ -4,6 +4,7 @@
 #include "blend/schedules.h"
 
 #include "base/for_each_index.h"
+#include "blend/Part_morph.h"
 #include "blend/exchange_steps.h"
 
 #include <algorithm>
@@ -35,10 +36,9 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange>& exchanges,
                                     bool at_one_time)
 {
-  // Middles of the exchanges; half-way, what is alone in its place has been exchanged
-  constexpr double middle = 0.47, first = 0.36, second = 0.58;
+  constexpr double middle = Part_morph::change, first = 0.36, second = 0.58; // middles of the exchanges
   constexpr double spread = second - first, spread_of_step = 0.04; // times between the first and the last place
-  constexpr double change = 0.15, overlap = 0.06;
+  constexpr double change = 0.1, overlap = 0.04;
   constexpr double earliest = 0.02, vanished = 0.27, growing = 0.7, latest = 0.98, longest = 0.15;
   const auto is_first = [](const Exchange& exchange) { return exchange.step == Exchange_step::FIRST; };
   const bool has_steps = std::any_of(exchanges.begin(), exchanges.end(), is_first);

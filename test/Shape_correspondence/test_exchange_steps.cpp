@@ -2,6 +2,7 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend/Part_morph.h"
 #include "blend/exchange_steps.h"
 #include "box_models.h"
 
@@ -84,16 +85,16 @@ TEST_CASE("Exchanges have two times, or one if that is asked for")
     std::map<double, int> result;
     for (const Blend_task& task : blend.schedules()[0].tasks)
       if (task.type != Blend_task_type::MORPH) // the middle of the time in which old and new parts are there
-        ++result[std::round(1000 * (task.type == Blend_task_type::SHRINK ? task.end - 0.03 : task.begin + 0.03)) /
+        ++result[std::round(1000 * (task.type == Blend_task_type::SHRINK ? task.end - 0.02 : task.begin + 0.02)) /
                  1000];
     return result;
   };
   const std::map<double, int> two = ends("in two steps"), one = ends("at one time");
   REQUIRE(two.size() == 2);
-  CHECK(two.begin()->first < 0.5);
-  CHECK(two.rbegin()->first > 0.5);
+  CHECK(two.begin()->first < internal::Part_morph::change);
+  CHECK(two.rbegin()->first > internal::Part_morph::change);
   CHECK((two.begin()->second == 3 || two.rbegin()->second == 3)); // two walls and a column
-  CHECK(one == std::map<double, int>{{0.47, 5}});
+  CHECK(one == std::map<double, int>{{internal::Part_morph::change, 5}});
   CHECK(ends("") == two);
 }
 
