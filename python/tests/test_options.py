@@ -28,7 +28,7 @@ def test_options_are_those_of_the_table(function):
 def test_options_and_defaults_of_a_match():
     assert list(defaults(sc.match))[:5] == ["part_matching", "roles", "pinned", "forbidden", "source_parts"]
     expected = {"search_method": "parts", "category": None, "min_confidence": 0, "beam_width": 20, "expansions": 4,
-                "role_weight": 0, "paper": False, "cut_curves": True, "unmatched_cost": float("inf"),
+                "role_weight": 0, "feature_weight": 3, "paper": False, "cut_curves": True, "unmatched_cost": float("inf"),
                 "maximum_parts": 0, "coarse_to_fine": 0, "alignments": 1, "front_is_sure": False, "solutions": 1,
                 "min_marginals": False}
     assert {name: value for name, value, _ in _core.options_of("match")} == expected

@@ -194,5 +194,6 @@ def test_errors_have_the_same_messages(program, arguments, call):
     assert result.returncode == 1
     with pytest.raises(sc.InvalidInput) as error:
         call()
-    assert result.stderr == f"shape_correspondence: {error.value}\n"
+    message = str(error.value).replace("train_role_model()", "shape_correspondence roles train")  # as the program calls it
+    assert result.stderr == f"shape_correspondence: {message}\n"
     assert isinstance(error.value, ValueError)

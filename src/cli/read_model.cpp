@@ -110,6 +110,13 @@ void pass(Bytes& bytes, Eigen::PlainObjectBase<Matrix>& columns)
   bytes.raw(columns.data(), std::size_t(columns.size()) * sizeof(*columns.data()));
 }
 
+template <typename Bytes, typename Value, std::size_t n>
+void pass(Bytes& bytes, std::array<Value, n>& values)
+{
+  for (Value& value : values)
+    pass(bytes, value);
+}
+
 template <typename Bytes, typename Value>
 void pass(Bytes& bytes, std::vector<Value>& values)
 {
@@ -148,8 +155,8 @@ void pass(Bytes& bytes, Part_split& split)
 {
   pass(bytes, split.shape), pass(bytes, split.pieces), pass(bytes, split.decisions);
   pass(bytes, split.by_segments), pass(bytes, split.is_found), pass(bytes, split.found_roles);
-  pass(bytes, split.patched_objects), pass(bytes, split.by_materials), pass(bytes, split.pieces_left_out);
-  pass(bytes, split.pieces_kept_whole);
+  pass(bytes, split.patched_objects), pass(bytes, split.by_materials), pass(bytes, split.unions);
+  pass(bytes, split.pieces_left_out), pass(bytes, split.pieces_kept_whole);
 }
 
 template <typename Bytes>

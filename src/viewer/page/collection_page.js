@@ -65,7 +65,7 @@ export function showCollection() {
       v.figure.hidden = side >= indices.length;
       if (v.figure.hidden) return;
       setBreakable(shapes[indices[side]].name, v.caption);
-      nodes[indices[side]].children.forEach((node, part) => stage.addNode(v, node, part));
+      nodes[indices[side]].children.forEach((node, part) => stage.addNode(v, {...node, name: shapes[indices[side]].parts[part]}, part));
       stage.centre(v);
     });
     const match = indices.length === 2 ? storedMatch(stored, ...indices) : null;
