@@ -73,7 +73,7 @@ private:
 
   std::string read_header()
   {
-    const std::string start = bytes(std::min<std::size_t>(npy_mark.size() + 2, rest_));
+    const std::string start = bytes(std::size_t(std::min<std::uintmax_t>(npy_mark.size() + 2, rest_)));
     if (begins_with(start, zip_mark)) fail("it is an archive of arrays (.npz)", write_again);
     if (!begins_with(start, npy_mark) || start.size() < npy_mark.size() + 2)
       fail("it is not an array of NumPy (.npy)", write_again);
