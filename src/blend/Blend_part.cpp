@@ -41,7 +41,7 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
 std::vector<Pair_charts> likely_charts(const Blend_stage& stage, const Piece_pair& pair, const Part_mesh& source,
                                        const Part_mesh& target)
 {
-  constexpr double any = 10; // ratio of volumes with which own axes are always taken
+  constexpr double any = 10; // ratio of volumes of boxes; by this one, own axes are always taken
   const auto& [from, to] = stage.charted;
   const std::array<Eigen::Matrix3d, 2> own = {from.charts[pair.source].axes(), to.charts[pair.target].axes()};
   std::vector<Pair_charts> result;

@@ -91,7 +91,8 @@ void add_structure_options(Option_table& table, Common_options& options)
       .between(0, 0.5)
       .in_python();
   add("cache", "FOLDER", &options.cache,
-      "keep structural graphs, and the parts found in models, in this folder, and reuse them when model and options are "
+      "keep structural graphs, and the parts found in models, in this folder, and reuse them when model and options "
+      "are "
       "the same")
       .in_python();
 }

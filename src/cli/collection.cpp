@@ -164,7 +164,7 @@ private:
     } else {
       Collection_work work(shapes, stored("pairs"), key(), matching_, common);
       work.run(team);
-      limit.reset(); // the other processes of the machine have no more work
+      limit.reset(); // no other process of the machine has work left, so this one takes all threads
       if (team.is_first()) write_outputs(analysed(shapes, options_, work), shapes);
     }
   }

@@ -165,12 +165,6 @@ void pass(Bytes& bytes, Up_estimate& up)
   pass(bytes, up.up), pass(bytes, up.confidence);
 }
 
-template <typename Bytes>
-void pass(Bytes& bytes, std::array<Up_estimate, 2>& ups)
-{
-  pass(bytes, ups[0]), pass(bytes, ups[1]);
-}
-
 /// The result of some work, or what the folder of graphs keeps of it. \param question tells the work from all others
 template <typename Work>
 auto answer_to(std::string question, const Common_options& options, const Work& work)

@@ -11,7 +11,7 @@
 namespace CGAL::Shape_correspondence::internal {
 
 using Corners = std::array<int, 3>;
-using Link = std::array<int, 2>; // a vertex and the next one
+using Link = std::array<int, 2>; // index of a vertex of the polygon, and that of the next one
 
 /// Triangles of a flat polygon, which may have holes. None if it crosses or touches itself.
 /// \param border edges with the polygon on the left, sorted

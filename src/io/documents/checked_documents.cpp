@@ -141,8 +141,7 @@ Role_model read_role_model(const std::string& path)
   std::ifstream in = open_input(path);
   const std::optional<std::string> content = checked_content(read_document(in, path), model_title);
   if (!content)
-    throw Invalid_input(path +
-                        ": it is not a role model, or it is damaged; train one by `train_role_model()`");
+    throw Invalid_input(path + ": it is not a role model, or it is damaged; train one by `train_role_model()`");
   const auto bytes = std::make_shared<const std::string>(*content);
   return internal::Role_model_access::model(internal::read_role_model_data(bytes_of(*bytes, bytes), path));
 }
