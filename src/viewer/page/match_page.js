@@ -76,18 +76,25 @@ function hiddenText(hidden, least) {
   return ` Hidden, because they are below ${percent(least)}, and drawn faint: ${roles.length ? listed(roles, 10) + ', ' : ''}${counted(parts[0], 'part')} and their ${counted(parts[1], 'counterpart')}.`;
 }
 
+/** How sure the program is, on average and of what it is least, in a sentence; or nothing. */
+function sureText(blocks, labels) {
+  const rated = blocks.filter(({confidence}) => confidence !== null), mean = rated.reduce((sum, {confidence}) => sum + confidence, 0) / rated.length;
+  if (!rated.length) return '';
+  const last = rated.reduce((worst, block) => block.confidence < worst.confidence ? block : worst), isEven = percent(last.confidence) === percent(mean);
+  const name = last.role ? roleText(last.role) : labels[0][last.parts[0][0]];
+  return ` The program is ${percent(mean)} sure of this on average` + (isEven ? '.' : `, and least of ${name}, ${percent(last.confidence)}.`);
+}
+
 /** What the page shows, for those who see it for the first time. @param blocks that are shown @param hidden in a sentence */
-function answer(blocks, rest, hidden) {
+function answer(blocks, labels, rest, hidden) {
   const roles = [...new Set(blocks.map(block => block.role).filter(Boolean))].map(roleText);
-  const sure = blocks.map(block => block.confidence).filter(value => value !== null), mean = sure.reduce((sum, value) => sum + value, 0) / sure.length;
   if (!blocks.length) return hidden ? 'All pairs of parts are hidden.' + hidden : 'No parts correspond.';
-  return 'Parts of one colour correspond' + (roles.length ? ': ' + listed(roles, 10) : '') + '.' + (sure.length ? ` On average they are ${percent(mean)} sure.` : '') +
-      rest + unsureText(blocks) + hidden;
+  return 'Parts of one colour correspond' + (roles.length ? ': ' + listed(roles, 10) : '') + '.' + sureText(blocks, labels) + rest + unsureText(blocks) + hidden;
 }
 
 /** What stripes mean, in a sentence, where there are any. */
 export function unsureText(blocks) {
-  return blocks.some(({confidence}) => confidence !== null && confidence < unsure) ? ` Striped parts are unsure, less than ${percent(unsure)}.` : '';
+  return blocks.some(({least}) => least !== null && least < unsure) ? ` Striped parts are unsure, less than ${percent(unsure)}.` : '';
 }
 
 /** What a film shows, and what of the match it leaves out. */
@@ -122,7 +129,7 @@ export function showMatch() {
   setBreakable(blend ? `From ${titles[0]} to ${titles[1]}` : titles.join(' and '), $('h1'));
   const facts = element('p', '', $('#facts')), tell = () => {
     const [shown, hidden] = [true, false].map(isShown => blocks.filter(block => view.isSure(block) === isShown));
-    facts.textContent = filmText(blend, titles) + answer(shown, uncovered(missing, names, titles, shares), hiddenText(hidden, view.leastConfidence)) + inOnePiece(pieces, titles);
+    facts.textContent = filmText(blend, titles) + answer(shown, labels, uncovered(missing, names, titles, shares), hiddenText(hidden, view.leastConfidence)) + inOnePiece(pieces, titles);
   };
   tell();
   view.listeners.push(tell);

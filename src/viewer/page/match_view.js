@@ -161,8 +161,8 @@ export class MatchView {
     const columns = [...(hasRoles ? [{text: 'role', kind: 'narrow'}] : []), {text: match.titles.join(' → '), span: 2}, ...(hasConfidence ? [{text: 'how sure', kind: 'narrow'}] : [])];
     const labelsOf = sides => sides.map((parts, side) => parts.map(part => match.labels[side][part]));
     const cells = (role, middle, last) => [...(hasRoles ? [role] : []), ...middle, ...(hasConfidence ? [last] : [])];
-    const sure = ({confidence, least}) => ({text: percent(confidence), small: least !== null && least !== undefined && percent(least) !== percent(confidence) ? `least ${percent(least)}` : '',
-                                            title: 'The probability that a pair of parts is right: of all pairs, and of the least sure one'});
+    const sure = ({confidence, least}) => ({text: percent(confidence), small: least < confidence && percent(least) !== percent(confidence) ? `least ${percent(least)}` : '',
+                                            title: 'The probability that a pair of parts is right: on average, and that of the surest pair of the least sure part'});
     const part = (side, index) => index === undefined ? '' : {text: match.labels[side][index], title: match.names[side][index], key: side + ':' + index};
     const parts = sides => Array.from({length: Math.max(...sides.map(list => list.length))}, (_, i) => (
         {cells: cells('', sides.map((list, side) => part(side, list[i])), ''), words: sides.map((list, side) => list[i] === undefined ? '' : match.names[side][list[i]])}));
@@ -214,6 +214,7 @@ export class MatchView {
       if (n >= 0 && !first.has(n) && this.blockOf[side][part] >= 0) first.set(n, this.colourOfBlock(this.blockOf[side][part]));
     }));
     const isUnsure = block => block.confidence !== null && block.confidence < unsure;
+    const isUnsurePart = (block, side, part) => isUnsure(block) || (block.sure?.[side][block.parts[side].indexOf(part)] ?? 1) < unsure;
     const colourOf = (side, part) => {
       const b = this.blockOf[side][part], group = (groups[side] || [])[part];
       if (b < 0) return blocks.length ? grey : this.own[side][part];
@@ -224,15 +225,14 @@ export class MatchView {
       if (item.part < 0 || item.layer === 'materials') continue;
       const place = this.placeOfItem(item), block = blocks[this.blockOf[place[0]][place[1]]];
       item.colour.setRGB(...colourOf(...place).slice(0, 3));
-      item.hatch = block && this.isSure(block) && isUnsure(block) ? 1 : 0;
+      item.hatch = block && this.isSure(block) && isUnsurePart(block, ...place) ? 1 : 0;
       item.opacity = block && !this.isSure(block) ? hiddenOpacity : 1;
     }
     const colours = new Map(), hatched = new Set(), partly = new Set(), ofBlock = b => cssColour(colourOf(0, blocks[b].parts[0][0]));
-    blocks.forEach((block, b) => { colours.set('b' + b, ofBlock(b)); if (isUnsure(block)) hatched.add('b' + b); });
+    blocks.forEach((block, b) => { colours.set('b' + b, ofBlock(b)); if (block.least !== null && block.least < unsure) (isUnsure(block) ? hatched : partly).add('b' + b); });
     this.rows.forEach((row, r) => {
       colours.set('r' + r, ofBlock(row.blocks[0]));
-      const count = row.blocks.filter(b => isUnsure(blocks[b])).length;
-      if (count) (count === row.blocks.length ? hatched : partly).add('r' + r);
+      if (row.blocks.some(b => blocks[b].least !== null && blocks[b].least < unsure)) (row.blocks.every(b => isUnsure(blocks[b])) ? hatched : partly).add('r' + r);
     });
     [0, 1].forEach(side => colours.set('none' + side, cssColour(grey)));
     this.table.paint(colours, hatched, partly);
@@ -308,7 +308,7 @@ export class MatchView {
     if (!block) return [labels[side][part], lines.concat('no counterpart')];
     lines.push(`${inWords(block, side)} (${operationText(block)})`);
     lines.push(`in ${titles[1 - side]}: ` + listed(block.parts[1 - side].map(p => labels[1 - side][p])));
-    if (block.confidence !== null) lines.push('confidence: ' + percent(block.confidence) + (block.least < block.confidence ? `, of its least sure pair ${percent(block.least)}` : ''));
+    if (block.confidence !== null) lines.push('confidence: ' + percent(block.confidence) + (block.least < block.confidence ? `, of its least sure part ${percent(block.least)}` : ''));
     return [labels[side][part], lines];
   }
 

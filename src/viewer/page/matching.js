@@ -121,16 +121,20 @@ function indicesOf(names) {
 
 /**
  * The blocks of a result of `match` by the indices of parts in `names`, the names of both shapes' parts: [{parts: [indices,
- * indices], role, operation, confidence, least}]; the role may be empty, and the confidence null. `least` is that of its least sure pair.
+ * indices], role, operation, confidence, sure, least}]; the role may be empty, and the confidence null. `sure` has the confidence
+ * of the surest pair of each part, `least` is the least of them.
  */
 export function indexedBlocks(result, names) {
-  const index = indicesOf(names), confidences = new Map();
-  if (result.confidences) result.pairs.forEach(([a, b], i) => confidences.set(index[0].get(a) + ':' + index[1].get(b), result.confidences[i]));
+  const index = indicesOf(names), best = [new Map(), new Map()];
+  (result.confidences || []).forEach((confidence, i) => result.pairs[i].forEach((name, side) => {
+    const part = index[side].get(name);
+    best[side].set(part, Math.max(confidence, best[side].get(part) || 0));
+  }));
   return result.blocks.map(block => {
     const parts = [block.source, block.target].map((list, side) => list.map(name => index[side].get(name)));
-    const of = pairs => pairs.map(([a, b]) => confidences.get(a + ':' + b)).filter(value => value !== undefined);
-    const confidence = block.confidence === undefined ? null : block.confidence, all = of(parts[0].flatMap(a => parts[1].map(b => [a, b])));
-    return {parts, role: block.role || '', operation: block.operation, confidence, least: all.length ? Math.min(...all) : confidence};
+    const confidence = block.confidence === undefined ? null : block.confidence;
+    const sure = parts.map((list, side) => list.map(part => best[side].has(part) ? best[side].get(part) : confidence));
+    return {parts, role: block.role || '', operation: block.operation, confidence, sure, least: confidence === null ? null : Math.min(...sure.flat())};
   });
 }
 

@@ -124,7 +124,7 @@ function glb(json, numbers) {
   const shown = block => [block.parts, block.role, block.operation, block.confidence, block.least];
   equal(blocks.map(shown), [[[[0], [2]], '', 'match', 1, 1], [[[2], [0, 1]], 'back', 'split', 0.6, 0.6]]);
   const [, rated] = indexedBlocks({...result, pairs: [['leg', 'leg'], ['back', 'slat 1'], ['back', 'slat 2']], confidences: [1, 0.4, 0.8]}, names);
-  equal([rated.confidence, rated.least], [0.6, 0.4]);
+  equal([rated.confidence, rated.sure, rated.least], [0.6, [[0.8], [0.4, 0.8]], 0.4]);
   equal(blocks.map(operationText), ['match', 'split 1:2']);
   equal([0, 1].map(side => inWords(blocks[1], side)), ['splits into 2 parts', 'one part splits into this and 1 other part']);
   equal(inWords(blocks[0], 1), 'one part matches one part');
