@@ -43,11 +43,10 @@ double sum_of(const Column& column)
   return sum;
 }
 
-/// Appends the next column to a flow, scaled to sum 1.
-void append_column(Column column, Flow_matrix& flow, Eigen::Index j)
+/// Appends the next column, sorted, to a flow, scaled to sum 1.
+void append_column(const Column& column, Flow_matrix& flow, Eigen::Index j)
 {
   const double sum = sum_of(column);
-  std::sort(column.begin(), column.end());
   flow.startVec(j);
   for (const auto& [i, value] : column)
     flow.insertBack(i, j) = value / sum;
@@ -65,7 +64,8 @@ Flow_matrix first_flow(const Eigen::SparseMatrix<double>& weights)
       most = std::max(most, entry.value());
     }
     column.emplace_back(j, most > 0 ? most : 1);
-    append_column(std::move(column), flow, j);
+    std::sort(column.begin(), column.end());
+    append_column(column, flow, j);
   }
   flow.finalize();
   return flow;
@@ -77,78 +77,136 @@ std::size_t column_limit(const Markov_clustering_options& options, Eigen::Index 
   return std::min({std::max<std::size_t>(1, options.entry_limit / all), options.column_limit, all});
 }
 
-// Keeps only the largest entries of a column (ties by index) above a threshold.
+/// Some columns of a squared flow, side by side, so that the processor adds up several at a time.
+class Squared_columns
+{
+public:
+  static constexpr std::size_t number = 4;
+
+  explicit Squared_columns(const Flow_matrix& flow)
+      : flow_(flow), weights_(std::size_t(flow.rows()), Lanes::Zero()), sums_(weights_), is_reached_(weights_.size(), 0)
+  {}
+
+  /// \param wanted at most `number` of them \return the columns, with rows in any order
+  std::vector<Column> operator()(const std::vector<Eigen::Index>& wanted)
+  {
+    std::vector<int> ways, rows;
+    for (std::size_t c = 0; c < wanted.size(); ++c)
+      for (Flow_matrix::InnerIterator way(flow_, wanted[c]); way; ++way) {
+        Lanes& weights = weights_[std::size_t(way.row())];
+        if ((weights == 0).all()) ways.push_back(int(way.row()));
+        weights[Eigen::Index(c)] = way.value();
+      }
+    std::sort(ways.begin(), ways.end());
+    for (int way : ways) {
+      const Lanes weights = std::exchange(weights_[std::size_t(way)], Lanes::Zero());
+      for (Flow_matrix::InnerIterator entry(flow_, way); entry; ++entry) {
+        const auto row = std::size_t(entry.row());
+        if (!is_reached_[row]) is_reached_[row] = 1, rows.push_back(int(row));
+        sums_[row] += entry.value() * weights;
+      }
+    }
+    std::vector<Column> result(wanted.size());
+    for (int row : rows) {
+      const Lanes sums = std::exchange(sums_[std::size_t(row)], Lanes::Zero());
+      is_reached_[std::size_t(row)] = 0;
+      for (std::size_t c = 0; c < wanted.size(); ++c)
+        if (sums[Eigen::Index(c)] > 0) result[c].emplace_back(row, sums[Eigen::Index(c)]);
+    }
+    return result;
+  }
+
+private:
+  using Lanes = Eigen::Array<double, number, 1>;
+
+  const Flow_matrix& flow_;
+  std::vector<Lanes> weights_, sums_; // by row; zero between calls, as are those of `is_reached_`
+  std::vector<char> is_reached_;
+};
+
+/// Keeps only the largest entries of a column (ties by row) above a threshold, and sorts them by row.
 void prune(const Markov_clustering_options& options, std::size_t column_limit, Column& column)
 {
   double most = 0;
   for (const auto& entry : column)
     most = std::max(most, entry.second);
   const double limit = std::min(options.expansion_limit, most);
-  column.erase(std::remove_if(column.begin(), column.end(), [&](const auto& entry) { return entry.second < limit; }),
+  column.erase(std::remove_if(column.begin(), column.end(),
+                              [&](const auto& entry) { return entry.second < limit || entry.second == 0; }),
                column.end());
-  if (column.size() <= column_limit) return;
-  std::stable_sort(column.begin(), column.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  column.resize(column_limit);
+  if (column.size() > column_limit) {
+    const auto is_larger = [](const auto& a, const auto& b) {
+      return std::pair(-a.second, a.first) < std::pair(-b.second, b.first);
+    };
+    std::nth_element(column.begin(), column.begin() + std::ptrdiff_t(column_limit), column.end(), is_larger);
+    column.resize(column_limit);
+  }
   std::sort(column.begin(), column.end());
 }
 
-struct Flow_columns
+/// The columns in an order in which those that flow the same way are neighbours.
+std::vector<Eigen::Index> like_columns(const Flow_matrix& flow)
 {
-  std::vector<Column> columns; ///< not normalized
-  double chaos = 0;
-};
-
-/// Some columns of the squared flow, pruned and inflated.
-Flow_columns inflated_columns(const Markov_clustering_options& options, std::size_t limit, const Flow_matrix& flow,
-                              Eigen::Index first, Eigen::Index number)
-{
-  const Flow_matrix squared = flow * flow.middleCols(first, number);
-  Flow_columns result;
-  for (Eigen::Index j = 0; j < squared.cols(); ++j) {
-    Column column;
-    for (Flow_matrix::InnerIterator entry(squared, j); entry; ++entry)
-      column.emplace_back(entry.row(), entry.value());
-    prune(options, limit, column);
-    const double sum = sum_of(column);
-    double most = 0, squares = 0;
-    for (auto& entry : column) {
-      const double share = entry.second / sum;
-      most = std::max(most, share);
-      squares += share * share;
-      entry.second = std::pow(share, options.inflation);
-    }
-    result.chaos = std::max(result.chaos, most - squares);
-    result.columns.push_back(std::move(column));
+  std::vector<std::pair<int, Eigen::Index>> order; // row of the largest entry, column
+  for (Eigen::Index j = 0; j < flow.cols(); ++j) {
+    double most = 0;
+    int row = 0;
+    for (Flow_matrix::InnerIterator entry(flow, j); entry; ++entry)
+      if (entry.value() > most) most = entry.value(), row = int(entry.row());
+    order.emplace_back(row, j);
   }
+  std::sort(order.begin(), order.end());
+  std::vector<Eigen::Index> result;
+  for (const auto& [row, column] : order)
+    result.push_back(column);
   return result;
 }
 
-/// Expands (squares), prunes and inflates a flow; by blocks of columns, since unpruned columns have many entries.
+/// Inflates a pruned column, which is not normalized then. \return how much it deviates from one of equal entries
+double inflate(double inflation, Column& column)
+{
+  const double sum = sum_of(column);
+  double most = 0, squares = 0;
+  for (auto& entry : column) {
+    const double share = entry.second / sum;
+    most = std::max(most, share);
+    squares += share * share;
+    entry.second = std::pow(share, inflation);
+  }
+  return most - squares;
+}
+
+/// Expands (squares), prunes and inflates a flow.
 /// \return the largest deviation of a column from one whose nonzero entries are equal, from 0 to 1
 double step(const Markov_clustering_options& options, Flow_matrix& flow)
 {
-  constexpr Eigen::Index columns_at_a_time = 64, blocks_at_a_time = 16;
+  constexpr std::size_t columns_at_a_time = 64;
+  static_assert(columns_at_a_time % Squared_columns::number == 0);
   const std::size_t limit = column_limit(options, flow.cols());
-  Flow_matrix result(flow.rows(), flow.cols());
-  result.reserve(Eigen::Index(limit) * flow.cols()); // avoids repeated growth
-  double chaos = 0;
-  for (Eigen::Index done = 0; done < flow.cols(); done += blocks_at_a_time * columns_at_a_time) {
-    std::vector<Flow_columns> blocks(blocks_at_a_time);
-    internal::for_each_index<CGAL::Parallel_if_available_tag>(blocks.size(), [&](std::size_t b) {
-      const Eigen::Index first = done + Eigen::Index(b) * columns_at_a_time;
-      if (first >= flow.cols()) return;
-      blocks[b] = inflated_columns(options, limit, flow, first, std::min(columns_at_a_time, flow.cols() - first));
-    });
-    Eigen::Index j = done;
-    for (Flow_columns& block : blocks) {
-      chaos = std::max(chaos, block.chaos);
-      for (Column& column : block.columns)
-        append_column(std::move(column), result, j++);
-    }
-  }
-  result.finalize();
-  flow.swap(result);
-  return chaos;
+  const std::vector<Eigen::Index> order = like_columns(flow);
+  std::vector<Column> columns(order.size());
+  std::vector<double> chaos(order.size());
+  internal::for_each_index<CGAL::Parallel_if_available_tag>(
+      (order.size() + columns_at_a_time - 1) / columns_at_a_time, [&](std::size_t block) {
+        Squared_columns squared(flow);
+        const std::size_t end = std::min(order.size(), (block + 1) * columns_at_a_time);
+        for (std::size_t k = block * columns_at_a_time; k < end; k += Squared_columns::number) {
+          const std::vector<Eigen::Index> wanted(order.begin() + std::ptrdiff_t(k),
+                                                 order.begin() +
+                                                     std::ptrdiff_t(std::min(end, k + Squared_columns::number)));
+          std::vector<Column> found = squared(wanted);
+          for (std::size_t c = 0; c < wanted.size(); ++c) {
+            prune(options, limit, found[c]);
+            chaos[std::size_t(wanted[c])] = inflate(options.inflation, found[c]);
+            columns[std::size_t(wanted[c])] = Column(found[c].begin(), found[c].end()); // without spare memory
+          }
+        }
+      });
+  flow.setZero();
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    append_column(std::exchange(columns[j], {}), flow, Eigen::Index(j));
+  flow.finalize();
+  return chaos.empty() ? 0 : *std::max_element(chaos.begin(), chaos.end());
 }
 
 // Attractors that share flow form one system; a node belongs to the system that gets most of its flow.

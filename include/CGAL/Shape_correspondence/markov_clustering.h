@@ -29,7 +29,7 @@ struct Markov_clustering_options
   double inflation = 2;
   double expansion_limit = 1e-4;   ///< share of a column below which its entries are dropped
   std::size_t column_limit = 1000; ///< largest number of entries of a column; the smallest ones are dropped
-  /// Largest number of all entries, 24 bytes each; shared evenly if that is less than `column_limit` per column.
+  /// Largest number of all entries, 28 bytes each; shared evenly if that is less than `column_limit` per column.
   std::size_t entry_limit = 30'000'000;
   /// Largest difference, at convergence, between the largest entry of a column and its sum of squares.
   double tolerance = 1e-3;
@@ -51,8 +51,7 @@ struct Markov_clustering
 /// spreads flow, and its entries are raised to a power, which strengthens strong flow, until convergence; a node
 /// belongs to the attractors in which its flow ends. Each node gets a loop with the weight of its strongest edge, as in
 /// van Dongen's program `mcl`. Deterministic, in parallel where TBB is. Time: that of sparse products of columns of at
-/// most `column_limit` entries. Memory: 24 bytes for each of `entry_limit` entries, and as much for some columns before
-/// they are pruned: less than 1 GB by default, whatever the number of nodes.
+/// most `column_limit` entries. Memory: 28 bytes for each of at most `entry_limit` entries, less than 1 GB by default.
 /// \param weights symmetric matrix of the weights; the diagonal is ignored
 /// \param options options of the flow, and limits of memory
 /// \throw Invalid_input if a weight is negative or not finite, or an option is out of its range
