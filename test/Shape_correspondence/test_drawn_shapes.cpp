@@ -123,6 +123,20 @@ TEST_CASE("a star base comes in one part and in several", "[grammar]")
   CHECK(found.size() == 2);
 }
 
+TEST_CASE("no two handles of furniture are in one place", "[grammar]")
+{
+  constexpr double apart = .01; // metres
+  for (const gen::Assembly& shape : gen::drawn_shapes(300, 1)) {
+    INFO(shape.name);
+    std::vector<Point> handles;
+    for (const gen::Part& part : shape.parts)
+      if (part.label.coarse == "handle") handles.push_back(box_of(part.solid.mesh.points).center());
+    for (std::size_t b = 0; b < handles.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a)
+        CHECK((handles[a] - handles[b]).norm() > apart);
+  }
+}
+
 TEST_CASE("methods are compared on fifteen shapes of each category", "[grammar]")
 {
   std::map<std::string, int> counts;

@@ -93,7 +93,7 @@ void add_drawers(Sketch& s, const Case& at, const Field& field, bool has_handles
       s.add("drawer", s.block(middle, {.95 * width, .92 * height, depth}));
       if (!has_handles) continue;
       const bool is_pair = width > .6 && s.chance(.3);
-      for (const double off : is_pair ? std::initializer_list<double>{-.25, .25} : std::initializer_list<double>{0})
+      for (const double off : is_pair ? std::vector<double>{-.25, .25} : std::vector<double>{0})
         s.add("handle", handle(s, middle + Point(off * width, 0, depth / 2), s.in(.04, .3) * width));
     }
 }
