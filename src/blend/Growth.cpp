@@ -102,8 +102,10 @@ Point Growth::along(double at, const Value& value) const
 
 Point Growth::grown(const Point& k, const Point& offset, double share, const Points& ways) const
 {
+  constexpr double thick = 0.3; // share grown from which a part has its full thickness
   const Point from = along(k[axis_], [&](Eigen::Index i) { return stations_[std::size_t(i)].at; }),
-              now = from + share * (k - from), p = chart_(now) + chart_.frame(now) * (share * offset);
+              now = from + share * (k - from),
+              p = chart_(now) + chart_.frame(now) * (std::min(1., share / thick) * offset);
   if (ways.cols() == 0) return p;
   return p + along(k[axis_], [&](Eigen::Index i) -> Point { return ways.col(i); });
 }

@@ -22,7 +22,8 @@ struct Hold
 };
 
 /// How an unmatched part comes and goes: it grows from the line through the places where it is held, along its own
-/// curve or sheet. While a carrier grows as well, the place on it moves, and the part goes with the place.
+/// curve or sheet, and is soon as thick as it will be. While a carrier grows as well, the place on it moves, and the
+/// part goes with the place.
 class Growth
 {
 public:

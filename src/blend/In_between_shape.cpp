@@ -6,6 +6,15 @@
 #include <algorithm>
 
 namespace CGAL::Shape_correspondence::internal {
+namespace {
+
+/// How much of a task is done, from 0 to 1; some are done in an instant.
+double share_done(const Blend_task& task, double time)
+{
+  return time >= task.end ? 1 : std::max(0., (time - task.begin) / (task.end - task.begin));
+}
+
+} // namespace
 
 In_between_shape::In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t)
     : blend(blend), time(t), surfaces(blend.parts.size(), -1), points(blend.parts.size())
@@ -61,7 +70,7 @@ std::vector<Points> In_between_shape::grown(const std::vector<Blend_task>& tasks
   for (std::size_t i : blend.carried) {
     const int end = blend.parts[i].end();
     double done = end; // old parts have not begun to shrink, new ones have finished growing
-    if (!tasks.empty()) done = std::clamp((time - tasks[i].begin) / (tasks[i].end - tasks[i].begin), 0., 1.);
+    if (!tasks.empty()) done = share_done(tasks[i], time);
     shares[i] = end == 0 ? 1 - done : done;
     if (shares[i] > least_remaining) surfaces[i] = 0;
   }

@@ -206,22 +206,24 @@ void Part_morph::meet()
 
 bool Part_morph::is_faithful() const
 {
-  constexpr double most = 0.04, most_together = 0.05; // error, misfit, and their sum
+  constexpr double most = 0.02, most_together = 0.03; // error, misfit, and their sum
   return error_ <= most && misfit_ <= most && error_ + misfit_ <= most_together && looks_alike();
 }
 
-/// Whether the surface half-way covers as much as either end, along each axis, and is no rougher.
+/// Whether both ends cover about as much along each axis, as a hoop and a panel do not, and the surface half-way covers
+/// as much and is no rougher.
 bool Part_morph::looks_alike() const
 {
-  constexpr double more = 0.08;   // share of the bounding rectangle
-  constexpr double rougher = 1.2; // ratio of areas
+  constexpr double unlike = 0.4, more = 0.05; // shares of the bounding rectangle
+  constexpr double rougher = 1.1;             // ratio of areas
   const Look first = look_of(points(0, 0), triangles(0), charts_[0].axes()),
              last = look_of(points(1, 1), triangles(1), charts_[1].axes()),
              half_way =
                  look_of(points(0, change), triangles(0), Part_chart::between(charts_[0], charts_[1], change).axes());
   for (std::size_t axis : {0u, 1u, 2u}) {
     const auto [least, most] = std::minmax(first.covered[axis], last.covered[axis]);
-    if (half_way.covered[axis] < least - more || half_way.covered[axis] > most + more) return false;
+    if (most > least + unlike || half_way.covered[axis] < least - more || half_way.covered[axis] > most + more)
+      return false;
   }
   return half_way.area <= rougher * std::max(first.area, last.area);
 }

@@ -30,19 +30,19 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
   return worst;
 }
 
-/// The tasks with their times. Exchanged parts change about half-way or, in two steps, before and after that: old parts
-/// go while new ones come, for a short time both, one place after the other. Unmatched parts that are not exchanged
-/// vanish before the first step, what is carried before what carries it, or grow after the second, the inverse.
+/// The tasks with their times. Exchanged parts change about half-way or, in two steps, before and after that, one place
+/// after the other: new parts replace old ones in an instant, since half-grown ones leave the shape broken. Unmatched
+/// parts that are not exchanged vanish before the first step, what is carried before what carries it, or grow after the
+/// second, the inverse.
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange>& exchanges,
                                     bool at_one_time)
 {
-  constexpr double middle = Part_morph::change, first = 0.36, second = 0.58; // middles of the exchanges
+  constexpr double middle = Part_morph::change, first = 0.36, second = 0.58; // of the exchanges
   constexpr double spread = second - first, spread_of_step = 0.04; // times between the first and the last place
-  constexpr double change = 0.1, overlap = 0.04;
   constexpr double earliest = 0.02, vanished = 0.27, growing = 0.7, latest = 0.98, longest = 0.15;
   const auto is_first = [](const Exchange& exchange) { return exchange.step == Exchange_step::FIRST; };
   const bool has_steps = std::any_of(exchanges.begin(), exchanges.end(), is_first);
-  const auto middle_of = [&](const Exchange& exchange) {
+  const auto time_of = [&](const Exchange& exchange) {
     if (!has_steps) return middle + (exchange.order - 0.5) * spread;
     if (at_one_time) return middle;
     return (is_first(exchange) ? first : second) + (exchange.order - 0.5) * spread_of_step;
@@ -58,9 +58,7 @@ std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vec
     const Blend_part& part = blend.parts[i];
     Blend_task task = part.task;
     if (exchanges[i].step != Exchange_step::NONE) {
-      const double at = middle_of(exchanges[i]);
-      task.begin = part.end() == 0 ? at + overlap / 2 - change : at - overlap / 2;
-      task.end = task.begin + change;
+      task.begin = task.end = time_of(exchanges[i]);
     } else if (!part.is_matched()) {
       const int before = std::max(0, blend.depths[i] - 1);
       task.begin = part.end() == 0 ? vanished - (before + 1) * going : growing + before * coming;
