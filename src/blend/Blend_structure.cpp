@@ -3,8 +3,6 @@
 
 #include "blend/Blend_structure.h"
 
-#include "base/quantized.h"
-
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 
 #include <algorithm>
@@ -49,49 +47,23 @@ bool carries(const Blend_part& part)
   return part.is_matched() || part.task.obstacle != Blend_obstacle::NONE || stands(part);
 }
 
-/// Extends distances, in contacts, of some parts to all that are connected with them; the others keep theirs.
-void spread(std::vector<int>& distances, const std::vector<Touch>& touches)
-{
-  for (bool is_new = true; is_new;) {
-    is_new = false;
-    for (const Touch& touch : touches)
-      for (std::size_t i : {0u, 1u}) {
-        int& distance = distances[touch[i]];
-        const int by_other = distances[touch[1 - i]] + 1;
-        if (by_other < distance) distance = by_other, is_new = true;
-      }
-  }
-}
-
 std::vector<int> depths_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
 {
   const int unknown = int(parts.size());
   std::vector<int> result(parts.size(), unknown);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (carries(parts[i])) result[i] = 0;
-  spread(result, touches);
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (const Touch& touch : touches)
+      for (std::size_t i : {0u, 1u}) {
+        int& depth = result[touch[i]];
+        const int by_other = result[touch[1 - i]] + 1;
+        if (by_other < depth) depth = by_other, is_new = true;
+      }
+  }
   for (int& depth : result)
     if (depth == unknown) depth = 1; // attached to nothing
-  return result;
-}
-
-/// The number of contacts between each part and those that morph or, where none does, the largest of the parts that are
-/// connected with it.
-std::vector<int> ranks_of(const std::vector<Blend_part>& parts, const std::vector<Touch>& touches)
-{
-  const int unknown = int(parts.size());
-  std::vector<int> result(parts.size(), unknown);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i].is_matched()) result[i] = 0;
-  spread(result, touches);
-  while (std::find(result.begin(), result.end(), unknown) != result.end()) {
-    Steps largest = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (result[i] == unknown) largest = std::max(largest, quantized(parts[i].size));
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (result[i] == unknown && quantized(parts[i].size) == largest) result[i] = 0;
-    spread(result, touches);
-  }
   return result;
 }
 
@@ -111,14 +83,10 @@ Blend_structure::Blend_structure(const std::array<Blend_input, 2>& inputs, const
   motions.resize(parts.size());
   touches = touches_of(stage, parts, options.contact_tolerance);
   depths = depths_of(parts, touches);
-  const std::vector<int> ranks = ranks_of(parts, touches);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     growths.emplace_back();
-    if (parts[i].is_matched()) continue;
-    carried.push_back(i);
-    growths[i].emplace(chart_of(i), parts[i].mesh.points, holds(i, ranks));
+    if (!parts[i].is_matched()) growths[i].emplace(chart_of(i), parts[i].mesh.points, holds(i));
   }
-  std::stable_sort(carried.begin(), carried.end(), [&](std::size_t a, std::size_t b) { return ranks[a] < ranks[b]; });
   for (int end : {0, 1}) {
     std::vector<Seen_surface> seen;
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -162,20 +130,17 @@ const Part_chart& Blend_structure::chart_of(std::size_t unmatched) const
 }
 
 /// Where an unmatched part is held: by those that carry it or, if it carries others itself, by all that it touches.
-std::vector<Hold> Blend_structure::holds(std::size_t unmatched, const std::vector<int>& ranks) const
+std::vector<Point> Blend_structure::holds(std::size_t unmatched) const
 {
   const Blend_part& part = parts[unmatched];
-  std::vector<Hold> result;
+  std::vector<Point> result;
   for (const Touch& touch : touches) {
     if (touch[0] != unmatched && touch[1] != unmatched) continue;
     const std::size_t other = touch[touch[0] == unmatched ? 1 : 0];
     if (!parts[other].is_at(part.end()) || (depths[unmatched] > 0 && depths[other] >= depths[unmatched])) continue;
-    const Hold::By by = parts[other].is_matched()         ? Hold::By::MATCHED
-                        : ranks[other] < ranks[unmatched] ? Hold::By::CARRIER
-                                                          : Hold::By::OTHER;
-    result.push_back({place_of(parts, touch, part.end()), by, other});
+    result.push_back(place_of(parts, touch, part.end()));
   }
-  if (stands(part) || result.empty()) result.push_back({foot_of(part.mesh.points), Hold::By::GROUND});
+  if (stands(part) || result.empty()) result.push_back(foot_of(part.mesh.points));
   return result;
 }
 

@@ -34,7 +34,6 @@ public:
   /// For each part, the number of parts between it and what carries it: what morphs, is exchanged, or stands on the
   /// ground.
   std::vector<int> depths;
-  std::vector<std::size_t> carried;               ///< the unmatched parts, what is carried after what carries it
   std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts
   /// For each part, how it follows the warp of its end; defined if it is unmatched.
   std::vector<std::optional<Straight_motion>> motions;
@@ -42,7 +41,7 @@ public:
 
 private:
   const Part_chart& chart_of(std::size_t unmatched) const;
-  std::vector<Hold> holds(std::size_t unmatched, const std::vector<int>& ranks) const;
+  std::vector<Point> holds(std::size_t unmatched) const;
   Points contacts(std::size_t unmatched) const;
   void set_motions(int end);
 };

@@ -9,13 +9,11 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::internal {
 
-Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<Hold>& holds)
+Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& holds)
     : chart_(chart), points_(points), coordinates_(3, points.cols()), offsets_(3, points.cols())
 {
   constexpr double near = 0.25; // distance along the axis, in coordinates, of places of which one stays
@@ -28,101 +26,53 @@ Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<
   }
   const Point half = chart.half_extents();
   Eigen::AlignedBox3d box;
-  std::vector<Station> sorted;
-  for (const Hold& hold : holds) {
-    sorted.push_back({chart.coordinates(hold.place), {hold}});
-    box.extend(sorted.back().at);
+  std::vector<Point> sorted;
+  for (const Point& hold : holds) {
+    sorted.push_back(chart.coordinates(hold));
+    box.extend(sorted.back());
   }
   box.sizes().cwiseProduct(half).maxCoeff(&axis_);
-  for (Station& station : sorted)
+  for (Point& station : sorted)
     for (int i = 0; i < 3; ++i)
-      if (i != axis_ && half[i] <= std::min(thin, slender * half[axis_])) station.at[i] = 0;
-  const auto key = [&](const Station& station) {
-    const Point p = chart(station.at);
+      if (i != axis_ && half[i] <= std::min(thin, slender * half[axis_])) station[i] = 0;
+  const auto key = [&](const Point& station) {
+    const Point p = chart(station);
     return std::tuple(quantized(p.y()), quantized(p.z()));
   };
-  std::sort(sorted.begin(), sorted.end(), [&](const Station& a, const Station& b) {
-    return std::tuple(quantized(a.at[axis_]), key(a)) < std::tuple(quantized(b.at[axis_]), key(b));
+  std::sort(sorted.begin(), sorted.end(), [&](const Point& a, const Point& b) {
+    return std::tuple(quantized(a[axis_]), key(a)) < std::tuple(quantized(b[axis_]), key(b));
   });
-  for (Station& station : sorted) {
-    if (stations_.empty() || station.at[axis_] - stations_.back().at[axis_] > near) {
-      stations_.push_back(std::move(station));
-      continue;
-    }
-    Station& last = stations_.back();
-    if (key(station) < key(last))
-      last.at = station.at;
-    else if (!(key(last) < key(station)))
-      last.at = (last.at + station.at) / 2; // mirror images
-    last.holds.push_back(station.holds.front());
-  }
+  for (const Point& station : sorted)
+    if (stations_.empty() || station[axis_] - stations_.back()[axis_] > near)
+      stations_.push_back(station);
+    else if (key(station) < key(stations_.back()))
+      stations_.back() = station;
+    else if (!(key(stations_.back()) < key(station)))
+      stations_.back() = (stations_.back() + station) / 2; // mirror images
 }
 
-Points Growth::ways(const std::function<Point(const Hold&)>& way_of) const
-{
-  std::vector<std::optional<Point>> known; // by station, the mean way of what holds it
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < stations_.size(); ++i) {
-    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-    for (const Hold& hold : stations_[i].holds) {
-      if (hold.by == Hold::By::MATCHED) sum[3] += 1;
-      if (hold.by == Hold::By::CARRIER) sum += way_of(hold).homogeneous();
-    }
-    known.emplace_back();
-    if (sum[3] > 0) known[i] = sum.hnormalized(), which.push_back(i);
-  }
-  Points result = Points::Zero(3, Eigen::Index(stations_.size()));
-  for (std::size_t i = 0; i < stations_.size() && !which.empty(); ++i) {
-    const auto next = std::lower_bound(which.begin(), which.end(), i);
-    const std::size_t after = next == which.end() ? which.back() : *next,
-                      before = next == which.begin() || *next == i ? after : *(next - 1);
-    const double whole = stations_[after].at[axis_] - stations_[before].at[axis_],
-                 share = whole > 0 ? (stations_[i].at[axis_] - stations_[before].at[axis_]) / whole : 0;
-    Point way = (1 - share) * *known[before] + share * *known[after];
-    const auto& holds = stations_[i].holds;
-    if (std::any_of(holds.begin(), holds.end(), [](const Hold& hold) { return hold.by == Hold::By::GROUND; }))
-      way.y() = 0;
-    result.col(Eigen::Index(i)) = way;
-  }
-  return result.isZero(0) ? Points() : result;
-}
-
-/// Interpolates a value of stations at a place along the axis.
-template <typename Value>
-Point Growth::along(double at, const Value& value) const
+/// The place on the line from which the points at a coordinate along the axis grow.
+Point Growth::from(double at) const
 {
   const auto next =
-      std::find_if(stations_.begin(), stations_.end(), [&](const Station& station) { return station.at[axis_] >= at; });
-  if (next == stations_.begin()) return value(0);
-  const auto after = Eigen::Index(next - stations_.begin());
-  if (next == stations_.end()) return value(after - 1);
-  const double from = (next - 1)->at[axis_], share = (at - from) / (next->at[axis_] - from);
-  return (1 - share) * value(after - 1) + share * value(after);
+      std::find_if(stations_.begin(), stations_.end(), [&](const Point& station) { return station[axis_] >= at; });
+  if (next == stations_.begin()) return *next;
+  const Point& last = *(next - 1);
+  if (next == stations_.end()) return last;
+  const double share = (at - last[axis_]) / ((*next)[axis_] - last[axis_]);
+  return (1 - share) * last + share * *next;
 }
 
-Point Growth::grown(const Point& k, const Point& offset, double share, const Points& ways) const
+Points Growth::points(double share) const
 {
   constexpr double thick = 0.3; // share grown from which a part has its full thickness
-  const Point from = along(k[axis_], [&](Eigen::Index i) { return stations_[std::size_t(i)].at; }),
-              now = from + share * (k - from),
-              p = chart_(now) + chart_.frame(now) * (std::min(1., share / thick) * offset);
-  if (ways.cols() == 0) return p;
-  return p + along(k[axis_], [&](Eigen::Index i) -> Point { return ways.col(i); });
-}
-
-Points Growth::points(double share, const Points& ways) const
-{
-  if (share >= 1 && ways.cols() == 0) return points_;
+  if (share >= 1) return points_;
   Points result(3, points_.cols());
-  for (Eigen::Index i = 0; i < result.cols(); ++i)
-    result.col(i) = grown(coordinates_.col(i), offsets_.col(i), share, ways);
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    const Point k = coordinates_.col(i), first = from(k[axis_]), now = first + share * (k - first);
+    result.col(i) = chart_(now) + chart_.frame(now) * (std::min(1., share / thick) * offsets_.col(i));
+  }
   return result;
-}
-
-Point Growth::way(const Point& p, double share, const Points& ways) const
-{
-  const Point k = chart_.coordinates(p);
-  return grown(k, chart_.frame(k).inverse() * (p - chart_(k)), share, ways) - p;
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -61,35 +61,20 @@ Blend_quality In_between_shape::quality() const
   return result;
 }
 
-/// The unmatched parts as far as they have grown, where they are at their end.
-std::vector<Points> In_between_shape::grown(const std::vector<Blend_task>& tasks)
+/// The points of an unmatched part as far as it has grown, where it is at its end.
+Points In_between_shape::grown(std::size_t part, const std::vector<Blend_task>& tasks)
 {
-  constexpr double least_remaining = 1e-6; // scale below which a part counts as gone, since its surface has no area
-  std::vector<Points> result(points.size()), ways(points.size());
-  std::vector<double> shares(points.size(), 1);
-  for (std::size_t i : blend.carried) {
-    const int end = blend.parts[i].end();
-    double done = end; // old parts have not begun to shrink, new ones have finished growing
-    if (!tasks.empty()) done = share_done(tasks[i], time);
-    shares[i] = end == 0 ? 1 - done : done;
-    if (shares[i] > least_remaining) surfaces[i] = 0;
-  }
-  for (std::size_t i : blend.carried) { // those that change at the same time as their carrier walk on it
-    const auto way_of = [&](const Hold& hold) -> Point {
-      const std::size_t by = hold.carrier;
-      const bool is_together = tasks[by].begin < tasks[i].end && tasks[i].begin < tasks[by].end;
-      return is_together ? blend.growths[by]->way(hold.place, shares[by], ways[by]) : Point::Zero();
-    };
-    if (!tasks.empty()) ways[i] = blend.growths[i]->ways(way_of);
-    result[i] = blend.growths[i]->points(shares[i], ways[i]);
-  }
-  return result;
+  constexpr double least_remaining = 1e-6; // share below which a part counts as gone, since its surface has no area
+  const int end = blend.parts[part].end();
+  // Old parts have not begun to shrink, new ones have finished growing
+  const double done = tasks.empty() ? end : share_done(tasks[part], time), share = end == 0 ? 1 - done : done;
+  if (share > least_remaining) surfaces[part] = 0;
+  return blend.growths[part]->points(share);
 }
 
 /// Places unmatched parts by the warps of space.
 void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
 {
-  const std::vector<Points> unmatched = grown(tasks);
   for (int end : {0, 1}) {
     const auto& warp = blend.warps[std::size_t(end)];
     if (!warp) continue;
@@ -97,8 +82,9 @@ void In_between_shape::place_unmatched(const std::vector<Blend_task>& tasks)
     for (std::size_t i = 0; i < at_end.size(); ++i)
       if (blend.parts[i].is_matched() && surfaces[i] != end) at_end[i] = blend.parts[i].points(end, time);
     const Points ways = warp->ways(blend.parts, at_end, time); // displacements of the warp's nodes
-    for (std::size_t i : blend.carried)
-      if (blend.parts[i].end() == end) points[i] = blend.motions[i]->moved(unmatched[i], *warp, ways);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!blend.parts[i].is_matched() && blend.parts[i].end() == end)
+        points[i] = blend.motions[i]->moved(grown(i, tasks), *warp, ways);
   }
 }
 

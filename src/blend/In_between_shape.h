@@ -37,7 +37,7 @@ struct In_between_shape
   Blend_quality quality() const;
 
 private:
-  std::vector<Points> grown(const std::vector<Blend_task>& tasks);
+  Points grown(std::size_t part, const std::vector<Blend_task>& tasks);
   void place_unmatched(const std::vector<Blend_task>& tasks);
   void fill_the_height();
   void stretch(Points& surface) const { surface.row(1) = (scale_ * surface.row(1)).array() + shift_; }

@@ -244,8 +244,8 @@ the last one the target. All frames stand on the ground, in the axes of the sour
 
   - Parts that correspond morph: they move straight to the place of their counterpart and change their surface gradually,
     by the outlines of their cross-sections.
-  - Parts that correspond but differ too much, such as legs and a star base, are exchanged: old parts become thin while
-    new ones grow.
+  - Parts that correspond but differ too much, such as legs and a star base, are exchanged: new parts take the place of
+    old ones in an instant.
   - Parts without counterpart shrink into the parts that carry them, or grow out of them.
 
 All parts that do not morph follow the motion of those that do, so that they stay attached.

@@ -213,41 +213,6 @@ TEST_CASE("What grows is attached to what carries it at any time")
   }
 }
 
-TEST_CASE("What is carried walks on its carrier while both grow, and stays on the ground")
-{
-  // A tray on a column; two feet carry it, too, and each has a hook
-  Segmented_shape plain("plain"), full("full");
-  for (Segmented_shape* shape : {&plain, &full})
-    shape->add_part("column", box({0, 0.75, 0}, {0.2, 0.5, 0.2}));
-  plain.add_part("block", box({0, 0.25, 0}, {0.9, 0.5, 0.2}));
-  full.add_part("tray", box({0, 0.48, 0}, {1.6, 0.04, 0.2}));
-  for (double side : {-1., 1.}) {
-    const std::string name = side < 0 ? "left " : "right ";
-    full.add_part(name + "foot", box({0.75 * side, 0.23, 0}, {0.06, 0.46, 0.06}));
-    full.add_part(name + "hook", box({0.8 * side, 0.3, 0}, {0.04, 0.04, 0.04}));
-  }
-  const Model source(plain), target(full);
-  const Shape_blend blend = blend_of(source, target, {{"column", "column"}});
-  int seen = 0;
-  double nearest = 1;
-  for (double t = 0.02; t < 1; t += 0.02) {
-    const Segmented_shape shape = blend(t);
-    const auto& parts = shape.parts();
-    const auto foot = std::find_if(parts.begin(), parts.end(), [](const auto& p) { return p.name == "~right foot"; });
-    if (foot == parts.end()) continue;
-    ++seen;
-    INFO("t = " << t);
-    CHECK(distance(shape, "column", "~tray") < touching);
-    CHECK(distance(shape, "~tray", "~right foot") < touching);
-    CHECK(distance(shape, "~right foot", "~right hook") < touching);
-    const internal::contacts::Box box = internal::box_of(foot->mesh.points);
-    CHECK(box.min().y() < touching);
-    nearest = std::min(nearest, box.center().x());
-  }
-  CHECK(seen > 20);
-  CHECK(nearest < 0.7); // it has come from nearer to the column
-}
-
 TEST_CASE("Legs stay attached to a seat that becomes far higher")
 {
   Segmented_shape high("high"), low("low");
@@ -296,9 +261,7 @@ TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
   }
   REQUIRE(come.size() == 2); // below and above the top
   REQUIRE(go.size() == 2);
-  CHECK(come.begin()->first < go.begin()->second);
-  CHECK(come.begin()->first >= go.begin()->second - 0.1); // old and new are in one place for a short time
-  CHECK(come.rbegin()->first >= go.rbegin()->second - 0.1);
+  CHECK(come == go); // old and new are never in one place
   int supports = 0;
   constexpr int steps = 50;
   for (int i = 1; i < steps; ++i) {

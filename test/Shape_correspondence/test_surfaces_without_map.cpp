@@ -67,8 +67,8 @@ TEST_CASE("Four legs are exchanged for a column with its foot: the shape stands 
     }
     CHECK(std::min(foot, leg) < 0.01);                               // a part stands on the ground
     if (foot < 1) CHECK(foot == Approx(column - 0.05).margin(0.06)); // the foot is attached to the column
-    CHECK((leg < 1) == (t < 0.5));
-    CHECK((column < 1) == (t > 0.44));
+    CHECK((leg < 1) == (t < 0.45));
+    CHECK((column < 1) == (t >= 0.45));
   }
 }
 
