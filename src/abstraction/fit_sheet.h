@@ -11,6 +11,7 @@
 #include <CGAL/Shape_correspondence/Part_abstraction.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>

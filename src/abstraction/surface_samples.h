@@ -7,6 +7,8 @@
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -5,6 +5,8 @@
 
 #include "shape/triangle_distance.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <cstddef>
 #include <vector>

@@ -6,6 +6,8 @@
 #include "base/eigen_system.h"
 #include "structure/Symmetry_candidate.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <iterator>
 #include <vector>

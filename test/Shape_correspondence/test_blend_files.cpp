@@ -12,6 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstring>
 #include <map>

@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <Eigen/Geometry>
+
 #include <map>
 
 using namespace box_shapes;

@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <cstddef>
 #include <random>

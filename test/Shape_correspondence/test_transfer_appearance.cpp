@@ -22,6 +22,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <map>
 #include <set>

@@ -14,6 +14,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <cstring>
 #include <set>
