@@ -3,12 +3,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How much features of faces help matching: the table of the manual's page on learned features.
 
-  learned_features.py PROGRAM OUT FOLDER... [--pairs 12] [--weights 3] [--noise 0,.5,1,2,only] [--jobs 2]
+  learned_features.py PROGRAM OUT FOLDER... [--roles auto] [--pairs 12] [--weights 1,3,10] [--noise 0,.5,1,2,4,only] [--jobs 2]
 
 FOLDERs hold labelled shapes, CATEGORY/SHAPE or SHAPE, each with labels.json and the OBJ files that it names. A face has the vector of
 its part's coarse label, one of 32 orthogonal ones, plus noise of the part: a random vector of about the given length ("only": noise of
 length 1 without the label). OUT keeps features, graphs and results, and a further run continues it. Prints F1, the mean over categories,
-for each noise and weight, with roles and without. --pairs: pairs of each category and folder, drawn at random but always the same.
+for each noise and weight, with the roles of a model (`roles train`), which should not have learned from the sources of FOLDER, and without.
+--pairs: pairs of each category and folder, drawn at random but always the same.
 """
 import argparse
 import array
@@ -82,11 +83,12 @@ def main():
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("folders", nargs="+")
     parser.add_argument("--pairs", type=int, default=12)
-    parser.add_argument("--weights", default="3")
-    parser.add_argument("--noise", default="0,.5,1,2,only")
+    parser.add_argument("--roles", default="auto")
+    parser.add_argument("--weights", default="1,3,10")
+    parser.add_argument("--noise", default="0,.5,1,2,4,only")
     parser.add_argument("--jobs", type=int, default=2)
     args = parser.parse_args()
-    roles, levels = ("auto", "none"), args.noise.split(",")
+    roles, levels = {"roles": args.roles, "geometry": "none"}, args.noise.split(",")
     settings = [(noise, weight) for noise in levels for weight in args.weights.split(",")]
     work, count = [], 0
     for number, folder in enumerate(args.folders):
@@ -102,10 +104,10 @@ def main():
                     write_npy(files[shape, noise], features_of(shape, labels, noise))
             for pair, model in itertools.product(pairs, roles):
                 name = f"{number}_{category}_{pair[0].name}--{pair[1].name}.json"
-                work.append((args.out / "without" / model / name, pair, ["--roles", model]))
+                work.append((args.out / "without" / model / name, pair, ["--roles", roles[model]]))
                 for noise, weight in settings:
                     work.append((args.out / f"{noise}_{weight}" / model / name, pair,
-                                 ["--roles", model, "--source-features", files[pair[0], noise], "--target-features",
+                                 ["--roles", roles[model], "--source-features", files[pair[0], noise], "--target-features",
                                   files[pair[1], noise], "--feature-weight", weight]))
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         list(pool.map(lambda one: match(args, one), work))
