@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The paper's Figures 17 to 19 on labelled shapes whose files do not say what their parts are.
 
-  segmentations.py BUILD OUT FOLDER... --roles MODEL [--pairs 12] [--jobs 2]
+  PYTHONPATH=BUILD/python segmentations.py BUILD OUT FOLDER... --roles MODEL [--pairs 12] [--jobs 2]
 
 FOLDERs are as learned_features.py takes them. Every shape is written as one object and divided in four ways: as the labels say; into
 its loose pieces; into segments where it is concave; into parts as the commands find them by the tree. In the first table, the source
