@@ -11,12 +11,14 @@
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/role_model.h>
+#include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -41,8 +43,11 @@ constexpr double found_share = 0.75; // of the union of two parts that is in bot
 constexpr double same_place = 0.005; // over the diagonal: how far a labelled point may be from the raw surface
 
 const char* const usage =
-    "Usage: benchmark_parts [--parts auto|file|components|segments] [--roles FILE] RAW LABELLED [RAW LABELLED]...\n"
-    "Writes a line of JSON for every pair of a raw model and a folder of labelled part meshes.\n";
+    "Usage: benchmark_parts [--parts auto|file|components|segments] [--roles FILE] [--obj FILE] RAW LABELLED [RAW "
+    "LABELLED]...\n"
+    "Writes a line of JSON for every pair of a raw model and a folder of labelled part meshes; with --obj, also the "
+    "parts\n"
+    "that are made of the last raw model, an object each.\n";
 
 Part_splitting mode_of(const std::string& word)
 {
@@ -196,7 +201,7 @@ IO::Json names_of(const Segmented_shape& shape)
 }
 
 void compare(const std::string& raw_path, const std::string& labelled_path, Part_splitting_options options,
-             const Role_model* roles)
+             const Role_model* roles, const std::string& obj)
 {
   const auto begin = std::chrono::steady_clock::now();
   IO::Model_objects model = IO::read_objects(raw_path, Point::UnitY());
@@ -206,6 +211,7 @@ void compare(const std::string& raw_path, const std::string& labelled_path, Part
   const Part_split of_model = IO::split_parts_by_roles(objects, options, roles);
   const Segmented_shape& parts = of_model.shape;
   const auto split = std::chrono::steady_clock::now();
+  if (std::ofstream out(obj); !obj.empty()) IO::write_segmented_shape_obj(out, parts);
   const Segmented_shape labelled = IO::read_segmented_shape(labelled_path);
   const Common_points common = common_points(points_on(labelled), labelled.parts().size(), parts);
   const Agreement agreement = agreement_of(common.counts);
@@ -244,6 +250,7 @@ int main(int argc, char** argv)
     Part_splitting_options options;
     std::optional<Role_model> roles;
     std::vector<std::string> paths;
+    std::string obj;
     while (!words.is_at_end()) {
       const std::string& word = words.word();
       if (word == "--parts") {
@@ -254,13 +261,17 @@ int main(int argc, char** argv)
         roles = IO::read_role_model(words.value());
         continue;
       }
+      if (word == "--obj") {
+        obj = words.value();
+        continue;
+      }
       benchmark::refuse_option(word);
       paths.push_back(word);
     }
     if (paths.empty() || paths.size() % 2 != 0) throw std::invalid_argument("inputs come in pairs");
     for (std::size_t i = 0; i < paths.size(); i += 2) {
       try {
-        benchmark::compare(paths[i], paths[i + 1], options, roles ? &*roles : nullptr);
+        benchmark::compare(paths[i], paths[i + 1], options, roles ? &*roles : nullptr, obj);
       } catch (const Invalid_input& error) {
         std::cerr << error.what() << '\n';
       }

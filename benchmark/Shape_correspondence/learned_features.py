@@ -3,23 +3,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How much features of faces help matching: the table of the manual's page on learned features.
 
-  learned_features.py PROGRAM OUT FOLDER... [--pairs 12] [--weights 3] [--noise 0,.5,1,2,only] [--jobs 2]
+  PYTHONPATH=BUILD/python learned_features.py OUT FOLDER... [--roles MODEL] [--pairs 12] [--weights 1,3,10] [--noise 0,.5,1,2,4,only]
 
 FOLDERs hold labelled shapes, CATEGORY/SHAPE or SHAPE, each with labels.json and the OBJ files that it names. A face has the vector of
 its part's coarse label, one of 32 orthogonal ones, plus noise of the part: a random vector of about the given length ("only": noise of
-length 1 without the label). OUT keeps features, graphs and results, and a further run continues it. Prints F1, the mean over categories,
-for each noise and weight, with roles and without. --pairs: pairs of each category and folder, drawn at random but always the same.
+length 1 without the label). OUT keeps graphs and results, and a further run continues it. Prints F1, the mean over categories, for each
+noise and weight, with the roles of a model, which should not have learned from the sources of FOLDER, and without. --pairs: pairs of each
+category and folder, drawn at random but always the same.
 """
 import argparse
-import array
 import collections
-import concurrent.futures
+import functools
 import itertools
 import json
 import pathlib
 import random
-import struct
-import subprocess
+
+import numpy as np
+import shape_correspondence as sc
 
 DIMENSION = 32
 
@@ -32,87 +33,72 @@ def shapes_in(folder):
     return found
 
 
-def write_npy(path, rows):
-    header = "{'descr': '<f4', 'fortran_order': False, 'shape': (%d, %d), }" % (len(rows), DIMENSION)
-    header = (header + " " * (-(len(header) + 11) % 64) + "\n").encode()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header
-                     + b"".join(array.array("f", row).tobytes() for row in rows))
-
-
-def features_of(shape, labels, noise):
-    """A row for each face of the files of the folder `parts`, sorted by name. \\param labels the columns of labels"""
-    parts = {pathlib.Path(part["file"]).name: part for part in json.loads((shape / "labels.json").read_text())["parts"]}
-    rows = []
-    for file in sorted((shape / "parts").iterdir()):
-        random_numbers = random.Random(f"{shape.name}/{file.name}/{noise}")
-        length = 1 if noise == "only" else float(noise)
-        row = [random_numbers.gauss(0, length / DIMENSION ** .5) for _ in range(DIMENSION)]
-        if noise != "only":
-            row[labels[parts[file.name]["coarse"]]] += 1
-        faces = sum(line.startswith("f ") for line in file.read_text().splitlines())
-        rows += [row] * faces
-    return rows
-
-
 def pairs_of(folder, most):
     for category, shapes in shapes_in(folder).items():
         pairs = list(itertools.combinations(shapes, 2))
         yield category, random.Random(category).sample(pairs, min(most, len(pairs)))
 
 
-def match(args, work):
-    result, pair, options = work
-    if not result.exists():
-        result.parent.mkdir(parents=True, exist_ok=True)
-        subprocess.run([args.program, "match", pair[0] / "parts", pair[1] / "parts", "--quiet", "--cache", args.out / "cache",
-                        "--json", result, *options], check=True, stderr=subprocess.DEVNULL)
+def coarse_labels(shape):
+    """By file of the folder `parts`."""
+    return {pathlib.Path(part["file"]).name: part["coarse"] for part in json.loads((shape / "labels.json").read_text())["parts"]}
 
 
-def f1(args, results):
-    """The mean over categories."""
-    truth = itertools.chain.from_iterable(("--ground-truth", folder) for folder in args.folders)
-    text = subprocess.run([args.program, "evaluate", results, *truth, "--json", "-"], check=True, capture_output=True).stdout
-    return json.loads(text)["mean"]["f1"]
+def features_of(shape, labels, noise):
+    """A row for each face of the files of the folder `parts`, sorted by name. \\param labels the columns of labels"""
+    of_parts = coarse_labels(shape)
+    rows = []
+    for file in sorted((shape / "parts").iterdir()):
+        random_numbers = random.Random(f"{shape.name}/{file.name}/{noise}")
+        length = 1 if noise == "only" else float(noise)
+        row = [random_numbers.gauss(0, length / DIMENSION ** .5) for _ in range(DIMENSION)]
+        if noise != "only":
+            row[labels[of_parts[file.name]]] += 1
+        rows += [row] * sum(line.startswith("f ") for line in file.read_text().splitlines())
+    return np.array(rows, np.float32)
+
+
+def match_pair(args, pair, labels, settings, roles, name):
+    """Writes the matches with all settings, and without features."""
+    @functools.lru_cache(None)
+    def graph(shape, noise):
+        features = None if noise is None else features_of(shape, labels, noise)
+        return sc.build_graph(shape / "parts", features=features, cache=args.out / "cache")
+
+    for model, (noise, weight) in itertools.product(roles, [(None, "0"), *settings]):
+        result = folder_of(args, model, noise, weight) / name
+        if not result.exists():
+            result.parent.mkdir(parents=True, exist_ok=True)
+            sc.match(*(graph(shape, noise) for shape in pair), roles=roles[model], feature_weight=float(weight)).save(result)
+
+
+def folder_of(args, model, noise, weight):
+    return args.out / ("without" if noise is None else f"{noise}_{weight}") / model
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("folders", nargs="+")
+    parser.add_argument("--roles", default="auto")
     parser.add_argument("--pairs", type=int, default=12)
-    parser.add_argument("--weights", default="3")
-    parser.add_argument("--noise", default="0,.5,1,2,only")
-    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--weights", default="1,3,10")
+    parser.add_argument("--noise", default="0,.5,1,2,4,only")
     args = parser.parse_args()
-    roles, levels = ("auto", "none"), args.noise.split(",")
-    settings = [(noise, weight) for noise in levels for weight in args.weights.split(",")]
-    work, count = [], 0
+    settings = list(itertools.product(args.noise.split(","), args.weights.split(",")))
+    roles = {"roles": "auto" if args.roles == "auto" else sc.roles.load(args.roles), "geometry": None}
+    count = 0
     for number, folder in enumerate(args.folders):
         for category, pairs in pairs_of(folder, args.pairs):
+            names = sorted({label for shape in itertools.chain(*pairs) for label in coarse_labels(shape).values()})
+            labels = {name: column for column, name in enumerate(names)}
+            for pair in pairs:
+                match_pair(args, pair, labels, settings, roles, f"{number}_{category}_{pair[0].name}--{pair[1].name}.json")
             count += len(pairs)
-            names = {part["coarse"] for shape in itertools.chain(*pairs)
-                     for part in json.loads((shape / "labels.json").read_text())["parts"]}
-            labels = {name: column for column, name in enumerate(sorted(names))}
-            files = {}
-            for shape, noise in itertools.product(sorted(set(itertools.chain(*pairs))), levels):
-                files[shape, noise] = args.out / "features" / noise / str(number) / category / (shape.name + ".npy")
-                if not files[shape, noise].exists():
-                    write_npy(files[shape, noise], features_of(shape, labels, noise))
-            for pair, model in itertools.product(pairs, roles):
-                name = f"{number}_{category}_{pair[0].name}--{pair[1].name}.json"
-                work.append((args.out / "without" / model / name, pair, ["--roles", model]))
-                for noise, weight in settings:
-                    work.append((args.out / f"{noise}_{weight}" / model / name, pair,
-                                 ["--roles", model, "--source-features", files[pair[0], noise], "--target-features",
-                                  files[pair[1], noise], "--feature-weight", weight]))
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        list(pool.map(lambda one: match(args, one), work))
     print(f"{count} pairs\n\n| noise | weight | F1 with roles | by geometry |\n|---|---|---|---|")
-    for noise, weight in [("no features", "")] + settings:
-        results = args.out / (f"{noise}_{weight}" if weight else "without")
-        print(f"| {noise} | {weight} |", *(f"{f1(args, results / model):.3f} |" for model in roles))
+    for noise, weight in [(None, ""), *settings]:
+        f1 = (sc.evaluate(folder_of(args, model, noise, weight), args.folders).mean.f1 for model in roles)
+        print(f"| {noise or 'no features'} | {weight} |", *(f"{value:.3f} |" for value in f1))
 
 
 if __name__ == "__main__":

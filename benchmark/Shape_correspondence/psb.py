@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Labels the Princeton Segmentation Benchmark by matching, and compares segments with those of people.
 
-  PYTHONPATH=BUILD/python psb.py FOLDER [--only Chair,Table] [--skip given,raw] [--cache FOLDER] [--json FILE]
+  PYTHONPATH=BUILD/python psb.py FOLDER [--only Chair,Table] [--skip given,raw] [--parts segments] [--cache FOLDER] [--json FILE]
 
 FOLDER has CATEGORY/N.off, one mesh each, and CATEGORY/N_labels.txt: a line with a label, then one with the numbers of its faces, from 1
 (Kalogerakis et al. 2010). Given segments are the connected faces of one label; specks of less than .5 % of the area join their
-neighbours; their upright axis is that of the mesh as it is read. Segments of raw meshes are those of `--parts segments`. Examples always have given segments.
+neighbours; their upright axis is that of the raw mesh, as every command estimates it. --parts says how raw meshes are divided, as of `match`.
+Examples always have given segments.
 
 Prints a table as Markdown. label transfer: share of the area that gets its label from 1, 3 or 12 examples, each of which votes with its
 probability; means over all ordered pairs, or over DRAWS sets of examples for each shape, then over shapes. A raw mesh that is refused
@@ -102,7 +103,7 @@ def rand_error(a, b):
 
 
 class Labelled_mesh:
-    def __init__(self, folder, name):
+    def __init__(self, folder, name, parts, cache):
         self.name, self.file = name, os.path.join(folder, name + ".off")
         self.points, self.faces = read_off(self.file)
         self.areas = areas_of(self.points, self.faces)
@@ -114,16 +115,18 @@ class Labelled_mesh:
         self.segments = np.zeros(len(self.faces), int)
         self.graphs = {}
         face_of = {self.key(self.points[corners]): i for i, corners in enumerate(self.faces)}
-        self.shape = sc.read(self.file, parts="segments")
+        try:
+            self.graphs["raw"] = sc.build_graph(self.file, parts=parts, cache=cache)
+            self.shape = self.graphs["raw"].shape
+        except sc.InvalidInput:
+            self.shape = sc.read(self.file, parts="file")
         for number, part in enumerate(self.shape.parts):
             found = [face_of.get(self.key(part.vertices[corners])) for corners in part.faces]
             self.faces_of["raw"][part.name] = np.array([face for face in found if face is not None], int)
             self.segments[self.faces_of["raw"][part.name]] = number
-        self.refused = len(self.faces_of["raw"]) < 2
+        self.refused = "raw" not in self.graphs
 
-    def build_graphs(self, kinds, cache):
-        if "raw" in kinds and not self.refused:
-            self.graphs["raw"] = sc.build_graph(self.file, parts="segments", cache=cache)
+    def build_given(self, cache):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, self.name + ".obj")
             sc.Shape.from_segmentation(self.points, self.faces, self.people, self.name, self.shape.up).save(file)
@@ -177,6 +180,7 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("--only", default="")
     parser.add_argument("--skip", default="")
+    parser.add_argument("--parts", default="segments")
     parser.add_argument("--cache")
     parser.add_argument("--json")
     args = parser.parse_args()
@@ -192,10 +196,10 @@ def main():
         names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".off"))
         if not names:
             continue
-        meshes = [Labelled_mesh(folder, name) for name in names]
+        meshes = [Labelled_mesh(folder, name, args.parts, args.cache) for name in names]
         if kinds:
             for mesh in meshes:
-                mesh.build_graphs(kinds, args.cache)
+                mesh.build_given(args.cache)
         scores = {kind: transfer_scores(meshes, kind) for kind in kinds}
         rand = [rand_error(mesh.people, mesh.segments) for mesh in meshes]
         refused = [mesh.name for mesh in meshes if mesh.refused]

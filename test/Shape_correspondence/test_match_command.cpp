@@ -6,6 +6,8 @@
 #include "hand_made_graphs.h"
 #include "program.h"
 
+#include <CGAL/Shape_correspondence/IO/matrix_files.h>
+
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -86,4 +88,47 @@ TEST_CASE("Both commands write pages")
   CHECK(run("match " + a + " " + a + " --quiet --html " + quoted(folder.path("m.html"))).status == 0);
   CHECK(text_of(folder.path("g.html")).find("<!DOCTYPE html>") == 0);
   CHECK(text_of(folder.path("m.html")).find("<!DOCTYPE html>") == 0);
+}
+
+TEST_CASE("match compares features of faces in files, and says what is wrong with them")
+{
+  const Temporary_folder folder;
+  const std::string model =
+      folder.write("two.obj", obj_box("o left", 0, 0, 0, 0, 1, 1, 1) + obj_box("o right", 1, 1.5, 0, 0, 1, 1, 1));
+  // Of the twelve faces, the first `n` have one feature, the others another one
+  const auto features = [&](const std::string& name, Eigen::Index rows, Eigen::Index n, Eigen::Index of_first) {
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(rows, 2);
+    values.col(of_first).head(n).setOnes();
+    values.col(1 - of_first).tail(rows - n).setOnes();
+    std::ostringstream text;
+    IO::write_npy(text, values);
+    return " --target-features " + quoted(folder.write(name, text.str()));
+  };
+  const std::string pair = "match " + quoted(model) + " " + quoted(model) + " --json - --up y --roles none",
+                    alike = features("alike.npy", 12, 6, 0), swapped = features("swapped.npy", 12, 6, 1),
+                    of_source = " --source-features " + quoted(folder.path("alike.npy"));
+  const json straight = json::parse(R"([["left","left"],["right","right"]])"),
+             crossed = json::parse(R"([["left","right"],["right","left"]])");
+  const auto result = [&](const std::string& options) { return json::parse(run(pair + options).out); };
+  CHECK(result("")["pairs"] == straight);
+  CHECK(result("").count("features") == 0);
+  CHECK(result(of_source + alike)["pairs"] == straight);
+  const json found = result(of_source + swapped + " --feature-weight 10");
+  CHECK(found["pairs"] == crossed);
+  CHECK(found["features"] == json{{"dimension", 2}, {"weight", 10}, {"calibrated", false}});
+  CHECK_THAT(found["warnings"].dump(), Contains("Features of 2 dimensions"));
+  CHECK(result(of_source + swapped + " --feature-weight 0")["pairs"] == straight);
+
+  const auto refused = [&](const std::string& options, int status, const std::string& fault) {
+    INFO(options);
+    const Run faulty = run(pair + options);
+    CHECK(faulty.status == status);
+    CHECK(faulty.out.empty());
+    CHECK_THAT(faulty.error, Contains(fault) && Contains("; "));
+  };
+  refused(of_source + " --target-features " + quoted(folder.path("none.npy")), 1, "none.npy");
+  refused(of_source + " --target-features " + quoted(model), 1, "not an array of NumPy");
+  refused(of_source + features("short.npy", 11, 6, 0), 1, "11 rows of features, but it has 12 faces and 16 vertices");
+  refused(alike, 2, "--source-features");
+  refused(of_source + alike + " --search exact", 2, "--source-features");
 }
