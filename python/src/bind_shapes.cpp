@@ -100,12 +100,14 @@ Shape divide_mesh(const std::string& name, const Vertices& vertices, const Faces
   objects.shape.add_part(name, mesh_of(vertices, faces));
   SC::cli::Common_options options = model_options({});
   options.up = "y";
+  options.roles = SC::IO::shipped_role_model();
   return {name, SC::cli::model_of_objects(name, std::move(objects), options)};
 }
 
 Shape read(const std::string& path, const py::dict& options)
 {
-  const SC::cli::Common_options common = model_options(options);
+  SC::cli::Common_options common = model_options(options);
+  common.roles = SC::IO::shipped_role_model();
   py::gil_scoped_release unlocked;
   return {path, SC::cli::read_model(path, common), common.reading_options()};
 }

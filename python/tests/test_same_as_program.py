@@ -91,6 +91,13 @@ def test_graph_without_a_cache(json_of_program):
     assert as_text(sc.build_graph(TABLE, threads=1).to_dict()) == as_text(expected)
 
 
+def test_a_model_that_is_read_has_the_parts_and_the_axis_of_its_graph():
+    for model in sorted(pathlib.Path("data/raw").glob("*.obj")):
+        shape, graph = sc.read(model), sc.build_graph(model)
+        assert [name for name, _, _ in shape.parts] == graph.part_names
+        assert as_text(sc.build_graph(shape).to_dict()) == as_text(graph.to_dict())
+
+
 def test_graph_options(json_of_program):
     expected = json_of_program("graph", TABLE, "--no-symmetry", "--kind", "curve", "--curve-points", 5,
                                "--contact-tolerance", 0.1)
