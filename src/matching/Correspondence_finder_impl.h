@@ -4,10 +4,10 @@
 #pragma once
 
 #include "matching/Alignments.h"
-#include "matching/Search_run.h"
 #include "matching/match_parts.h"
 #include "roles/Shape_roles.h"
 
+#include <CGAL/Shape_correspondence/Search_result.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
 
 #include <array>
@@ -33,6 +33,16 @@ struct Alignment_candidate
 constexpr const char* search_was_cancelled = "The search was cancelled";
 constexpr const char* time_is_over = "The time limit ended the search";
 constexpr double small_time = 1; // seconds granted to the fallback when the time limit left no time for a search
+
+/// One run of a search. The source of its problem is the shape that is deformed.
+struct Search_run
+{
+  Matching_problem problem;
+  Direction direction;
+  int turns;                ///< quarter turns of the target
+  std::size_t coarse_parts; ///< number of parts matched first, coarse to fine; 0: all at once
+  Search_result result;
+};
 
 /// The runs of a search for the least energy; the best one is kept.
 struct Search_runs

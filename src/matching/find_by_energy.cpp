@@ -4,7 +4,8 @@
 #include "base/limits.h"
 #include "base/quantized.h"
 #include "matching/Correspondence_finder_impl.h"
-#include "matching/Search_run.h"
+#include "matching/coarse_to_fine.h"
+#include "matching/rate.h"
 
 #include <CGAL/Shape_correspondence/exact_search.h>
 
@@ -49,6 +50,76 @@ double least_energy_of(const Matching_problem::Shared_shape& deformed, const Mat
   }
 }
 
+Search_options backward(Search_options options)
+{
+  options.matching = reversed(std::move(options.matching));
+  return options;
+}
+
+Matching_problem problem_of(const Matching_problem::Shared_shape& source, const Matching_problem::Shared_shape& target,
+                            const Search_options& options, const Deadline& deadline)
+{
+  return {source, target, options.matching, coarse_candidates(source, target, options, deadline), deadline};
+}
+
+// \throw Out_of_time, Too_large if time or memory does not suffice for the tables
+Search_run search(const Matching_problem::Shared_shape& source, const Matching_problem::Shared_shape& target,
+                  Direction direction, int turns, const Search_options& options, const Deadline& deadline)
+{
+  Search_run run{direction == Direction::SOURCE_TO_TARGET ? problem_of(source, target, options, deadline)
+                                                          : problem_of(target, source, backward(options), deadline),
+                 direction,
+                 turns,
+                 is_coarse_to_fine(*source, *target, options) ? std::size_t(options.coarse_to_fine) : 0,
+                 {}};
+  run.result = search(run.problem, options, deadline);
+  return run;
+}
+
+// The score by which runs are compared: the energy, or the energy per pair of connected parts.
+Steps score(const Search_run& run, bool by_energy)
+{
+  double energy = run.result.best().energy;
+  if (!by_energy) energy /= double(std::max<std::size_t>(1, run.problem.source().contacts.size()));
+  return quantized(energy);
+}
+
+// Whether a label breaks the paper's rule that a group becomes a group or a self-symmetric part.
+bool merges_into_asymmetric_part(const Matching_problem& problem, const Assignment& assignment)
+{
+  for (std::size_t g = 0; g < assignment.size(); ++g) {
+    const std::size_t label = std::size_t(assignment[g]);
+    if (problem.is_unmatched(g, label)) continue;
+    const std::size_t first_part = problem.source().original[problem.source().group(g).parts[0]];
+    const std::vector<Part_pair>& pinned = problem.options().pinned;
+    if (std::any_of(pinned.begin(), pinned.end(), [&](const Part_pair& pin) { return pin.source == first_part; }))
+      continue;
+    if (!may_match(problem.source().group(g), problem.target().group(problem.label(g, label).target_group)))
+      return true;
+  }
+  return false;
+}
+
+// \param min_marginals by group; may be empty
+Correspondence correspondence_of(const Search_run& run, const Assignment& assignment,
+                                 const std::vector<double>& min_marginals)
+{
+  Correspondence result = rate(run.problem, assignment, run.direction, run.turns, min_marginals);
+  result.optimal = run.result.optimal;
+  result.search = run.result.summary;
+  if (run.coarse_parts > 0)
+    result.warnings.push_back("The " + std::to_string(run.coarse_parts) +
+                              " largest parts were matched first; the others were matched about them.");
+  else if (run.problem.has_shortlists())
+    result.warnings.push_back("There are " + std::to_string(run.problem.target().number_of_groups()) +
+                              " groups to choose from; each was given the " + std::to_string(maximum_labels) +
+                              " nearest in place and size to choose from.");
+  if (merges_into_asymmetric_part(run.problem, assignment))
+    result.warnings.push_back("A group of parts was merged into one part that is not symmetric by itself: there "
+                              "is neither a group nor a symmetric part that it could have become.");
+  return result;
+}
+
 } // namespace
 
 Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape& target, Correspondence& result) const
@@ -78,13 +149,13 @@ Search_runs Correspondence_finder::Impl::runs(const Prepared_shape& target, cons
         return result;
       }
       try {
-        auto run = std::make_unique<Search_run>(source_, shape, direction, turn, options, deadline);
+        auto run = std::make_unique<Search_run>(search(source_, shape, direction, turn, options, deadline));
         ++result.done;
         result.states += run->result.summary.states;
         result.evaluations += run->result.summary.evaluations;
         if (run->result.out_of_time && deadline.is_over()) result.end = time_is_over;
-        const auto score = [&](const Search_run& of) { return quantized(of.score(options.direction_by_energy)); };
-        if (!result.best || score(*run) < score(*result.best)) result.best = std::move(run);
+        const bool by_energy = options.direction_by_energy;
+        if (!result.best || score(*run, by_energy) < score(*result.best, by_energy)) result.best = std::move(run);
       } catch (const Out_of_time&) {
         result.end = time_is_over;
       } catch (const Too_large& error) {
@@ -105,7 +176,8 @@ std::vector<Correspondence> Correspondence_finder::Impl::correspondences_of(cons
         Exact_search(runs.best->problem.energy(), until(deadline, options_.exact)).min_marginals(runs.best->result);
   std::vector<Correspondence> result;
   for (const Solution& solution : runs.best->result.solutions)
-    result.push_back(correspondence_of(*runs.best, solution, result.empty() ? min_marginals : std::vector<double>()));
+    result.push_back(
+        correspondence_of(*runs.best, solution.assignment, result.empty() ? min_marginals : std::vector<double>()));
   return result;
 }
 

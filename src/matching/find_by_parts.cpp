@@ -4,8 +4,8 @@
 #include "base/number_text.h"
 #include "base/quarter_turn.h"
 #include "matching/Correspondence_finder_impl.h"
-#include "matching/Search_run.h"
 #include "matching/aligned_matching.h"
+#include "matching/rate.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
@@ -246,25 +246,29 @@ Part_match_result Correspondence_finder::Impl::without_unsure(Part_match_result 
 Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Part_match_result& found,
                                                   const Deadline& limit) const
 {
-  const auto rate = [&](const Part_matching& matching, const Deadline& limit) {
-    const Search_run run(source, found.target, found.alignment.turn, group_labels(matching, *source, *found.target),
-                         options_, limit);
-    return correspondence_of(run, run.result.best(), {});
+  Matching_options free_unmatched = options_.matching;
+  free_unmatched.unmatched_cost = 0;
+  const auto rated_pairs = [&](const Part_matching& matching, const Deadline& limit) {
+    const Matching_problem problem(source, found.target, group_labels(matching, *source, *found.target), free_unmatched,
+                                   limit);
+    return rate(problem, Assignment(source->number_of_groups(), 0), Direction::SOURCE_TO_TARGET, found.alignment.turn);
   };
   const auto rate_all = [&]() -> std::optional<Correspondence> {
     if (!is_rated_fast(found.matching, *source)) return std::nullopt;
     try {
-      return rate(found.matching, limit);
+      return rated_pairs(found.matching, limit);
     } catch (const Out_of_time&) {
       return std::nullopt;
     }
   };
   const std::optional<Correspondence> of_all = rate_all();
-  Correspondence result = of_all ? *of_all : rate(likeliest_only(found.matching), Deadline());
+  Correspondence result = of_all ? *of_all : rated_pairs(likeliest_only(found.matching), Deadline());
   if (!of_all)
     result.warnings.push_back("There is no time to compute the energy of all counterparts; it is that of the likeliest "
                               "counterpart of each part.");
   result.pairs = original_pairs(found.matching, *source, *found.target);
+  result.search.method = "parts";
+  result.search.states = result.search.evaluations = 1;
   take_roles(found.known, result);
   if (options_.alignments == 1) warn_of_fronts(found.alignment, result);
   if (!found.end.empty()) mark_ended(found.end, found.tried, found.candidates, result);

@@ -3,7 +3,7 @@
 
 #include "base/limits.h"
 #include "matching/Correspondence_finder_impl.h"
-#include "matching/Search_run.h"
+#include "matching/rate.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/find_correspondence.h>
