@@ -106,7 +106,7 @@ private:
   std::vector<int> tried_turns(const Prepared_shape& target) const;
   Match_constraints constraints(const Aligned_shape& source, const Aligned_shape& target) const
   {
-    return Match_constraints(source, target, options_.matching);
+    return Match_constraints(source, target, options_.energy);
   }
   static void take_roles(const Correspondence& known, Correspondence& correspondence);
   Deadline deadline() const { return Deadline(options_.time_limit > 0 ? options_.time_limit : Deadline::never); }
@@ -151,7 +151,7 @@ private:
   std::vector<Correspondence> correspondences_of(const Search_runs& runs, const Deadline& deadline) const;
   // The match of parts by costs, for when there is no time or memory for any run of the search.
   Correspondence by_costs(const Prepared_shape& target, const Search_runs& runs, const Deadline& limit) const;
-  // The options with `Matching_options::role_costs`, if roles are wanted and known. \param result see `votes_of()`
+  // The options with `Energy_options::role_costs`, if roles are wanted and known. \param result see `votes_of()`
   Search_options with_role_costs(const Prepared_shape& target, Correspondence& result) const;
   double lower_bound(const Shared_shape& deformed, const Shared_shape& other, double unmatched_energy) const;
 

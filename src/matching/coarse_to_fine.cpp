@@ -210,8 +210,8 @@ Group_candidates coarse_candidates(const Shared_shape& source, const Shared_shap
   const Coarse_shape deformed(*source, count), other(*target, count);
   Search_options coarse = options;
   coarse.solutions = 1;
-  coarse.matching.pinned = coarse_pins(options.matching.pinned, deformed, other);
-  const Matching_problem problem(deformed.coarse, other.coarse, coarse.matching, {}, deadline);
+  coarse.energy.pinned = coarse_pins(options.energy.pinned, deformed, other);
+  const Matching_problem problem(deformed.coarse, other.coarse, coarse.energy, {}, deadline);
   const Search_result found = search(problem, coarse, deadline);
 
   const std::vector<Groups> images = images_of(problem, found.best().assignment, deformed, other),

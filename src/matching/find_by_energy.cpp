@@ -41,7 +41,7 @@ bool has_too_many_groups(const Aligned_shape& deformed, Search_method method)
 
 // A lower bound of the energy; 0 if its tables would take too much memory.
 double least_energy_of(const Matching_problem::Shared_shape& deformed, const Matching_problem::Shared_shape& other,
-                       const Matching_options& options)
+                       const Energy_options& options)
 {
   try {
     return Matching_problem(deformed, other, options).energy().lower_bound();
@@ -52,14 +52,14 @@ double least_energy_of(const Matching_problem::Shared_shape& deformed, const Mat
 
 Search_options backward(Search_options options)
 {
-  options.matching = reversed(std::move(options.matching));
+  options.energy = reversed(std::move(options.energy));
   return options;
 }
 
 Matching_problem problem_of(const Matching_problem::Shared_shape& source, const Matching_problem::Shared_shape& target,
                             const Search_options& options, const Deadline& deadline)
 {
-  return {source, target, options.matching, coarse_candidates(source, target, options, deadline), deadline};
+  return {source, target, options.energy, coarse_candidates(source, target, options, deadline), deadline};
 }
 
 // \throw Out_of_time, Too_large if time or memory does not suffice for the tables
@@ -125,11 +125,11 @@ Correspondence correspondence_of(const Search_run& run, const Assignment& assign
 Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape& target, Correspondence& result) const
 {
   Search_options options = options_;
-  if (!(options.matching.weights.roles > 0) || !options.roles || options.matching.role_costs.size() > 0) return options;
+  if (!(options.energy.weights.roles > 0) || !options.roles || options.energy.role_costs.size() > 0) return options;
   Pair_category category;
   const Alignment_candidate alignment = candidates(target, category).front();
   if (const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result))
-    options.matching.role_costs = 1 - agreement_of_votes(*votes->front(), *votes->back()).array();
+    options.energy.role_costs = 1 - agreement_of_votes(*votes->front(), *votes->back()).array();
   return options;
 }
 
@@ -247,18 +247,17 @@ double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, co
 {
   const double pairs = double(number_of_counted_pairs(*deformed));
   if (options_.method != Search_method::PARTS)
-    return least_energy_of(deformed, other, deformed == source_ ? options_.matching : reversed(options_.matching)) /
-           pairs;
-  if (options_.matching.norm == Energy_norm::POOLED) return 0;
-  Matching_options matching = options_.matching;
-  matching.cut_curves = false;
-  matching.pinned.clear(); // dropping constraints cannot raise the least energy
-  matching.forbidden.clear();
-  matching.role_costs.resize(0, 0);
-  matching.unmatched_cost = unmatched_energy;
+    return least_energy_of(deformed, other, deformed == source_ ? options_.energy : reversed(options_.energy)) / pairs;
+  if (options_.energy.norm == Energy_norm::POOLED) return 0;
+  Energy_options energy = options_.energy;
+  energy.cut_curves = false;
+  energy.pinned.clear(); // dropping constraints cannot raise the least energy
+  energy.forbidden.clear();
+  energy.role_costs.resize(0, 0);
+  energy.unmatched_cost = unmatched_energy;
   if (other->parts.size() > maximum_labels) return 0; // not every part could be a label
   return least_energy_of(std::make_shared<Deformable_shape>(deformed->ungrouped()),
-                         std::make_shared<Deformable_shape>(other->ungrouped()), matching) /
+                         std::make_shared<Deformable_shape>(other->ungrouped()), energy) /
          pairs;
 }
 

@@ -246,7 +246,7 @@ Part_match_result Correspondence_finder::Impl::without_unsure(Part_match_result 
 Correspondence Correspondence_finder::Impl::rated(const Shared_shape& source, const Part_match_result& found,
                                                   const Deadline& limit) const
 {
-  Matching_options free_unmatched = options_.matching;
+  Energy_options free_unmatched = options_.energy;
   free_unmatched.unmatched_cost = 0;
   const auto rated_pairs = [&](const Part_matching& matching, const Deadline& limit) {
     const Matching_problem problem(source, found.target, group_labels(matching, *source, *found.target), free_unmatched,
@@ -308,8 +308,7 @@ Correspondence Correspondence_finder::Impl::rated_backwards(Part_match_result fo
 bool Correspondence_finder::Impl::takes_shapes_as_they_are() const
 {
   return options_.maximum_parts == 0 && options_.source_parts.empty() && options_.target_parts.empty() &&
-         options_.matching.pinned.empty() && options_.matching.forbidden.empty() &&
-         options_.matching.role_costs.size() == 0;
+         options_.energy.pinned.empty() && options_.energy.forbidden.empty() && options_.energy.role_costs.size() == 0;
 }
 
 std::array<Correspondence, 2> Correspondence_finder::Impl::both_orders(const Prepared_shape& target) const

@@ -49,13 +49,13 @@ std::vector<std::size_t> participants(const Matching_problem::Shared_shape& shap
 
 void check(const Search_options& options)
 {
-  const Energy_weights& weights = options.matching.weights;
+  const Energy_weights& weights = options.energy.weights;
   for (double weight : {weights.distortion, weights.connectedness, weights.split})
     if (!(weight >= 0 && weight <= largest_number))
       throw Invalid_input("find_correspondence: the weights of E_d, E_c and E_s must not be negative or beyond 1e50");
   if (!(weights.roles >= 0 && weights.roles <= largest_number))
     throw Invalid_input("find_correspondence: the weight of roles must not be negative or beyond 1e50");
-  if (!(options.matching.unmatched_cost >= 0))
+  if (!(options.energy.unmatched_cost >= 0))
     throw Invalid_input("find_correspondence: the cost of leaving a part unmatched must not be negative");
   if (options.maximum_parts < 0 || options.coarse_to_fine < 0 || options.alignments < 0)
     throw Invalid_input("find_correspondence: the numbers of parts and of alignments must not be negative");
@@ -68,9 +68,9 @@ void check(const Search_options& options)
   if (options.solutions < 1) throw Invalid_input("find_correspondence: at least one solution must be asked for");
 }
 
-void check_indices(const Matching_options& matching, std::size_t Part_pair::*side, std::size_t parts, const char* shape)
+void check_indices(const Energy_options& energy, std::size_t Part_pair::*side, std::size_t parts, const char* shape)
 {
-  for (const auto* pairs : {&matching.pinned, &matching.forbidden})
+  for (const auto* pairs : {&energy.pinned, &energy.forbidden})
     for (const Part_pair& pair : *pairs)
       if (pair.*side >= parts)
         throw Invalid_input("find_correspondence: there is no part number " + std::to_string(pair.*side) +
@@ -98,20 +98,20 @@ Search_options paper_options()
   options.alignments = 0;
   options.coarse_target = false;
   options.direction_by_energy = true;
-  options.matching.fit = Deform_to_fit::EXTREMITIES;
-  options.matching.hard_proximity = true;
+  options.energy.fit = Deform_to_fit::EXTREMITIES;
+  options.energy.hard_proximity = true;
   return options;
 }
 
 Correspondence_finder::Impl::Impl(const Prepared_shape& source, const Search_options& options)
     : options_(options),
-      pinned_(pinned_sets(options.matching.pinned)),
+      pinned_(pinned_sets(options.energy.pinned)),
       prepared_source_(source),
       source_frame_(structure(source.graph()).frame),
       number_of_parts_(structure(source.graph()).parts.size())
 {
   check(options);
-  check_indices(options.matching, &Part_pair::source, number_of_parts_, "source");
+  check_indices(options.energy, &Part_pair::source, number_of_parts_, "source");
   if (number_of_parts_ == 0) return; // there will be no pairs
   source_ = source.alignments_->aligned(0);
   source_ = participating(source_, participants(source_, options.source_parts, options.maximum_parts), pinned_.source);
@@ -120,8 +120,8 @@ Correspondence_finder::Impl::Impl(const Prepared_shape& source, const Search_opt
 
 std::vector<Correspondence> Correspondence_finder::Impl::ranked(const Prepared_shape& target) const
 {
-  check_indices(options_.matching, &Part_pair::target, structure(target.graph()).parts.size(), "target");
-  check_role_costs(options_.matching.role_costs, number_of_parts_, structure(target.graph()).parts.size());
+  check_indices(options_.energy, &Part_pair::target, structure(target.graph()).parts.size(), "target");
+  check_role_costs(options_.energy.role_costs, number_of_parts_, structure(target.graph()).parts.size());
   if (has_no_pairs(target)) return {without_pairs(target)};
   std::vector<Correspondence> result;
   if (options_.method == Search_method::PARTS) {
