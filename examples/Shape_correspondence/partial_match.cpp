@@ -30,7 +30,7 @@ int main(int argc, char** argv)
     options.method = SC::Search_method::EXACT;
     options.both_directions = false;
     options.target_parts = piece;
-    options.matching.unmatched_cost = 0.1; // of a contact of a group that is left out
+    options.energy.unmatched_cost = 0.1; // of a contact of a group that is left out
     const SC::Correspondence found = SC::find_correspondence(chair, chair, options);
 
     for (const SC::Part_correspondence& pair : found.pairs)

@@ -153,7 +153,7 @@ struct Search_keywords : Keywords
         .in_python();
     add_match_options(table, match);
     add("paper", match.paper, "the method of the paper, its graphs included");
-    add("cut_curves", match.search.matching.cut_curves, "whether curves may be cut into segments and joined");
+    add("cut_curves", match.search.energy.cut_curves, "whether curves may be cut into segments and joined");
     add("alignments", match.search.alignments,
         "number of turns of the target about the up axis to try, nearest to the given one first; 0: all");
     add("front_is_sure", match.search.front_is_sure,
@@ -250,9 +250,9 @@ SC::Search_options search_options(const py::dict& values, bool is_for_pair)
     else if (name == "target_parts")
       search.target_parts = value.cast<std::vector<std::size_t>>();
     else if (name == "pinned")
-      search.matching.pinned = pairs_of(value);
+      search.energy.pinned = pairs_of(value);
     else if (name == "forbidden")
-      search.matching.forbidden = pairs_of(value);
+      search.energy.forbidden = pairs_of(value);
     else
       rest[key] = value;
   }

@@ -200,11 +200,11 @@ void choose_parts(const Match_options& match, const Loaded_shape& source, const 
   search.source_parts = from.indices(match.source_parts, "source-parts");
   search.target_parts = to.indices(match.target_parts, "target-parts");
   for (const std::string& text : match.pinned)
-    search.matching.pinned.push_back(pair_of(text, from, to, "pin"));
+    search.energy.pinned.push_back(pair_of(text, from, to, "pin"));
   for (const std::string& text : match.forbidden)
-    search.matching.forbidden.push_back(pair_of(text, from, to, "forbid"));
-  for (const Part_pair& pin : search.matching.pinned)
-    for (const Part_pair& other : search.matching.forbidden)
+    search.energy.forbidden.push_back(pair_of(text, from, to, "forbid"));
+  for (const Part_pair& pin : search.energy.pinned)
+    for (const Part_pair& other : search.energy.forbidden)
       if (pin.source == other.source && pin.target == other.target)
         throw Usage_error("--pin and --forbid name the same pair, '" + from.names[pin.source] + "' and '" +
                           to.names[pin.target] + "'");

@@ -92,8 +92,7 @@ void add_structure_options(Option_table& table, Common_options& options)
       .in_python();
   add("cache", "FOLDER", &options.cache,
       "keep structural graphs, and the parts found in models, in this folder, and reuse them when model and options "
-      "are "
-      "the same")
+      "are the same")
       .in_python();
 }
 
@@ -231,9 +230,8 @@ void add_reading_options(Option_table& table, Common_options& options)
   add("parts", "MODE", choice(options.parts, part_splittings),
       "how parts are made of a model file: file (its objects), components (its loose pieces), segments (loose pieces "
       "divided where they are concave) or auto (its objects; objects of unrelated loose pieces are divided by the "
-      "shape of "
-      "the pieces). `shape_correspondence parts MODEL` shows the result. Files in a folder are always parts as they "
-      "are")
+      "shape of the pieces). `shape_correspondence parts MODEL` shows the result. Files in a folder are always parts "
+      "as they are")
       .in_python()
       .usual();
   add(

@@ -70,7 +70,7 @@ Search_method search_method(const Match_options& match, const Option_table& give
 
 bool has_roles(const Match_options& match, Search_method method)
 {
-  return method == Search_method::PARTS || match.search.matching.weights.roles > 0;
+  return method == Search_method::PARTS || match.search.energy.weights.roles > 0;
 }
 
 /// \throw Usage_error if an option is given that changes nothing
@@ -168,7 +168,7 @@ void add_match_options(Option_table& table, Match_options& match)
       .words({"given", "likely", "auto"});
   add("alignments", "N", number_of_alignments(match.alignments),
       "number of alignments to try, nearest to the given orientation first; auto: as --front says");
-  add("role-weight", "W", &search.matching.weights.roles,
+  add("role-weight", "W", &search.energy.weights.roles,
       "weight of the disagreement of roles in the energy, for beam and exact search; 0: roles are not used, as in the "
       "paper")
       .between(0, std::numeric_limits<double>::max())
@@ -176,10 +176,10 @@ void add_match_options(Option_table& table, Match_options& match)
       .asks_for("exact")
       .in_python();
   add(
-      "no-cut", [&search] { search.matching.cut_curves = false; },
+      "no-cut", [&search] { search.energy.cut_curves = false; },
       "do not cut curves into segments; for beam and exact search")
       .only_for(by_energy);
-  add("allow-unmatched", "COST", &search.matching.unmatched_cost,
+  add("allow-unmatched", "COST", &search.energy.unmatched_cost,
       "allow symmetry groups without counterpart, at this cost for each of their contacts (0.5 if no number is given); "
       "for shapes of which one is a part of the other; for beam and exact search")
       .implies(default_unmatched_cost)
@@ -250,8 +250,8 @@ Search_options search_options(const Match_options& match, const Option_table& gi
     const Search_options paper = paper_options();
     search.direction_by_energy = paper.direction_by_energy;
     search.coarse_target = paper.coarse_target;
-    search.matching.fit = paper.matching.fit;
-    search.matching.hard_proximity = paper.matching.hard_proximity;
+    search.energy.fit = paper.energy.fit;
+    search.energy.hard_proximity = paper.energy.hard_proximity;
   }
   search.roles = role_model(match, search.method);
   return search;

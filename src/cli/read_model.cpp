@@ -6,6 +6,7 @@
 #include "base/limits.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
+#include "io/documents/kept_answers.h"
 #include "io/read/model_parts.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
@@ -22,13 +23,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <mutex>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
@@ -47,150 +46,13 @@ bool says_up(const std::string& path)
   return std::find(formats.begin(), formats.end(), IO::lower_extension(path)) != formats.end();
 }
 
-/// To be increased with every change that alters the parts or the upright axis of a model for the same options.
-constexpr int reading_version = 1;
-constexpr std::size_t most_kept = 20'000'000; // bytes of an answer
-
-/// Bytes of values, to be written and read again by the same `pass()`.
-class Byte_writer
-{
-public:
-  std::string bytes;
-
-  void raw(const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
-  std::size_t count(std::size_t size) { return raw(&size, sizeof size), size; }
-};
-
-class Byte_reader
-{
-public:
-  explicit Byte_reader(std::string bytes) : bytes_(std::move(bytes)) {}
-
-  void raw(void* data, std::size_t size)
-  {
-    check(size);
-    if (size > 0) std::memcpy(data, bytes_.data() + begin_, size);
-    begin_ += size;
-  }
-  std::size_t count(std::size_t)
-  {
-    std::size_t size = 0;
-    raw(&size, sizeof size);
-    check(size);
-    return size;
-  }
-
-private:
-  void check(std::size_t size) const
-  {
-    if (size > bytes_.size() - begin_) throw Invalid_input("too few bytes");
-  }
-
-  std::string bytes_;
-  std::size_t begin_ = 0;
-};
-
-template <typename Bytes, typename Value, typename = std::enable_if_t<std::is_arithmetic_v<Value>>>
-void pass(Bytes& bytes, Value& value)
-{
-  bytes.raw(&value, sizeof value);
-}
-
-template <typename Bytes>
-void pass(Bytes& bytes, std::string& text)
-{
-  text.resize(bytes.count(text.size()));
-  bytes.raw(text.data(), text.size());
-}
-
-template <typename Bytes, typename Matrix>
-void pass(Bytes& bytes, Eigen::PlainObjectBase<Matrix>& columns)
-{
-  columns.resize(3, Eigen::Index(bytes.count(std::size_t(columns.cols()))));
-  bytes.raw(columns.data(), std::size_t(columns.size()) * sizeof(*columns.data()));
-}
-
-template <typename Bytes, typename Value, std::size_t n>
-void pass(Bytes& bytes, std::array<Value, n>& values)
-{
-  for (Value& value : values)
-    pass(bytes, value);
-}
-
-template <typename Bytes, typename Value>
-void pass(Bytes& bytes, std::vector<Value>& values)
-{
-  values.resize(bytes.count(values.size()));
-  for (Value& value : values)
-    pass(bytes, value);
-}
-
-template <typename Bytes>
-void pass(Bytes& bytes, Model_piece& piece)
-{
-  pass(bytes, piece.name), pass(bytes, piece.object), pass(bytes, piece.part), pass(bytes, piece.closed);
-  pass(bytes, piece.size), pass(bytes, piece.reason);
-}
-
-template <typename Bytes>
-void pass(Bytes& bytes, Shape_part& part)
-{
-  pass(bytes, part.name), pass(bytes, part.mesh.points), pass(bytes, part.mesh.triangles);
-}
-
-template <typename Bytes>
-void pass(Bytes& bytes, Segmented_shape& shape)
-{
-  std::string name = shape.name();
-  Point up = shape.up();
-  std::vector<Shape_part> parts = shape.parts();
-  pass(bytes, name), pass(bytes, up), pass(bytes, parts);
-  shape = Segmented_shape(name, up);
-  for (Shape_part& part : parts)
-    shape.add_part(std::move(part.name), std::move(part.mesh));
-}
-
-template <typename Bytes>
-void pass(Bytes& bytes, Part_split& split)
-{
-  pass(bytes, split.shape), pass(bytes, split.pieces), pass(bytes, split.decisions);
-  pass(bytes, split.by_segments), pass(bytes, split.is_found), pass(bytes, split.found_roles);
-  pass(bytes, split.patched_objects), pass(bytes, split.by_materials), pass(bytes, split.unions);
-  pass(bytes, split.pieces_left_out), pass(bytes, split.pieces_kept_whole);
-}
-
-template <typename Bytes>
-void pass(Bytes& bytes, Up_estimate& up)
-{
-  pass(bytes, up.up), pass(bytes, up.confidence);
-}
-
-/// The result of some work, or what the folder of graphs keeps of it. \param question tells the work from all others
+/// The result of some work, or what the cache keeps of it. \param question tells the work from all others
 template <typename Work>
-auto answer_to(std::string question, const Common_options& options, const Work& work)
+auto answer_to(const std::string& question, const Common_options& options, const Work& work)
 {
   using Answer = decltype(work());
   if (options.cache.empty() || !options.keeps_reading) return work();
-  question = IO::digest(std::to_string(reading_version) + question);
-  const std::filesystem::path folder = std::filesystem::path(options.cache) / "models";
-  const std::string path = (folder / question).string();
-  const std::string title = "shape_correspondence reading " + question;
-  Answer answer;
-  try {
-    Byte_reader kept(IO::read_checked_file(path, title).value_or(""));
-    pass(kept, answer);
-    return answer;
-  } catch (const Invalid_input&) {
-    answer = work();
-  }
-  Byte_writer bytes;
-  pass(bytes, answer);
-  try {
-    IO::make_folder(folder.string(), "a cache folder");
-    if (bytes.bytes.size() < most_kept) IO::write_checked_entry(path, title, bytes.bytes);
-  } catch (const Invalid_input&) { // is told when the graph is to be kept
-  }
-  return answer;
+  return IO::kept_answer<Answer>(options.cache, question, work, [&](const std::string& text) { warn(options, text); });
 }
 
 /// A digest of what the choice of parts knows of roles. \param roles may be null

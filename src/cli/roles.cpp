@@ -118,8 +118,7 @@ public:
     add("date", "DATE", &roles_.date, "date to put into the manifest");
     add("generated", "FOLDER", &roles_.training.generated,
         "further labelled shapes that are generated; they have a third of the weight of real ones, and a tree sees 40 "
-        "of a "
-        "category at most. Can be repeated");
+        "of a category at most. Can be repeated");
     add("trees", "N", &roles_.training.options.trees, "trees in the forest of a category").at_least(1);
     add("seed", "N", &roles_.seed, "seed of the random choices; the same seed gives the same model");
     add_model_options(table, common);

@@ -30,7 +30,7 @@ std::string name_of(const Part_pair& pair)
 } // namespace
 
 Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_shape& target,
-                                     const Matching_options& options)
+                                     const Energy_options& options)
 {
   if (options.pinned.empty() && options.forbidden.empty()) return;
   const std::size_t n = source.parts.size(), m = target.parts.size();
@@ -88,7 +88,7 @@ Pinned_sets pinned_sets(const std::vector<Part_pair>& pins)
   return result;
 }
 
-Matching_options reversed(Matching_options options)
+Energy_options reversed(Energy_options options)
 {
   for (auto* pairs : {&options.pinned, &options.forbidden})
     for (Part_pair& pair : *pairs)

@@ -5,7 +5,7 @@
 
 #include "structure/align_shapes.h"
 
-#include <CGAL/Shape_correspondence/Matching_options.h>
+#include <CGAL/Shape_correspondence/Energy_options.h>
 
 #include <cstddef>
 #include <set>
@@ -16,14 +16,14 @@ namespace CGAL::Shape_correspondence::internal {
 /// Index in an aligned shape of a part of the structural graph; the number of its parts if it is not in it.
 std::size_t place_of(const Aligned_shape& shape, std::size_t part);
 
-/// The parts of two aligned shapes that may and that must correspond, by `Matching_options::pinned` and `forbidden`.
+/// The parts of two aligned shapes that may and that must correspond, by `Energy_options::pinned` and `forbidden`.
 class Match_constraints
 {
 public:
   Match_constraints() = default;
 
   /// \throw Invalid_input if a pinned part is not in its aligned shape, or a pair is both pinned and forbidden
-  Match_constraints(const Aligned_shape& source, const Aligned_shape& target, const Matching_options& options);
+  Match_constraints(const Aligned_shape& source, const Aligned_shape& target, const Energy_options& options);
 
   bool empty() const { return pinned_.empty(); }
 
@@ -46,6 +46,6 @@ struct Pinned_sets
 Pinned_sets pinned_sets(const std::vector<Part_pair>& pins);
 
 /// The options with source and target exchanged, for deforming the target into the source.
-Matching_options reversed(Matching_options options);
+Energy_options reversed(Energy_options options);
 
 } // namespace CGAL::Shape_correspondence::internal

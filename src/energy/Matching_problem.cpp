@@ -52,7 +52,7 @@ std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t gro
 }
 
 std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
-                                         const std::vector<std::size_t>& allowed, const Matching_options& options,
+                                         const std::vector<std::size_t>& allowed, const Energy_options& options,
                                          const Match_constraints& constraints, const Deadline& deadline)
 {
   const std::size_t first_part = source.group(group).parts[0];
@@ -76,7 +76,7 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
     Group_label cut = cut_curves(source, group, target, result[l]);
     if (cut.operation == Operation::CUT || cut.operation == Operation::JOIN) result.push_back(std::move(cut));
   }
-  if (options.unmatched_cost < Matching_options::never && !is_pinned) {
+  if (options.unmatched_cost < Energy_options::never && !is_pinned) {
     result.emplace_back();
     result.back().images.resize(source.group(group).parts.size());
   }
@@ -100,7 +100,7 @@ std::vector<std::vector<Group_label>> small_enough(const Aligned_shape& source,
 }
 
 std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, const Aligned_shape& target,
-                                                 const Matching_options& options, const Group_candidates& allowed,
+                                                 const Energy_options& options, const Group_candidates& allowed,
                                                  const Deadline& deadline)
 {
   const Match_constraints constraints(source, target, options);
@@ -114,20 +114,20 @@ std::vector<std::vector<Group_label>> all_labels(const Aligned_shape& source, co
 } // namespace
 
 Matching_problem::Matching_problem(const Shared_shape& source, const Shared_shape& target,
-                                   const Matching_options& options, const Group_candidates& allowed,
+                                   const Energy_options& options, const Group_candidates& allowed,
                                    const Deadline& deadline)
     : Matching_problem(source, target, all_labels(*source, *target, options, allowed, deadline), options, deadline)
 {
   has_shortlists_ = !allowed.empty() || target_->number_of_groups() > maximum_labels;
 }
 
-Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options)
+Matching_problem::Matching_problem(Aligned_shape source, Aligned_shape target, const Energy_options& options)
     : Matching_problem(std::make_shared<Deformable_shape>(std::move(source)),
                        std::make_shared<Deformable_shape>(std::move(target)), options)
 {}
 
 Matching_problem::Matching_problem(Shared_shape source, Shared_shape target,
-                                   std::vector<std::vector<Group_label>> labels, const Matching_options& options,
+                                   std::vector<std::vector<Group_label>> labels, const Energy_options& options,
                                    const Deadline& deadline)
     : source_(std::move(source)),
       target_(std::move(target)),

@@ -8,7 +8,7 @@
 #include "energy/Fitted_pieces.h"
 #include "energy/match_groups.h"
 
-#include <CGAL/Shape_correspondence/Matching_options.h>
+#include <CGAL/Shape_correspondence/Energy_options.h>
 #include <CGAL/Shape_correspondence/Pairwise_energy.h>
 
 #include <array>
@@ -50,18 +50,18 @@ public:
   using Shared_shape = std::shared_ptr<const Deformable_shape>;
 
   /// \param allowed empty: all groups \throw Too_large, internal::Out_of_time
-  Matching_problem(const Shared_shape& source, const Shared_shape& target, const Matching_options& options = {},
+  Matching_problem(const Shared_shape& source, const Shared_shape& target, const Energy_options& options = {},
                    const Group_candidates& allowed = {}, const internal::Deadline& deadline = internal::Deadline());
-  Matching_problem(Aligned_shape source, Aligned_shape target, const Matching_options& options = {});
+  Matching_problem(Aligned_shape source, Aligned_shape target, const Energy_options& options = {});
   /// Takes the labels as given, by source group, to rate a mapping found by other means. Members of a group may have no
   /// image; their contacts add no energy. \pre every group has a label, with a list of images per member
   /// \throw Too_large, internal::Out_of_time
   Matching_problem(Shared_shape source, Shared_shape target, std::vector<std::vector<Group_label>> labels,
-                   const Matching_options& options = {}, const internal::Deadline& deadline = internal::Deadline());
+                   const Energy_options& options = {}, const internal::Deadline& deadline = internal::Deadline());
 
   const Deformable_shape& source() const { return *source_; }
   const Deformable_shape& target() const { return *target_; }
-  const Matching_options& options() const { return options_; }
+  const Energy_options& options() const { return options_; }
   std::size_t number_of_labels(std::size_t group) const { return labels_[group].size(); }
   const Group_label& label(std::size_t group, std::size_t label) const { return labels_[group][label]; }
   bool is_unmatched(std::size_t group, std::size_t label) const
@@ -97,7 +97,7 @@ public:
     return contact_energy(contact, std::size_t(assignment[first]), std::size_t(assignment[second]));
   }
   /// What a group's label adds to the energy besides E_s and contacts with other groups: E_d and E_c between
-  /// neighbouring segments of its cut parts, and role costs (`Matching_options::role_costs`).
+  /// neighbouring segments of its cut parts, and role costs (`Energy_options::role_costs`).
   const Energy_terms& group_terms(std::size_t group, std::size_t label) const { return group_terms_[group][label]; }
 
   /// The source parts after the deformation, by label.
@@ -120,7 +120,7 @@ private:
   double kept_rods(std::size_t contact, const Rod_energy& energy) const;
 
   Shared_shape source_, target_;
-  Matching_options options_;
+  Energy_options options_;
   bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_; // indexed by source group
   internal::Fitted_pieces fitted_;

@@ -5,7 +5,7 @@
 
 #include "structure/Sampled_part.h"
 
-#include <CGAL/Shape_correspondence/Matching_options.h>
+#include <CGAL/Shape_correspondence/Energy_options.h>
 
 #include <vector>
 

@@ -6,6 +6,7 @@
 #include "energy/cut_parts.h"
 
 #include <algorithm>
+#include <set>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -114,6 +115,15 @@ Group_label match_groups(const Aligned_shape& source, std::size_t source_group, 
   Group_label label = match_members(source, source_group, target, target_group, constraints);
   divide_sheets(source, target, label);
   return label;
+}
+
+std::vector<std::size_t> image_parts(const Group_label& label)
+{
+  std::set<std::size_t> parts;
+  for (const auto& images : label.images)
+    for (const Piece_image& image : images)
+      parts.insert(image.target.part);
+  return {parts.begin(), parts.end()};
 }
 
 bool is_allowed(const Group_label& label, const Match_constraints& constraints)

@@ -95,6 +95,9 @@ bool may_match(const Part_group& source, const Part_group& target);
 Group_label match_groups(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
                          std::size_t target_group, const internal::Match_constraints& constraints = {});
 
+// The target parts of a label, ascending.
+std::vector<std::size_t> image_parts(const Group_label& label);
+
 bool is_allowed(const Group_label& label, const internal::Match_constraints& constraints);
 
 /// The label of a group of pinned parts. \pre the group is one of `internal::pinned_sets()`

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/quarter_turn.h"
-#include "matching/Alignments.h"
+#include "matching/Match_task.h"
 
 #include <cstddef>
+#include <memory>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
@@ -15,17 +16,16 @@ std::size_t index_of_turn(int quarter_turns) { return std::size_t(within_a_turn(
 
 } // namespace
 
-Matching_problem::Shared_shape Turned_shapes::aligned(int quarter_turns)
+Shared_shape Turned_shapes::aligned(int quarter_turns)
 {
   const std::size_t turn = index_of_turn(quarter_turns);
   is_aligned_[turn]([&] { shapes_[turn] = std::make_shared<Deformable_shape>(align_shape(graph_, int(turn))); });
   return shapes_[turn];
 }
 
-std::shared_ptr<const Shape_features> Prepared_shape::Alignments::features(int quarter_turns,
-                                                                           const Part_matching_options& options)
+std::shared_ptr<const Shape_features> Alignments::features(int quarter_turns, const Part_matching_options& options)
 {
-  const Matching_problem::Shared_shape shape = aligned(quarter_turns);
+  const Shared_shape shape = aligned(quarter_turns);
   const std::lock_guard<std::mutex> lock(features_mutex_);
   std::shared_ptr<const Shape_features>& result = features_[index_of_turn(quarter_turns)];
   if (!result || !have_same_features(result->options, options))
@@ -34,7 +34,7 @@ std::shared_ptr<const Shape_features> Prepared_shape::Alignments::features(int q
 }
 
 // The roles hold the aligned shapes that they were predicted from, and may outlive the prepared shape.
-Turned_roles Prepared_shape::Alignments::roles(const std::shared_ptr<const Role_model>& model)
+Turned_roles Alignments::roles(const std::shared_ptr<const Role_model>& model)
 {
   const std::lock_guard<std::mutex> lock(roles_mutex_);
   const auto [known, is_new] = roles_.try_emplace(model);
@@ -45,6 +45,8 @@ Turned_roles Prepared_shape::Alignments::roles(const std::shared_ptr<const Role_
         *model);
   return known->second;
 }
+
+Alignments& internal::alignments_of(const Prepared_shape& shape) { return *shape.alignments_; }
 
 Prepared_shape::Prepared_shape(const Structural_graph& graph)
     : graph_(graph), alignments_(std::make_shared<Alignments>(graph))

@@ -4,7 +4,6 @@
 #include "matching/aligned_matching.h"
 #include "base/quantized.h"
 #include "matching/Part_costs.h"
-#include "matching/Search_run.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,9 @@
 
 #include "matching/coarse_to_fine.h"
 #include "base/quantized.h"
-#include "matching/Search_run.h"
+#include "search/beam_search.h"
+
+#include <CGAL/Shape_correspondence/exact_search.h>
 
 #include <algorithm>
 #include <array>
@@ -149,17 +151,50 @@ std::vector<Part_pair> coarse_pins(const std::vector<Part_pair>& pinned, const C
 }
 
 /// For each fine group of the source, the fine groups of the target that its coarse parts correspond to.
-std::vector<Groups> images_of(const Search_run& run, const Coarse_shape& source, const Coarse_shape& target)
+std::vector<Groups> images_of(const Matching_problem& problem, const Assignment& assignment, const Coarse_shape& source,
+                              const Coarse_shape& target)
 {
   std::vector<Groups> result(source.fine.number_of_groups());
-  const Assignment& assignment = run.result.best().assignment;
   for (std::size_t g = 0; g < assignment.size(); ++g)
-    for (std::size_t part : image_parts(run.problem.label(g, std::size_t(assignment[g]))))
-      result[source.fine_group(run.problem.source().group(g).parts[0])].insert(target.fine_group(part));
+    for (std::size_t part : image_parts(problem.label(g, std::size_t(assignment[g]))))
+      result[source.fine_group(problem.source().group(g).parts[0])].insert(target.fine_group(part));
   return result;
 }
 
+// \throw Too_large if there is no memory for exact search, which holds four tables of the size of the energy's
+void check_exact_tables(const Pairwise_energy& energy)
+{
+  double values = 0;
+  for (const Pairwise_energy::Edge& edge : energy.edges)
+    values += double(edge.cost.size());
+  check_bytes_of_tables(4 * sizeof(double) * values);
+}
+
 } // namespace
+
+Exact_options until(const Deadline& deadline, Exact_options options)
+{
+  const double left = deadline.left();
+  if (left < Deadline::never && (options.time_limit == 0 || left < options.time_limit)) options.time_limit = left;
+  return options;
+}
+
+Search_result search(const Matching_problem& problem, const Search_options& options, const Deadline& deadline)
+{
+  Search_result result;
+  if (options.method == Search_method::EXACT) {
+    check_exact_tables(problem.energy());
+    deadline.check();
+    Exact_options exact = until(deadline, options.exact);
+    exact.solutions = std::size_t(options.solutions);
+    result = exact_search(problem.energy(), exact);
+  } else {
+    result = beam_search(problem, options.beam, deadline);
+  }
+  if (result.solutions.size() > std::size_t(options.solutions)) result.solutions.resize(std::size_t(options.solutions));
+  result.optimal = result.optimal && !problem.has_shortlists();
+  return result;
+}
 
 bool is_coarse_to_fine(const Aligned_shape& source, const Aligned_shape& target, const Search_options& options)
 {
@@ -174,13 +209,13 @@ Group_candidates coarse_candidates(const Shared_shape& source, const Shared_shap
   const auto count = std::size_t(options.coarse_to_fine);
   const Coarse_shape deformed(*source, count), other(*target, count);
   Search_options coarse = options;
-  coarse.coarse_to_fine = 0;
   coarse.solutions = 1;
-  coarse.matching.pinned = coarse_pins(options.matching.pinned, deformed, other);
-  const Search_run run(deformed.coarse, other.coarse, Direction::SOURCE_TO_TARGET, 0, coarse, deadline);
+  coarse.energy.pinned = coarse_pins(options.energy.pinned, deformed, other);
+  const Matching_problem problem(deformed.coarse, other.coarse, coarse.energy, {}, deadline);
+  const Search_result found = search(problem, coarse, deadline);
 
-  const std::vector<Groups> images = images_of(run, deformed, other), near = deformed.near_coarse(),
-                            target_near = other.near_coarse();
+  const std::vector<Groups> images = images_of(problem, found.best().assignment, deformed, other),
+                            near = deformed.near_coarse(), target_near = other.near_coarse();
   Group_candidates result(source->number_of_groups());
   for (std::size_t g = 0; g < result.size(); ++g) {
     Groups of_coarse;

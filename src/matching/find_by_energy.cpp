@@ -3,8 +3,9 @@
 
 #include "base/limits.h"
 #include "base/quantized.h"
-#include "matching/Correspondence_finder_impl.h"
-#include "matching/Search_run.h"
+#include "matching/Match_task.h"
+#include "matching/coarse_to_fine.h"
+#include "matching/rate.h"
 
 #include <CGAL/Shape_correspondence/exact_search.h>
 
@@ -15,10 +16,28 @@
 #include <string>
 #include <utility>
 
-namespace CGAL::Shape_correspondence {
-using namespace internal;
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
+
+// One run of a search. The source of its problem is the shape that is deformed.
+struct Search_run
+{
+  Matching_problem problem;
+  Direction direction;
+  int turns;                // quarter turns of the target
+  std::size_t coarse_parts; // number of parts matched first, coarse to fine; 0: all at once
+  Search_result result;
+};
+
+// The runs of a search for the least energy; the best one is kept.
+struct Search_runs
+{
+  std::unique_ptr<const Search_run> best;
+  std::size_t states = 0, evaluations = 0, done = 0, count = 0;
+  std::string end;       // why runs are missing; empty if all were done
+  std::string too_large; // message about runs whose tables exceed the memory; empty if there are none
+};
 
 // The number of pairs of connected parts and of isolated parts.
 std::size_t number_of_counted_pairs(const Aligned_shape& shape)
@@ -39,8 +58,7 @@ bool has_too_many_groups(const Aligned_shape& deformed, Search_method method)
 }
 
 // A lower bound of the energy; 0 if its tables would take too much memory.
-double least_energy_of(const Matching_problem::Shared_shape& deformed, const Matching_problem::Shared_shape& other,
-                       const Matching_options& options)
+double least_energy_of(const Shared_shape& deformed, const Shared_shape& other, const Energy_options& options)
 {
   try {
     return Matching_problem(deformed, other, options).energy().lower_bound();
@@ -49,42 +67,110 @@ double least_energy_of(const Matching_problem::Shared_shape& deformed, const Mat
   }
 }
 
-} // namespace
-
-Search_options Correspondence_finder::Impl::with_role_costs(const Prepared_shape& target, Correspondence& result) const
+Search_options backward(Search_options options)
 {
-  Search_options options = options_;
-  if (!(options.matching.weights.roles > 0) || !options.roles || options.matching.role_costs.size() > 0) return options;
-  Pair_category category;
-  const Alignment_candidate alignment = candidates(target, category).front();
-  if (const std::optional<Role_votes_of_pair> votes = votes_of(target, category, alignment, result))
-    options.matching.role_costs = 1 - agreement_of_votes(*votes->front(), *votes->back()).array();
+  options.energy = reversed(std::move(options.energy));
   return options;
 }
 
-Search_runs Correspondence_finder::Impl::runs(const Prepared_shape& target, const Search_options& options,
-                                              const Deadline& deadline) const
+Matching_problem problem_of(const Shared_shape& source, const Shared_shape& target, const Search_options& options,
+                            const Deadline& deadline)
 {
-  const std::vector<int> turns = tried_turns(target);
+  return {source, target, options.energy, coarse_candidates(source, target, options, deadline), deadline};
+}
+
+// \throw Out_of_time, Too_large if time or memory does not suffice for the tables
+Search_run search(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
+                  const Search_options& options, const Deadline& deadline)
+{
+  Search_run run{direction == Direction::SOURCE_TO_TARGET ? problem_of(source, target, options, deadline)
+                                                          : problem_of(target, source, backward(options), deadline),
+                 direction,
+                 turns,
+                 is_coarse_to_fine(*source, *target, options) ? std::size_t(options.coarse_to_fine) : 0,
+                 {}};
+  run.result = search(run.problem, options, deadline);
+  return run;
+}
+
+// The score by which runs are compared: the energy, or the energy per pair of connected parts.
+Steps score(const Search_run& run, bool by_energy)
+{
+  double energy = run.result.best().energy;
+  if (!by_energy) energy /= double(std::max<std::size_t>(1, run.problem.source().contacts.size()));
+  return quantized(energy);
+}
+
+// Whether a label breaks the paper's rule that a group becomes a group or a self-symmetric part.
+bool merges_into_asymmetric_part(const Matching_problem& problem, const Assignment& assignment)
+{
+  for (std::size_t g = 0; g < assignment.size(); ++g) {
+    const std::size_t label = std::size_t(assignment[g]);
+    if (problem.is_unmatched(g, label)) continue;
+    const std::size_t first_part = problem.source().original[problem.source().group(g).parts[0]];
+    const std::vector<Part_pair>& pinned = problem.options().pinned;
+    if (std::any_of(pinned.begin(), pinned.end(), [&](const Part_pair& pin) { return pin.source == first_part; }))
+      continue;
+    if (!may_match(problem.source().group(g), problem.target().group(problem.label(g, label).target_group)))
+      return true;
+  }
+  return false;
+}
+
+// \param min_marginals by group; may be empty
+Correspondence correspondence_of(const Search_run& run, const Assignment& assignment,
+                                 const std::vector<double>& min_marginals)
+{
+  Correspondence result = rate(run.problem, assignment, run.direction, run.turns, min_marginals);
+  result.optimal = run.result.optimal;
+  result.search = run.result.summary;
+  if (run.coarse_parts > 0)
+    result.warnings.push_back("The " + std::to_string(run.coarse_parts) +
+                              " largest parts were matched first; the others were matched about them.");
+  else if (run.problem.has_shortlists())
+    result.warnings.push_back("There are " + std::to_string(run.problem.target().number_of_groups()) +
+                              " groups to choose from; each was given the " + std::to_string(maximum_labels) +
+                              " nearest in place and size to choose from.");
+  if (merges_into_asymmetric_part(run.problem, assignment))
+    result.warnings.push_back("A group of parts was merged into one part that is not symmetric by itself: there "
+                              "is neither a group nor a symmetric part that it could have become.");
+  return result;
+}
+
+// The options with `Energy_options::role_costs`, if roles are wanted and known. \param result see `votes_of()`
+Search_options with_role_costs(const Match_task& task, Correspondence& result)
+{
+  Search_options options = task.options;
+  if (!(options.energy.weights.roles > 0) || !options.roles || options.energy.role_costs.size() > 0) return options;
+  Pair_category category;
+  const Alignment_candidate alignment = candidates(task, category).front();
+  if (const std::optional<Role_votes_of_pair> votes = votes_of(task, category, alignment, result))
+    options.energy.role_costs = 1 - agreement_of_votes(*votes->front(), *votes->back()).array();
+  return options;
+}
+
+Search_runs runs(const Match_task& task, const Search_options& options, const Deadline& deadline)
+{
+  const std::vector<int> turns = tried_turns(task);
   std::vector<Direction> directions{Direction::SOURCE_TO_TARGET};
-  if (options_.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
+  if (task.options.both_directions) directions.push_back(Direction::TARGET_TO_SOURCE);
   Search_runs result;
   result.count = turns.size() * directions.size();
   for (int turn : turns) {
-    const Shared_shape shape = aligned(target, turn);
+    const Shared_shape shape = aligned_target(task, turn);
     for (Direction direction : directions) {
-      if (options_.progress && !options_.progress(double(result.done) / double(result.count))) {
+      if (task.options.progress && !task.options.progress(double(result.done) / double(result.count))) {
         result.end = search_was_cancelled;
         return result;
       }
       try {
-        auto run = std::make_unique<Search_run>(source_, shape, direction, turn, options, deadline);
+        auto run = std::make_unique<Search_run>(search(task.aligned_source, shape, direction, turn, options, deadline));
         ++result.done;
         result.states += run->result.summary.states;
         result.evaluations += run->result.summary.evaluations;
         if (run->result.out_of_time && deadline.is_over()) result.end = time_is_over;
-        const auto score = [&](const Search_run& of) { return quantized(of.score(options.direction_by_energy)); };
-        if (!result.best || score(*run) < score(*result.best)) result.best = std::move(run);
+        const bool by_energy = options.direction_by_energy;
+        if (!result.best || score(*run, by_energy) < score(*result.best, by_energy)) result.best = std::move(run);
       } catch (const Out_of_time&) {
         result.end = time_is_over;
       } catch (const Too_large& error) {
@@ -96,24 +182,25 @@ Search_runs Correspondence_finder::Impl::runs(const Prepared_shape& target, cons
   return result;
 }
 
-std::vector<Correspondence> Correspondence_finder::Impl::correspondences_of(const Search_runs& runs,
-                                                                            const Deadline& deadline) const
+std::vector<Correspondence> correspondences_of(const Match_task& task, const Search_runs& runs,
+                                               const Deadline& deadline)
 {
   std::vector<double> min_marginals;
-  if (options_.min_marginals && !deadline.is_over())
+  if (task.options.min_marginals && !deadline.is_over())
     min_marginals =
-        Exact_search(runs.best->problem.energy(), until(deadline, options_.exact)).min_marginals(runs.best->result);
+        Exact_search(runs.best->problem.energy(), until(deadline, task.options.exact)).min_marginals(runs.best->result);
   std::vector<Correspondence> result;
   for (const Solution& solution : runs.best->result.solutions)
-    result.push_back(correspondence_of(*runs.best, solution, result.empty() ? min_marginals : std::vector<double>()));
+    result.push_back(
+        correspondence_of(*runs.best, solution.assignment, result.empty() ? min_marginals : std::vector<double>()));
   return result;
 }
 
-Correspondence Correspondence_finder::Impl::by_costs(const Prepared_shape& target, const Search_runs& runs,
-                                                     const Deadline& limit) const
+// The match of parts by costs, for when there is no time or memory for any run of the search.
+Correspondence by_costs(const Match_task& task, const Search_runs& runs, const Deadline& limit)
 {
   const Deadline fast = runs.end.empty() ? limit : Deadline(small_time);
-  Correspondence result = rated(source_, matched_parts(target, fast), fast);
+  Correspondence result = rated(task.aligned_source, matched_parts(task, fast), task.options, fast);
   result.complete = result.complete && runs.end.empty();
   result.warnings.push_back((runs.end.empty() ? "The search would " + runs.too_large
                                               : std::string(time_is_over) + " before it had found anything") +
@@ -121,27 +208,50 @@ Correspondence Correspondence_finder::Impl::by_costs(const Prepared_shape& targe
   return result;
 }
 
-std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prepared_shape& target) const
+double lower_bound(const Match_task& task, const Shared_shape& deformed, const Shared_shape& other,
+                   double unmatched_energy)
 {
-  const Deadline limit = deadline();
+  const double pairs = double(number_of_counted_pairs(*deformed));
+  if (task.options.method != Search_method::PARTS)
+    return least_energy_of(deformed, other,
+                           deformed == task.aligned_source ? task.options.energy : reversed(task.options.energy)) /
+           pairs;
+  if (task.options.energy.norm == Energy_norm::POOLED) return 0;
+  Energy_options energy = task.options.energy;
+  energy.cut_curves = false;
+  energy.pinned.clear(); // dropping constraints cannot raise the least energy
+  energy.forbidden.clear();
+  energy.role_costs.resize(0, 0);
+  energy.unmatched_cost = unmatched_energy;
+  if (other->parts.size() > maximum_labels) return 0; // not every part could be a label
+  return least_energy_of(std::make_shared<Deformable_shape>(deformed->ungrouped()),
+                         std::make_shared<Deformable_shape>(other->ungrouped()), energy) /
+         pairs;
+}
+
+} // namespace
+
+std::vector<Correspondence> least_energy(const Match_task& task)
+{
+  const Deadline limit = deadline_of(task.options);
   Correspondence known;
-  Search_options options = with_role_costs(target, known);
+  Search_options options = with_role_costs(task, known);
   if (options.coarse_to_fine == 0 &&
-      (has_too_many_groups(*source_, options.method) ||
-       (options.both_directions && has_too_many_groups(*aligned(target, 0), options.method))))
+      (has_too_many_groups(*task.aligned_source, options.method) ||
+       (options.both_directions && has_too_many_groups(*aligned_target(task, 0), options.method))))
     options.coarse_to_fine = automatic_coarse_parts;
-  Search_runs searched = runs(target, options, limit);
+  Search_runs searched = runs(task, options, limit);
   if (options.coarse_to_fine == 0 && !searched.best && searched.end.empty()) { // there was too little memory
     options.coarse_to_fine = automatic_coarse_parts;
-    searched = runs(target, options, limit);
+    searched = runs(task, options, limit);
   }
   std::vector<Correspondence> result;
   if (searched.best)
-    result = correspondences_of(searched, limit);
+    result = correspondences_of(task, searched, limit);
   else if (searched.end == search_was_cancelled)
     result.emplace_back();
   else
-    return {by_costs(target, searched, limit)};
+    return {by_costs(task, searched, limit)};
   for (Correspondence& correspondence : result) {
     correspondence.search.states = searched.states;
     correspondence.search.evaluations = searched.evaluations;
@@ -156,38 +266,18 @@ std::vector<Correspondence> Correspondence_finder::Impl::least_energy(const Prep
   return result;
 }
 
-double Correspondence_finder::Impl::lower_bound(const Prepared_shape& target, double unmatched_energy) const
+double lower_bound(const Match_task& task, double unmatched_energy)
 {
-  if (has_no_pairs(target)) return 0;
-  const bool both_directions = options_.both_directions && options_.method != Search_method::PARTS;
+  if (has_no_pairs(task)) return 0;
+  const bool both_directions = task.options.both_directions && task.options.method != Search_method::PARTS;
   double bound = std::numeric_limits<double>::infinity();
-  for (int turn : tried_turns(target)) {
-    const Shared_shape shape = aligned(target, turn);
-    bound = std::min(bound, lower_bound(source_, shape, unmatched_energy));
-    if (both_directions) bound = std::min(bound, lower_bound(shape, source_, unmatched_energy));
+  for (int turn : tried_turns(task)) {
+    const Shared_shape shape = aligned_target(task, turn);
+    bound = std::min(bound, lower_bound(task, task.aligned_source, shape, unmatched_energy));
+    if (both_directions) bound = std::min(bound, lower_bound(task, shape, task.aligned_source, unmatched_energy));
   }
   constexpr double rounding = 1e-9; // relative and absolute margin, since sums are added up in another order
   return std::max(0., bound * (1 - rounding) - rounding);
 }
 
-double Correspondence_finder::Impl::lower_bound(const Shared_shape& deformed, const Shared_shape& other,
-                                                double unmatched_energy) const
-{
-  const double pairs = double(number_of_counted_pairs(*deformed));
-  if (options_.method != Search_method::PARTS)
-    return least_energy_of(deformed, other, deformed == source_ ? options_.matching : reversed(options_.matching)) /
-           pairs;
-  if (options_.matching.norm == Energy_norm::POOLED) return 0;
-  Matching_options matching = options_.matching;
-  matching.cut_curves = false;
-  matching.pinned.clear(); // dropping constraints cannot raise the least energy
-  matching.forbidden.clear();
-  matching.role_costs.resize(0, 0);
-  matching.unmatched_cost = unmatched_energy;
-  if (other->parts.size() > maximum_labels) return 0; // not every part could be a label
-  return least_energy_of(std::make_shared<Deformable_shape>(deformed->ungrouped()),
-                         std::make_shared<Deformable_shape>(other->ungrouped()), matching) /
-         pairs;
-}
-
-} // namespace CGAL::Shape_correspondence
+} // namespace CGAL::Shape_correspondence::internal

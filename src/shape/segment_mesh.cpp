@@ -18,10 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numeric>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -106,12 +104,10 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
       if (segments.empty()) ++result.pieces_kept_whole;
     }
     segments.resize(component.number_of_faces(), 0);
-    const Part_mesh_builder empty(component, component.points());
-    std::map<std::size_t, std::decay_t<decltype(empty)>> builders;
-    for (auto face : component.faces())
-      builders.try_emplace(segments[face.idx()], empty).first->second.add_face(face);
-    for (const auto& [segment, builder] : builders) {
-      Part_mesh part{builder.data().points(), builder.data().triangles()};
+    const auto meshes = meshes_of_segments(
+        component, [&](auto face) { return segments[face.idx()]; }, component.points());
+    for (const auto& [segment, mesh_of_segment] : meshes) {
+      Part_mesh part{mesh_of_segment.points(), mesh_of_segment.triangles()};
       if (has_area(part))
         result.shape.add_part("segment_" + std::to_string(result.shape.parts().size()), std::move(part));
       else

@@ -58,7 +58,7 @@ TEST_CASE("A pinned pair corresponds, and its parts to nothing else, by every me
   for (Search_method method : methods) {
     Search_options options = by(method);
     CHECK(partners_of_source(find_correspondence(chair(), chair(), options), 2) == Parts{2});
-    options.matching.pinned = {{2, 3}};
+    options.energy.pinned = {{2, 3}};
     const Correspondence c = find_correspondence(chair(), chair(), options);
     CHECK(partners_of_source(c, 2) == Parts{3});
     CHECK(partners_of_target(c, 3) == Parts{2});
@@ -73,14 +73,14 @@ TEST_CASE("A part that is pinned to several corresponds to all of them, whicheve
 {
   for (Search_method method : methods) {
     Search_options options = by(method);
-    options.matching.pinned = {{back, 1}, {back, 2}};
+    options.energy.pinned = {{back, 1}, {back, 2}};
     const Correspondence split = find_correspondence(chair(), slatted_chair(), options);
     CHECK(partners_of_source(split, back) == Parts{1, 2});
     CHECK(partners_of_target(split, 1) == Parts{back});
     CHECK(partners_of_target(split, 2) == Parts{back});
     CHECK(partners_of_target(split, 3).count(back) == 0);
 
-    options.matching.pinned = {{1, back}, {2, back}};
+    options.energy.pinned = {{1, back}, {2, back}};
     const Correspondence merge = find_correspondence(slatted_chair(), chair(), options);
     CHECK(partners_of_target(merge, back) == Parts{1, 2});
     CHECK(partners_of_source(merge, 1) == Parts{back});
@@ -92,7 +92,7 @@ TEST_CASE("Pins may join parts of different function; the remaining parts corres
 {
   for (Search_method method : methods) {
     Search_options options = by(method);
-    options.matching.pinned = {{0, back}, {back, 0}}; // swaps seat and back
+    options.energy.pinned = {{0, back}, {back, 0}}; // swaps seat and back
     const Correspondence c = find_correspondence(chair(), chair(), options);
     CHECK(partners_of_source(c, 0) == Parts{back});
     CHECK(partners_of_source(c, back) == Parts{0});
@@ -106,7 +106,7 @@ TEST_CASE("A forbidden pair does not correspond, by every method, and the next b
 {
   for (Search_method method : methods) {
     Search_options options = by(method);
-    options.matching.forbidden = {{2, 2}};
+    options.energy.forbidden = {{2, 2}};
     const Correspondence c = find_correspondence(chair(), chair(), options);
     CHECK(partners_of_source(c, 2).count(2) == 0);
     CHECK(partners_of_source(c, 0) == Parts{0});
@@ -124,15 +124,15 @@ TEST_CASE("If constraints exclude all assignments, a search throws, unless parts
   Search_options options = by(Search_method::EXACT);
   options.both_directions = false;
   for (std::size_t part = 0; part < 6; ++part)
-    options.matching.forbidden.push_back({back, part});
+    options.energy.forbidden.push_back({back, part});
   CHECK_THROWS_AS(find_correspondence(chair(), chair(), options), Invalid_input);
-  options.matching.unmatched_cost = 1;
+  options.energy.unmatched_cost = 1;
   const Correspondence c = find_correspondence(chair(), chair(), options);
   CHECK(c.unmatched_source == std::vector<std::size_t>{back});
   // By default, parts may be unmatched anyway
   options = by(Search_method::PARTS);
   for (std::size_t part = 0; part < 6; ++part)
-    options.matching.forbidden.push_back({back, part});
+    options.energy.forbidden.push_back({back, part});
   CHECK(find_correspondence(chair(), chair(), options).unmatched_source == std::vector<std::size_t>{back});
 }
 
@@ -140,8 +140,8 @@ TEST_CASE("Constraints that cannot be satisfied are errors")
 {
   const auto matched_with = [](std::vector<Part_pair> pinned, std::vector<Part_pair> forbidden, int maximum_parts = 0) {
     Search_options options;
-    options.matching.pinned = std::move(pinned);
-    options.matching.forbidden = std::move(forbidden);
+    options.energy.pinned = std::move(pinned);
+    options.energy.forbidden = std::move(forbidden);
     options.maximum_parts = maximum_parts;
     return find_correspondence(chair(), slatted_chair(), options);
   };
@@ -157,10 +157,10 @@ TEST_CASE("Constraints that cannot be satisfied are errors")
 TEST_CASE("Constraints with the shapes swapped give the inverse match")
 {
   Search_options options;
-  options.matching.pinned = {{2, 5}};
-  options.matching.forbidden = {{back, 2}};
+  options.energy.pinned = {{2, 5}};
+  options.energy.forbidden = {{back, 2}};
   const Correspondence there = find_correspondence(chair(), slatted_chair(), options);
-  options.matching = internal::reversed(options.matching);
+  options.energy = internal::reversed(options.energy);
   Pairs back_again;
   for (const auto& pair : part_pairs(find_correspondence(slatted_chair(), chair(), options).pairs))
     back_again.emplace_back(pair.second, pair.first);

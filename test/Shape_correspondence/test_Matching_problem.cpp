@@ -43,7 +43,7 @@ TEST_CASE("The tables add up to the terms of an assignment, in both norms")
   for (const auto& [norm, fit] : {std::pair(Energy_norm::SUM, Deform_to_fit::SAMPLES),
                                   {Energy_norm::POOLED, Deform_to_fit::SAMPLES},
                                   {Energy_norm::SUM, Deform_to_fit::EXTREMITIES}}) {
-    Matching_options options;
+    Energy_options options;
     options.norm = norm;
     options.fit = fit;
     options.weights.distortion = 0.7;
@@ -61,7 +61,7 @@ TEST_CASE("The tables add up to the terms of an assignment, in both norms")
 
 TEST_CASE("Straight parts have the same energies by samples and by extremities")
 {
-  Matching_options options;
+  Energy_options options;
   const Matching_problem by_samples(align_shape(slatted_chair()), align_shape(chair()), options);
   options.fit = Deform_to_fit::EXTREMITIES;
   const Matching_problem by_extremities(align_shape(slatted_chair()), align_shape(chair()), options);
@@ -81,7 +81,7 @@ TEST_CASE("Roles: each contact is charged the mean of what its parts disagree wi
 {
   const Aligned_shape source = align_shape(slatted_chair()), target = align_shape(chair());
   for (const Energy_norm norm : {Energy_norm::SUM, Energy_norm::POOLED}) {
-    Matching_options options;
+    Energy_options options;
     options.norm = norm;
     options.unmatched_cost = 0.3;
     const Matching_problem without(source, target, options);
@@ -130,7 +130,7 @@ TEST_CASE("Roles: each contact is charged the mean of what its parts disagree wi
 
 TEST_CASE("The pooled norm by hand: one norm over the rods of all contacts, the mean of E_c")
 {
-  Matching_options options;
+  Energy_options options;
   options.norm = Energy_norm::POOLED;
   const Matching_problem pooled(align_shape(chair()), align_shape(slatted_chair()), options);
   const Matching_problem sums(align_shape(chair()), align_shape(slatted_chair()));
@@ -161,7 +161,7 @@ TEST_CASE("Coarse correspondence: the most prominent groups only")
 
 TEST_CASE("A group left unmatched costs its contacts, or once without contacts")
 {
-  Matching_options options;
+  Energy_options options;
   options.unmatched_cost = 0.25;
   const Matching_problem problem(align_shape(chair()), align_shape(chair()), options);
   const Aligned_shape& shape = problem.source();

@@ -74,9 +74,9 @@ namespace {
 
 // The result of a beam search; the options are K and k.
 Solution best(const Structural_graph& source, const Structural_graph& target, const Beam_options& options,
-              const Matching_options& matching = {})
+              const Energy_options& energy = {})
 {
-  return beam_search(Matching_problem(align_shape(source), align_shape(target), matching), options).best();
+  return beam_search(Matching_problem(align_shape(source), align_shape(target), energy), options).best();
 }
 
 } // namespace
@@ -165,7 +165,7 @@ TEST_CASE("A part not yet assigned follows hard contacts to the point, and resis
   };
   const Aligned_shape source = posts(.4), target = posts(.8);
   const auto moved_bar = [&](bool is_hard) {
-    Matching_options options;
+    Energy_options options;
     options.hard_proximity = is_hard;
     const Matching_problem problem(source, target, options);
     internal::Partial_energy energy(problem);
@@ -290,7 +290,7 @@ TEST_CASE("Contacts of a group left unmatched cost the charge for that, and no m
   // unmatched costs 0.1 for each contact
   const Structural_graph source = point_graph({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{0, 0, 0}, {.5, 0, 0}, {-.6, .8, 0}}, {{0, 1}, {0, 2}});
-  Matching_options options;
+  Energy_options options;
   options.unmatched_cost = 0.1;
   const Solution solution = best(source, target, {100, 100}, options);
   CHECK(solution.energy == Approx(0.2));

@@ -105,12 +105,12 @@ TEST_CASE("Coarse to fine: symmetry groups, directions, pinned pairs and unmatch
                        back = find_correspondence(slatted_chair(), chair(), options);
   CHECK(there.energy == Approx(back.energy));
   CHECK(there.pairs.size() == back.pairs.size());
-  options.matching.pinned = {{2, 5}}; // legs, which are in no coarse match
+  options.energy.pinned = {{2, 5}}; // legs, which are in no coarse match
   const Correspondence pinned = find_correspondence(chair(), slatted_chair(), options);
   CHECK(std::count_if(pinned.pairs.begin(), pinned.pairs.end(),
                       [](const Part_correspondence& pair) { return pair.source == 2 && pair.target == 5; }) == 1);
-  options.matching.pinned.clear();
-  options.matching.unmatched_cost = 0;
+  options.energy.pinned.clear();
+  options.energy.unmatched_cost = 0;
   CHECK(find_correspondence(chair(), slatted_chair(), options).energy == 0); // nothing is matched
 }
 

@@ -138,7 +138,7 @@ TEST_CASE("Bad options and empty sets")
 TEST_CASE("Both orders of two shapes are what two matches find, by every method, whatever takes part")
 {
   Search_options options, pinned, coarse, beam;
-  pinned.matching.pinned = {{0, 0}};
+  pinned.energy.pinned = {{0, 0}};
   coarse.maximum_parts = 4;
   beam.method = Search_method::BEAM;
   for (const Search_options& o : {options, pinned, coarse, beam})

@@ -77,7 +77,7 @@ TEST_CASE("Exact search equals brute force on 1000 random problems, and is never
 {
   std::mt19937 random(1);
   for (int i = 0; i < 1000; ++i) {
-    Matching_options options;
+    Energy_options options;
     if (i % 3 == 0) options.weights.split = 5;
     if (i % 4 == 0) options.norm = Energy_norm::POOLED;
     if (i % 5 == 0) options.unmatched_cost = 0.2;
@@ -246,7 +246,7 @@ TEST_CASE("Costs beyond the comparison grid are compared as its last step")
   CHECK(internal::quantized(1e12) < internal::quantized(1e15));
   CHECK(internal::quantized(1e15) == internal::quantized(infinite));
   CHECK(internal::quantized(-infinite) == -internal::quantized(infinite));
-  Matching_options options;
+  Energy_options options;
   options.unmatched_cost = 1e15; // practically infinite
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()), options),
       never(align_shape(chair()), align_shape(slatted_chair()));

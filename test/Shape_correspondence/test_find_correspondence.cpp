@@ -216,8 +216,8 @@ TEST_CASE("The paper's method: beam search of all alignments, coarse in the sour
   CHECK(paper.beam.beam_width == 20);
   CHECK(paper.beam.expansions == 4);
   CHECK(paper.direction_by_energy);
-  CHECK(paper.matching.hard_proximity);
-  CHECK(paper.matching.fit == Deform_to_fit::EXTREMITIES);
+  CHECK(paper.energy.hard_proximity);
+  CHECK(paper.energy.fit == Deform_to_fit::EXTREMITIES);
 
   Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
   structure(turned).frame.axes.setIdentity();
@@ -269,7 +269,7 @@ TEST_CASE("Options out of range are refused")
 {
   Search_options options = least_energy();
   for (double weight : {-1., 1e51, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    options.matching.weights.split = weight;
+    options.energy.weights.split = weight;
     CHECK_THROWS_WITH(find_correspondence(chair(), chair(), options), Catch::Matchers::Contains("weights"));
   }
   options = {};
@@ -341,14 +341,14 @@ TEST_CASE("Partial matching: what the other shape does not have stays unmatched 
     Search_options options = least_energy();
     options.method = method;
     options.both_directions = false;
-    options.matching.unmatched_cost = 0.1;
+    options.energy.unmatched_cost = 0.1;
     const Correspondence c = find_correspondence(chair(), stool, options);
     CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {2, 1}, {3, 2}, {4, 3}, {5, 4}});
     CHECK(c.unmatched_source == std::vector<std::size_t>{1});
     CHECK(c.groups[1].operation == Operation::NONE);
     CHECK(c.terms.unmatched == Approx(0.1));
     CHECK(c.energy == Approx(0.1));
-    options.matching.unmatched_cost = Matching_options::never;
+    options.energy.unmatched_cost = Energy_options::never;
     CHECK(find_correspondence(chair(), stool, options).unmatched_source.empty());
   }
 }
@@ -430,7 +430,7 @@ TEST_CASE("A cancelled search says so")
 TEST_CASE("A term that is switched off has no effect")
 {
   Search_options options = least_energy();
-  options.matching.weights.connectedness = options.matching.weights.split = 0;
+  options.energy.weights.connectedness = options.energy.weights.split = 0;
   const Correspondence c = find_correspondence(chair(), slatted_chair(), options);
   CHECK(c.energy == Approx(c.terms.distortion));
 }

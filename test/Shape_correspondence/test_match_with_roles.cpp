@@ -75,25 +75,25 @@ TEST_CASE("Roles joined to the energy")
     CHECK(off.pairs == without.pairs);
     CHECK(off.energy == without.energy);
     CHECK(off.category.empty());
-    options.matching.weights.roles = 100; // roles decide alone
+    options.energy.weights.roles = 100; // roles decide alone
     const Correspondence with = find_correspondence(a.graph, b.graph, options);
     CHECK(with.category == "shelf");
     CHECK(with.source_roles == roles(a.labels));
     for (const Part_correspondence& pair : with.pairs)
       CHECK(a.labels[pair.source].coarse == b.labels[pair.target].coarse);
     CHECK(with.terms.roles < 0.1);
-    CHECK(with.energy == Approx(deformation_energy(with.terms, options.matching.weights)));
+    CHECK(with.energy == Approx(deformation_energy(with.terms, options.energy.weights)));
     // The result is symmetric
     const Correspondence back = find_correspondence(b.graph, a.graph, options);
     CHECK(back.energy == Approx(with.energy));
     // Without a model, there is no cost of roles
     options.roles = nullptr;
     CHECK(find_correspondence(a.graph, b.graph, options).energy == without.energy);
-    options.matching.role_costs = Eigen::MatrixXd::Zero(2, 2);
+    options.energy.role_costs = Eigen::MatrixXd::Zero(2, 2);
     CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("2 x 2"));
-    options.matching.role_costs = Eigen::MatrixXd::Constant(5, 7, 1.5);
+    options.energy.role_costs = Eigen::MatrixXd::Constant(5, 7, 1.5);
     CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("between 0 and 1"));
-    options.matching.weights.roles = -1;
+    options.energy.weights.roles = -1;
     CHECK_THROWS_WITH(find_correspondence(a.graph, b.graph, options), Contains("weight of roles"));
   }
 }

@@ -76,9 +76,9 @@ TEST_CASE("Numbers that are out of range, or none, are refused where graphs are 
 TEST_CASE("Pinned and forbidden parts that do not exist are refused before they are used")
 {
   for (std::size_t part : {std::size_t(6), largest}) {
-    check_search_refused([&](auto& options) { options.matching.pinned = {{part, 0}}; });
-    check_search_refused([&](auto& options) { options.matching.pinned = {{0, part}}; });
-    check_search_refused([&](auto& options) { options.matching.forbidden = {{part, part}}; });
+    check_search_refused([&](auto& options) { options.energy.pinned = {{part, 0}}; });
+    check_search_refused([&](auto& options) { options.energy.pinned = {{0, part}}; });
+    check_search_refused([&](auto& options) { options.energy.forbidden = {{part, part}}; });
   }
   for (double limit : {not_a_number, -1.})
     check_search_refused([&](auto& options) { options.time_limit = limit; });

@@ -81,10 +81,10 @@ TEST_CASE("No distance is less than its bound, whatever the options")
   const std::vector<Structural_graph> shapes = many_shapes();
   std::vector<Search_options> all(6);
   all[1].min_confidence = .7;
-  all[2].matching.norm = Energy_norm::POOLED;
+  all[2].energy.norm = Energy_norm::POOLED;
   all[3].alignments = 0;
   all[4].method = Search_method::EXACT;
-  all[4].matching.unmatched_cost = .2;
+  all[4].energy.unmatched_cost = .2;
   all[5].method = Search_method::BEAM;
   all[5].both_directions = false;
   for (const Search_options& options : all)

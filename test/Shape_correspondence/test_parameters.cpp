@@ -18,7 +18,7 @@ TEST_CASE("Named parameters set the fields of the option structures, in any orde
   CHECK(options.beam.expansions == 7);
   CHECK(options.beam.beam_width == 3);
   CHECK(options.solutions == 4);
-  CHECK(options.matching.weights.connectedness == 0.6); // the default, since it is not given
+  CHECK(options.energy.weights.connectedness == 0.6); // the default, since it is not given
 
   const auto structure = parameters::options_from<Structure_options>(parameters::contact_tolerance(0.1));
   CHECK(structure.contacts.tolerance == 0.1);

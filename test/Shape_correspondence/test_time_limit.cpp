@@ -106,7 +106,7 @@ TEST_CASE("The tables of a search check the time limit")
   std::mt19937 random(5);
   const Pairwise_energy energy = random_tables(random, 12, 4, 3);
   for (int looks : {1, 10, 20}) {
-    CHECK_THROWS_AS(Matching_problem(chair, chair, Matching_options(), {}, after(looks)), internal::Out_of_time);
+    CHECK_THROWS_AS(Matching_problem(chair, chair, Energy_options(), {}, after(looks)), internal::Out_of_time);
     CHECK_THROWS_AS(internal::elimination_order(energy, after(looks)), internal::Out_of_time);
   }
   const std::vector<std::size_t> order = internal::elimination_order(energy);

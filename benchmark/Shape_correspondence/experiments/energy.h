@@ -29,7 +29,7 @@ inline void figure4(const Dataset& dataset)
       {"no split", &Energy_weights::split}};
   for (const auto& [name, term] : terms) {
     Search_options options = paper_options();
-    options.matching.weights.*term = 0;
+    options.energy.weights.*term = 0;
     methods.emplace_back(name, ours(options));
   }
   compare(dataset, methods, "energy");
@@ -45,11 +45,11 @@ inline void switches(const Dataset& dataset)
     methods.emplace_back(name, ours(options));
   };
   add("less energy per connected pair", [](Search_options& o) { o.direction_by_energy = false; });
-  add("deform-to-fit by samples", [](Search_options& o) { o.matching.fit = Deform_to_fit::SAMPLES; });
-  add("soft proximity", [](Search_options& o) { o.matching.hard_proximity = false; });
+  add("deform-to-fit by samples", [](Search_options& o) { o.energy.fit = Deform_to_fit::SAMPLES; });
+  add("soft proximity", [](Search_options& o) { o.energy.hard_proximity = false; });
   add("all three", [](Search_options& o) {
-    o.direction_by_energy = o.matching.hard_proximity = false;
-    o.matching.fit = Deform_to_fit::SAMPLES;
+    o.direction_by_energy = o.energy.hard_proximity = false;
+    o.energy.fit = Deform_to_fit::SAMPLES;
   });
   compare(dataset, methods, "method");
 }

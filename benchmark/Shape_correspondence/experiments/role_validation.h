@@ -345,8 +345,8 @@ private:
   {
     Search_options options;
     options.method = Search_method::EXACT;
-    options.matching.weights.roles = options_.role_weight;
-    options.matching.role_costs = std::move(role_costs);
+    options.energy.weights.roles = options_.role_weight;
+    options.energy.role_costs = std::move(role_costs);
     return find_correspondence(*labelled_[pair[0]].graph, *labelled_[pair[1]].graph, options).pairs;
   }
 

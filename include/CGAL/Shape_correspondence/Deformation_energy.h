@@ -24,8 +24,8 @@ struct Energy_terms
   double distortion = 0;    ///< E_d, Eq. 2 and 3
   double connectedness = 0; ///< E_c, Eq. 4 with its sign corrected
   double split = 0;         ///< E_s, Eq. 5
-  double unmatched = 0;     ///< cost of unmatched groups (`Matching_options::unmatched_cost`)
-  double roles = 0;         ///< disagreement of roles (`Matching_options::role_costs`); not in the paper
+  double unmatched = 0;     ///< cost of unmatched groups (`Energy_options::unmatched_cost`)
+  double roles = 0;         ///< disagreement of roles (`Energy_options::role_costs`); not in the paper
 };
 
 /// \ingroup PkgShapeCorrespondenceOptions

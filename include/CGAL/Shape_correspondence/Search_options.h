@@ -12,8 +12,8 @@
 #define CGAL_SHAPE_CORRESPONDENCE_SEARCH_OPTIONS_H
 
 #include <CGAL/Shape_correspondence/Beam_options.h>
+#include <CGAL/Shape_correspondence/Energy_options.h>
 #include <CGAL/Shape_correspondence/Exact_options.h>
-#include <CGAL/Shape_correspondence/Matching_options.h>
 #include <CGAL/Shape_correspondence/Part_matching_options.h>
 
 #include <cstddef>
@@ -48,7 +48,7 @@ struct Search_options
   double min_confidence = 0; ///< pairs of lower confidence, in [0, 1], are left out; for `Search_method::PARTS`
   Beam_options beam;         ///< options of `Search_method::BEAM`
   Exact_options exact;       ///< options of `Search_method::EXACT`
-  Matching_options matching; ///< options of the deformation energy
+  Energy_options energy;     ///< options of the deformation energy
   /// Whether to deform either shape, and keep the lower energy per pair of connected parts.
   bool both_directions = true;
   /// Whether to compare directions by energy, as in the paper, instead of energy per pair of connected parts.

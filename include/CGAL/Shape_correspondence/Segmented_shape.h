@@ -14,7 +14,6 @@
 #include <CGAL/Shape_correspondence/Points.h>
 #include <CGAL/Shape_correspondence/internal/part_mesh.h>
 
-#include <map>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -58,7 +57,13 @@ public:
   /// \param np optional named parameters for every mesh, those of `add_mesh()`
   template <typename NamedMeshRange, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   static Segmented_shape from_meshes(const NamedMeshRange& meshes, std::string name = "shape",
-                                     const Point& up = Point(0, 1, 0), const NamedParameters& np = NamedParameters());
+                                     const Point& up = Point(0, 1, 0), const NamedParameters& np = NamedParameters())
+  {
+    Segmented_shape result(std::move(name), up);
+    for (const auto& [part_name, mesh] : meshes)
+      result.add_mesh(part_name, mesh, np);
+    return result;
+  }
 
   /// Builds a shape from one triangle mesh and a map from faces to segment ids, as from
   /// `CGAL::segmentation_from_sdf_values()`: the faces of one id become a part. Parts are in ascending order of ids.
@@ -89,7 +94,18 @@ public:
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            std::string name = "shape", const Point& up = Point(0, 1, 0),
-                                           const NamedParameters& np = NamedParameters());
+                                           const NamedParameters& np = NamedParameters())
+  {
+    const auto segments = internal::meshes_of_segments(
+        mesh, [&](auto face) { return get(segment_ids, face); }, internal::vertex_point_map(mesh, np));
+    if (segments.empty())
+      throw Invalid_input("shape '" + name + "': the mesh has no faces; give a mesh with a surface");
+    Segmented_shape result(std::move(name), up);
+    for (const auto& [id, segment] : segments)
+      result.add_part(internal::part_name(id, np), {segment.points(), segment.triangles()});
+    return result;
+  }
+
   /// The same with the name "shape" and the y axis up.
   template <typename TriangleMesh, typename SegmentIdMap, typename T, typename Tag, typename Base>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
@@ -117,7 +133,12 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  void add_mesh(std::string name, const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
+  void add_mesh(std::string name, const TriangleMesh& mesh, const NamedParameters& np = NamedParameters())
+  {
+    auto segments = internal::meshes_of_segments(
+        mesh, [](auto) { return 0; }, internal::vertex_point_map(mesh, np));
+    add_part(std::move(name), {segments[0].points(), segments[0].triangles()});
+  }
 
   /// Sets the upright direction, which is normalised.
   /// \throw Invalid_input if the direction is zero or not finite
@@ -136,40 +157,6 @@ private:
   std::vector<Shape_part> parts_;
   std::unordered_set<std::string> names_; ///< names of the parts
 };
-
-template <typename TriangleMesh, typename NamedParameters>
-void Segmented_shape::add_mesh(std::string name, const TriangleMesh& mesh, const NamedParameters& np)
-{
-  internal::Part_mesh_builder builder(mesh, internal::vertex_point_map(mesh, np));
-  for (auto face : faces(mesh))
-    builder.add_face(face);
-  add_part(std::move(name), {builder.data().points(), builder.data().triangles()});
-}
-
-template <typename NamedMeshRange, typename NamedParameters>
-Segmented_shape Segmented_shape::from_meshes(const NamedMeshRange& meshes, std::string name, const Point& up,
-                                             const NamedParameters& np)
-{
-  Segmented_shape result(std::move(name), up);
-  for (const auto& [part_name, mesh] : meshes)
-    result.add_mesh(part_name, mesh, np);
-  return result;
-}
-
-template <typename TriangleMesh, typename SegmentIdMap, typename NamedParameters>
-Segmented_shape Segmented_shape::from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids, std::string name,
-                                                   const Point& up, const NamedParameters& np)
-{
-  const internal::Part_mesh_builder empty(mesh, internal::vertex_point_map(mesh, np));
-  std::map<long long, std::decay_t<decltype(empty)>> segments;
-  for (auto face : faces(mesh))
-    segments.try_emplace(static_cast<long long>(get(segment_ids, face)), empty).first->second.add_face(face);
-  if (segments.empty()) throw Invalid_input("shape '" + name + "': the mesh has no faces; give a mesh with a surface");
-  Segmented_shape result(std::move(name), up);
-  for (const auto& [id, segment] : segments)
-    result.add_part(internal::part_name(id, np), {segment.data().points(), segment.data().triangles()});
-  return result;
-}
 
 } // namespace CGAL::Shape_correspondence
 

@@ -22,6 +22,14 @@
 
 namespace CGAL::Shape_correspondence {
 
+class Prepared_shape;
+
+namespace internal {
+struct Alignments;
+struct Match_source;
+Alignments& alignments_of(const Prepared_shape& shape);
+} // namespace internal
+
 /// \ingroup PkgShapeCorrespondenceFunctions
 /// A shape to be matched repeatedly: its alignments, by quarter turns, are computed once, also for copies. Thread-safe.
 class Prepared_shape
@@ -38,11 +46,10 @@ public:
   const Structural_graph& graph() const { return graph_; }
 
 private:
-  friend class Correspondence_finder;
-  struct Alignments;
+  friend internal::Alignments& internal::alignments_of(const Prepared_shape& shape);
 
   const Structural_graph& graph_;
-  std::shared_ptr<Alignments> alignments_;
+  std::shared_ptr<internal::Alignments> alignments_;
 };
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
@@ -99,9 +106,7 @@ public:
   double lower_bound(const Prepared_shape& target, double unmatched_energy) const;
 
 private:
-  class Impl;
-
-  std::shared_ptr<const Impl> impl_;
+  std::shared_ptr<const internal::Match_source> source_;
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions

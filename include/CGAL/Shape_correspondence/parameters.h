@@ -37,9 +37,9 @@ struct Named_parameters;
   X(feature_weight, Search_options, parts.weights.features)                                                            \
   X(beam_width, Search_options, beam.beam_width)                                                                       \
   X(expansions, Search_options, beam.expansions)                                                                       \
-  X(unmatched_cost, Search_options, matching.unmatched_cost)                                                           \
-  X(pinned, Search_options, matching.pinned)                                                                           \
-  X(forbidden, Search_options, matching.forbidden)                                                                     \
+  X(unmatched_cost, Search_options, energy.unmatched_cost)                                                             \
+  X(pinned, Search_options, energy.pinned)                                                                             \
+  X(forbidden, Search_options, energy.forbidden)                                                                       \
   X(maximum_parts, Search_options, maximum_parts)                                                                      \
   X(alignments, Search_options, alignments)                                                                            \
   X(front_is_sure, Search_options, front_is_sure)                                                                      \
@@ -135,7 +135,7 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 /// | `min_confidence`, `maximum_parts`, `alignments`, `front_is_sure`, `solutions` | of this name in `Search_options` |
 /// | `feature_weight` | `Part_cost_weights::features` |
 /// | `beam_width`, `expansions` | of this name in `Beam_options` |
-/// | `unmatched_cost`, `pinned`, `forbidden` | of this name in `Matching_options` |
+/// | `unmatched_cost`, `pinned`, `forbidden` | of this name in `Energy_options` |
 ///
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range

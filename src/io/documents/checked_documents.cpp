@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/documents/kept_answers.h"
 #include "io/read/document.h"
 #include "io/read/shipped_roles.h"
 #include "io/system/atomic_file.h"
@@ -13,18 +14,24 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 /// To be increased with every change that alters the graph of a shape for the same options.
 constexpr int algorithms_version = 14;
+/// To be increased with every change that alters the parts or the upright axis of a model for the same options.
+constexpr int reading_version = 1;
+constexpr std::size_t most_kept = 20'000'000; // bytes of an answer
 
 template <typename Value>
 void append(const Value& value, std::string& bytes)
@@ -74,6 +81,91 @@ internal::Stored_bytes bytes_of(std::string_view text, std::shared_ptr<const voi
 {
   const auto* const begin = reinterpret_cast<const std::uint8_t*>(text.data());
   return {begin, begin + text.size(), std::move(owner)};
+}
+
+/// Writes values as bytes, or reads them again by the same `pass()`.
+class Value_bytes
+{
+public:
+  Value_bytes() = default;
+  explicit Value_bytes(std::string written) : bytes(std::move(written)), reads_(true) {}
+
+  void raw(void* data, std::size_t size)
+  {
+    if (!reads_) return void(bytes.append(static_cast<const char*>(data), size));
+    check(size);
+    begin_ += bytes.copy(static_cast<char*>(data), size, begin_);
+  }
+  std::size_t size(std::size_t size)
+  {
+    raw(&size, sizeof size);
+    if (reads_) check(size);
+    return size;
+  }
+
+  std::string bytes;
+
+private:
+  void check(std::size_t size) const
+  {
+    if (size > bytes.size() - begin_) throw Invalid_input("too few bytes");
+  }
+
+  bool reads_ = false;
+  std::size_t begin_ = 0;
+};
+
+template <typename Value>
+void pass(Value_bytes& bytes, Value& value)
+{
+  if constexpr (std::is_arithmetic_v<Value>) {
+    bytes.raw(&value, sizeof value);
+  } else if constexpr (std::is_base_of_v<Eigen::EigenBase<Value>, Value>) {
+    value.resize(3, Eigen::Index(bytes.size(std::size_t(value.cols()))));
+    bytes.raw(value.data(), std::size_t(value.size()) * sizeof(*value.data()));
+  } else {
+    value.resize(bytes.size(value.size()));
+    for (auto& element : value)
+      pass(bytes, element);
+  }
+}
+
+template <typename... Values>
+void pass_all(Value_bytes& bytes, Values&... values)
+{
+  (pass(bytes, values), ...);
+}
+
+template <typename Value>
+void pass(Value_bytes& bytes, std::array<Value, 2>& pair)
+{
+  pass_all(bytes, pair[0], pair[1]);
+}
+
+void pass(Value_bytes& bytes, Up_estimate& up) { pass_all(bytes, up.up, up.confidence); }
+
+void pass(Value_bytes& bytes, Model_piece& piece)
+{
+  pass_all(bytes, piece.name, piece.object, piece.part, piece.closed, piece.size, piece.reason);
+}
+
+void pass(Value_bytes& bytes, Shape_part& part) { pass_all(bytes, part.name, part.mesh.points, part.mesh.triangles); }
+
+void pass(Value_bytes& bytes, Segmented_shape& shape)
+{
+  std::string name = shape.name();
+  Point up = shape.up();
+  std::vector<Shape_part> parts = shape.parts();
+  pass_all(bytes, name, up, parts);
+  shape = Segmented_shape(name, up);
+  for (Shape_part& part : parts)
+    shape.add_part(std::move(part.name), std::move(part.mesh));
+}
+
+void pass(Value_bytes& bytes, Part_split& split)
+{
+  pass_all(bytes, split.shape, split.pieces, split.decisions, split.by_segments, split.is_found, split.found_roles,
+           split.patched_objects, split.by_materials, split.unions, split.pieces_left_out, split.pieces_kept_whole);
 }
 
 } // namespace
@@ -128,6 +220,43 @@ void Structural_graph_cache::insert(const Structural_graph& graph) const
   write_structural_graph_json(text, graph);
   write_checked_entry(path(shape.content), title(shape.content), text.str());
 }
+
+template <typename Answer>
+Answer kept_answer(const std::string& cache, const std::string& question, const std::function<Answer()>& work,
+                   const Tell& warn)
+{
+  const std::string name = digest(std::to_string(reading_version) + question);
+  const std::string kept_title = "shape_correspondence reading " + name;
+  const std::filesystem::path folder = std::filesystem::path(cache) / "models";
+  const std::string file = (folder / name).string();
+  Answer answer;
+  try {
+    Value_bytes kept(read_checked_file(file, kept_title).value_or(""));
+    pass(kept, answer);
+    return answer;
+  } catch (const Invalid_input&) { // it is missing or damaged
+  }
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) warn(file + ": it is damaged; it is made again");
+  answer = work();
+  Value_bytes made;
+  pass(made, answer);
+  try {
+    make_folder(folder.string(), "a cache folder");
+    if (made.bytes.size() < most_kept) write_checked_entry(file, kept_title, made.bytes);
+  } catch (const Invalid_input&) { // is told when the graph is to be kept
+  }
+  return answer;
+}
+
+template Part_split kept_answer(const std::string&, const std::string&, const std::function<Part_split()>&,
+                                const Tell&);
+template Up_estimate kept_answer(const std::string&, const std::string&, const std::function<Up_estimate()>&,
+                                 const Tell&);
+template std::array<Up_estimate, 2> kept_answer(const std::string&, const std::string&,
+                                                const std::function<std::array<Up_estimate, 2>()>&, const Tell&);
+template std::vector<Point> kept_answer(const std::string&, const std::string&,
+                                        const std::function<std::vector<Point>()>&, const Tell&);
 
 void write_role_model(const std::string& path, const Role_model& model)
 {

@@ -3,8 +3,8 @@
 
 #include "io/read/document.h"
 #include "io/write/Json.h"
-#include "matching/Search_run.h"
 #include "matching/check_correspondence.h"
+#include "matching/rate.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -15,6 +15,7 @@
 #include <CGAL/Shape_correspondence/Points.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -80,46 +81,45 @@ private:
   std::vector<Eigen::Vector3i> triangles_;
 };
 
-/// Collects faces of a mesh as an indexed triangle mesh with only the vertices of these faces.
-template <typename Mesh, typename VertexPointMap>
+/// Collects faces of a mesh, with only the vertices of these faces.
+template <typename Mesh>
 class Part_mesh_builder
 {
-  using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
+  using Traits = boost::graph_traits<Mesh>;
 
 public:
-  Part_mesh_builder(const Mesh& mesh, const VertexPointMap& points) : mesh_(&mesh), vertex_points_(points) {}
-
-  void add_face(face_descriptor face)
+  template <typename VertexPointMap>
+  void add_face(typename Traits::face_descriptor face, const Mesh& mesh, const VertexPointMap& vertex_points)
   {
     std::vector<int> corners;
-    const auto first = halfedge(face, *mesh_);
-    auto h = first;
-    do {
-      corners.push_back(index_of(target(h, *mesh_)));
-      h = next(h, *mesh_);
-    } while (h != first);
+    for (auto v : CGAL::vertices_around_face(halfedge(face, mesh), mesh)) {
+      const auto [position, is_new] = indices_.emplace(v, 0);
+      if (is_new) {
+        const auto& p = get(vertex_points, v);
+        position->second = data_.add_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      }
+      corners.push_back(position->second);
+    }
     data_.add_polygon(corners);
   }
 
-  const Part_mesh_data& data() const { return data_; }
+  Points points() const { return data_.points(); }
+  Eigen::Matrix3Xi triangles() const { return data_.triangles(); }
 
 private:
-  int index_of(vertex_descriptor v)
-  {
-    const auto [position, is_new] = indices_.emplace(v, 0);
-    if (is_new) {
-      const auto& p = get(vertex_points_, v);
-      position->second = data_.add_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    }
-    return position->second;
-  }
-
-  const Mesh* mesh_;
-  VertexPointMap vertex_points_;
-  std::map<vertex_descriptor, int> indices_;
+  std::map<typename Traits::vertex_descriptor, int> indices_;
   Part_mesh_data data_;
 };
+
+/// The faces of each segment, by its id. \param segment_of the id of a face
+template <typename Mesh, typename Function, typename VertexPointMap>
+auto meshes_of_segments(const Mesh& mesh, const Function& segment_of, const VertexPointMap& vertex_points)
+{
+  std::map<long long, Part_mesh_builder<Mesh>> result;
+  for (auto face : faces(mesh))
+    result[static_cast<long long>(segment_of(face))].add_face(face, mesh, vertex_points);
+  return result;
+}
 
 } // namespace internal
 } // namespace CGAL::Shape_correspondence

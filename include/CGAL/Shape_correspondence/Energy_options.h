@@ -8,8 +8,8 @@
 //
 // Author(s)     : the Shape_correspondence developers
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_MATCHING_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_MATCHING_OPTIONS_H
+#ifndef CGAL_SHAPE_CORRESPONDENCE_ENERGY_OPTIONS_H
+#define CGAL_SHAPE_CORRESPONDENCE_ENERGY_OPTIONS_H
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>
 
@@ -46,7 +46,7 @@ struct Part_pair
 
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Options of the deformation energy and its labels.
-struct Matching_options
+struct Energy_options
 {
   /// An infinite cost, for what is not allowed.
   static constexpr double never = std::numeric_limits<double>::infinity();
@@ -73,4 +73,4 @@ struct Matching_options
 
 } // namespace CGAL::Shape_correspondence
 
-#endif // CGAL_SHAPE_CORRESPONDENCE_MATCHING_OPTIONS_H
+#endif // CGAL_SHAPE_CORRESPONDENCE_ENERGY_OPTIONS_H
