@@ -120,7 +120,8 @@ void Blend_structure::set_motions(int end)
     surfaces.push_back(part.is_matched() ? part.points(end, half_way) : Points());
   const Points ways = warp.ways(parts, surfaces, half_way);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!parts[i].is_matched() && parts[i].end() == end) motions[i].emplace(chart_of(i), contacts(i), warp, ways);
+    if (!parts[i].is_matched() && parts[i].end() == end)
+      motions[i].emplace(chart_of(i), contacts(i), stands(parts[i]), warp, ways);
 }
 
 const Part_chart& Blend_structure::chart_of(std::size_t unmatched) const

@@ -7,6 +7,8 @@
 #include "blend/Blend_stage.h"
 #include "blend/unlike_pairs.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -98,6 +100,14 @@ constexpr int steps = 3, lattice = steps * steps * steps;
 Points mapped(const Eigen::Matrix<double, 3, 4>& affine, const Points& points)
 {
   return (affine.leftCols<3>() * points).colwise() + affine.col(3);
+}
+
+/// The map that keeps right angles between axes, of which the first ones go where the linear map takes them.
+Eigen::Matrix3d without_shear(const Eigen::Matrix3d& linear, const Eigen::Matrix3d& axes)
+{
+  const Eigen::HouseholderQR<Eigen::Matrix3d> qr(linear * axes); // turned axes and, on the diagonal, their lengths
+  const Eigen::Matrix3d turned = qr.householderQ();
+  return turned * qr.matrixQR().diagonal().asDiagonal() * axes.transpose();
 }
 
 } // namespace
@@ -231,9 +241,9 @@ Points Space_warp::moved(const Points& points, const Points& ways) const
   return result;
 }
 
-Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts, const Space_warp& warp,
+Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts, bool stands, const Space_warp& warp,
                                  const Points& ways)
-    : samples_(3, lattice + contacts.cols())
+    : axes_(chart.axes()), samples_(3, lattice + contacts.cols()), stands_(stands)
 {
   constexpr double most = 0.015; // distance from where the warp takes a contact, over the height
   const auto coordinate = [](int i) { return 2. * (i % steps) / (steps - 1) - 1; };
@@ -242,40 +252,43 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
   samples_.rightCols(contacts.cols()) = contacts;
   const Points due = warp.moved(contacts, ways);
   const auto is_off = [&] {
-    return contacts.cols() > 0 && (mapped(fitted(warp, ways), contacts) - due).colwise().norm().maxCoeff() > most;
+    Points off = mapped(fitted(warp, ways), contacts) - due;
+    if (stands) off(0, off.cols() - 1) = off(2, off.cols() - 1) = 0;
+    return off.cols() > 0 && off.colwise().norm().maxCoeff() > most;
   };
-  if (is_off()) kind_ = Kind::AFFINE;
-  if (kind_ == Kind::AFFINE && is_off()) kind_ = Kind::FREE;
+  if (is_off()) kind_ = Kind::TURN;
+  if (kind_ == Kind::TURN && is_off()) kind_ = Kind::FREE;
 }
 
-/// The map of the kind that is next to the warp at the samples; contacts weigh as much as the lattice.
+/// The map of the kind that is next to the warp at the samples. Contacts are met before the lattice is; a foot on the
+/// ground may slide on it.
 Straight_motion::Affine Straight_motion::fitted(const Space_warp& warp, const Points& ways) const
 {
   constexpr double thin = 0.002; // extent, over the height, along which a part is hardly stretched
+  constexpr double firmly = 100; // weight of contacts, over that of the lattice
   const Points ways_of_samples = warp.moved(samples_, ways) - samples_;
   const Eigen::Index contacts = samples_.cols() - lattice;
-  const auto weight = [&](Eigen::Index i) { return i < lattice ? 1. / lattice : 1. / double(contacts); };
-  Point middle = Point::Zero(), way = Point::Zero();
-  double sum = 0;
-  for (Eigen::Index i = 0; i < samples_.cols(); ++i) {
-    middle += weight(i) * samples_.col(i);
-    way += weight(i) * ways_of_samples.col(i);
-    sum += weight(i);
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity(), middles;
+  Point means;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(samples_.cols(), 1. / lattice);
+    weights.tail(contacts).setConstant(firmly / double(std::max<Eigen::Index>(contacts, 1)));
+    if (stands_ && axis != 1) weights[weights.size() - 1] = 0;
+    weights /= weights.sum();
+    const Eigen::VectorXd way = ways_of_samples.row(axis).transpose();
+    middles.col(axis) = samples_ * weights;
+    means[axis] = middles(axis, axis) + way.dot(weights);
+    const Points off = samples_.colwise() - Point(middles.col(axis)), weighed = off * weights.asDiagonal();
+    const Eigen::Matrix3d spread = weighed * off.transpose() + thin * thin * Eigen::Matrix3d::Identity();
+    const Point product = weighed * way;
+    if (kind_ == Kind::STRETCH)
+      linear(axis, axis) += product[axis] / spread(axis, axis);
+    else
+      linear.row(axis) += (spread.inverse() * product).transpose();
   }
-  middle /= sum, way /= sum;
-  Eigen::Matrix3d spread = sum * thin * thin * Eigen::Matrix3d::Identity(), product = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < samples_.cols(); ++i) {
-    const Point off = samples_.col(i) - middle;
-    spread += weight(i) * off * off.transpose();
-    product += weight(i) * (ways_of_samples.col(i) - way) * off.transpose();
-  }
+  if (kind_ == Kind::TURN) linear = without_shear(linear, axes_);
   Affine result;
-  if (kind_ == Kind::STRETCH)
-    result.leftCols<3>() = product.diagonal().cwiseQuotient(spread.diagonal()).asDiagonal();
-  else
-    result.leftCols<3>() = product * spread.inverse();
-  result.leftCols<3>() += Eigen::Matrix3d::Identity();
-  result.col(3) = middle + way - result.leftCols<3>() * middle;
+  result << linear, means - (linear * middles).diagonal();
   return result;
 }
 

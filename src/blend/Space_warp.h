@@ -59,23 +59,29 @@ private:
 };
 
 /// How an unmatched part follows a warp: by the simplest motion that keeps it at its contacts. What is straight or flat
-/// stays so but for the last one: it is stretched along the axes of the world, mapped affinely, or bent as space is.
+/// stays so but for the last one: it is stretched along the axes of the world, turned and stretched along its own
+/// axes, or bent as space is.
 class Straight_motion
 {
 public:
-  /// \param contacts places of contacts of the part \param ways of the warp, half-way of the blend
-  Straight_motion(const Part_chart& chart, const Points& contacts, const Space_warp& warp, const Points& ways);
+  /// \param contacts places of contacts of the part
+  /// \param stands whether the last contact is its foot on the ground
+  /// \param ways of the warp, half-way of the blend
+  Straight_motion(const Part_chart& chart, const Points& contacts, bool stands, const Space_warp& warp,
+                  const Points& ways);
 
   Points moved(const Points& points, const Space_warp& warp, const Points& ways) const;
 
 private:
-  enum class Kind { STRETCH, AFFINE, FREE };
+  enum class Kind { STRETCH, TURN, FREE };
   using Affine = Eigen::Matrix<double, 3, 4>;
 
   Affine fitted(const Space_warp& warp, const Points& ways) const;
 
   Kind kind_ = Kind::STRETCH;
-  Points samples_; ///< a lattice in the part's chart, then the contacts
+  Eigen::Matrix3d axes_; ///< of the part
+  Points samples_;       ///< a lattice in the part's chart, then the contacts
+  bool stands_;
 };
 
 } // namespace CGAL::Shape_correspondence::internal
