@@ -279,7 +279,7 @@ Straight_motion::Affine Straight_motion::fitted(const Space_warp& warp, const Po
     middles.col(axis) = samples_ * weights;
     means[axis] = middles(axis, axis) + way.dot(weights);
     const Points off = samples_.colwise() - Point(middles.col(axis)), weighed = off * weights.asDiagonal();
-    const Eigen::Matrix3d spread = weighed * off.transpose() + thin * thin * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d spread = weighed * off.transpose() + thin * thin / firmly * Eigen::Matrix3d::Identity();
     const Point product = weighed * way;
     if (kind_ == Kind::STRETCH)
       linear(axis, axis) += product[axis] / spread(axis, axis);
