@@ -265,7 +265,7 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
 Straight_motion::Affine Straight_motion::fitted(const Space_warp& warp, const Points& ways) const
 {
   constexpr double thin = 0.002; // extent, over the height, along which a part is hardly stretched
-  constexpr double firmly = 100; // weight of contacts, over that of the lattice
+  constexpr double firmly = 5;   // weight of contacts, over that of the lattice
   const Points ways_of_samples = warp.moved(samples_, ways) - samples_;
   const Eigen::Index contacts = samples_.cols() - lattice;
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity(), middles;
