@@ -46,11 +46,30 @@ const canvas = document.createElement('canvas');
 const pen = canvas.getContext('2d', {alpha: false});
 const scenes = frames.map(sceneOf);
 
+// In the coordinates of the camera, the visible point of a part that is next to the middle of all of them; none if it is hidden
+function visiblePoint(parts, scene, index) {
+  const meshes = scene.children.slice(0, parts.length), ray = new THREE.Raycaster(), list = parts[index].triangles, points = [], middle = new THREE.Vector3();
+  for (let i = 0; i < list.length; i += 9) {
+    const p = new THREE.Vector3(...[0, 1, 2].map(k => (list[i + k] + list[i + 3 + k] + list[i + 6 + k]) / 3)).project(camera);
+    ray.setFromCamera(p, camera);
+    const hits = ray.intersectObjects(meshes);
+    if (hits.length && hits[0].object === meshes[index]) points.push(p);
+  }
+  points.forEach(p => middle.addScaledVector(p, 1 / points.length));
+  return points.sort((a, b) => a.distanceTo(middle) - b.distanceTo(middle))[0];
+}
+
+// The points of all parts with a role, as label() takes them
+function anchors(parts, scene) {
+  look(wide, still);
+  return parts.map((part, i) => ({...part, at: part.role && visiblePoint(parts, scene, i)})).filter(part => part.at);
+}
+
 // A column of names beside a chair, with lines to the parts
 function label(parts, left, wide, column, side) {
   const found = new Map();
-  for (const part of parts.filter(p => p.role)) {
-    const p = new THREE.Vector3(...part.middle).project(camera);
+  for (const part of parts) {
+    const p = part.at;
     const x = left + (p.x + 1) / 2 * wide, y = (1 - p.y) / 2 * height;
     const known = found.get(part.role);
     if (!known || side * x > side * known.x) found.set(part.role, {x, y, colour: part.colour});
@@ -80,6 +99,7 @@ function label(parts, left, wide, column, side) {
 }
 
 const out = [], last = frames.length - 1, margin = 140, wide = (width - 2 * margin) / 3, still = 0.62;
+const ends = [0, last].map(frame => anchors(frames[frame], scenes[frame]));
 for (let i = 0; i < 2 * last; ++i) {
   const step = i <= last ? i : 2 * last - i, turn = still + 0.16 * Math.sin(Math.PI * i / last);
   draw(scenes[0], margin, wide, still);
@@ -89,9 +109,8 @@ for (let i = 0; i < 2 * last; ++i) {
   pen.fillStyle = '#fff';
   pen.fillRect(0, 0, margin, height);
   pen.fillRect(width - margin, 0, margin, height);
-  look(wide, still);
-  label(frames[0], margin, wide, margin - 12, -1);
-  label(frames[last], margin + 2 * wide, wide, width - margin + 12, 1);
+  label(ends[0], margin, wide, margin - 12, -1);
+  label(ends[1], margin + 2 * wide, wide, width - margin + 12, 1);
   out.push(canvas.toDataURL('image/webp', quality));
 }
 document.body.textContent = out.join('\\n');
@@ -108,8 +127,7 @@ def shape(parts, role_of, colours):
     for name, triangles in parts:
         role = role_of(name)
         flat = [round(x, 4) for triangle in triangles for point in triangle for x in point]
-        middle = [(min(flat[i::3]) + max(flat[i::3])) / 2 for i in range(3)]
-        result.append({"role": role, "colour": hexadecimal(colours[role] if role else GREY), "triangles": flat, "middle": middle})
+        result.append({"role": role, "colour": hexadecimal(colours[role] if role else GREY), "triangles": flat})
     return result
 
 
