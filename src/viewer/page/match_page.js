@@ -53,8 +53,11 @@ function isOnePiece(names) {
   return names.length > 1 && new Set(names.map(name => name.replace(/#\d+$/, ''))).size === 1;
 }
 
-/** What `percent()` says, on one line, and not that there is nothing of what there is. */
-const shareText = share => (share < 0.005 ? 'less than 1 %' : percent(share)).replace(' %', '\u00a0%');
+/** What `percent()` says, on one line. */
+const percentText = share => percent(share).replace(' ', '\u00a0');
+
+/** The same, and not that there is nothing of what there is. */
+const shareText = share => share < 0.005 ? 'less than 1\u00a0%' : percentText(share);
 
 /** What has no counterpart, in a sentence. @param shares of the surfaces that have one */
 function uncovered(missing, names, titles, shares) {
@@ -82,7 +85,7 @@ function sureText(blocks, labels) {
   if (!rated.length) return '';
   const last = rated.reduce((worst, block) => block.confidence < worst.confidence ? block : worst), isEven = percent(last.confidence) === percent(mean);
   const name = last.role ? roleText(last.role) : labels[0][last.parts[0][0]];
-  return ` The program is ${percent(mean)} sure of this on average` + (isEven ? '.' : `, and least of ${name}, ${percent(last.confidence)}.`);
+  return ` The program is ${percentText(mean)} sure of this on average` + (isEven ? '.' : `, and least of ${name}, ${percentText(last.confidence)}.`);
 }
 
 /** What the page shows, for those who see it for the first time. @param blocks that are shown @param hidden in a sentence */

@@ -544,7 +544,7 @@ class Pages(unittest.TestCase):
     def test_the_first_lines_say_how_sure_and_of_how_much(self):
         self.open("match")
         self.assertRegex(browser.evaluate("document.querySelector('#facts').textContent"),
-                         r"The program is \d+ % sure of this on average, and least of [a-z ]+, \d+ %\. (Grey parts have no counterpart: \d+ of .*\d\s% of its surface|Every part has a counterpart)")
+                         r"The program is \d+\s% sure of this on average, and least of [a-z ]+, \d+\s%\. (Grey parts have no counterpart: \d+ of .*\d\s% of its surface|Every part has a counterpart)")
         self.assertIn("chair_four_legged → chair_spindle", browser.evaluate("[...document.querySelectorAll('th')].map(cell => cell.textContent)"))
 
     def test_a_page_is_small(self):
