@@ -5,7 +5,7 @@ import {BlendPlayer} from './blend_player.js';
 import {$, addSwitch, addTabs, addWarnings, documentOf, element, setBreakable} from './dom.js';
 import {extentOf, rolesInOnePiece} from './extent.js';
 import {bytesOfBase64, readGlb} from './glb.js';
-import {counted, groupNumbers, indexedBlocks, listed, percent, readersNote, roleText, unsure} from './matching.js';
+import {counted, groupNumbers, indexedBlocks, listed, percent, readersNote, roleText, rowsByRole, unsure} from './matching.js';
 import {MatchView} from './match_view.js';
 import {Stage} from './stage.js';
 
@@ -79,13 +79,14 @@ function hiddenText(hidden, least) {
   return ` Hidden, because they are below ${percent(least)}, and drawn faint: ${roles.length ? listed(roles, 10) + ', ' : ''}${counted(parts[0], 'part')} and their ${counted(parts[1], 'counterpart')}.`;
 }
 
-/** How sure the program is, on average and of what it is least, in a sentence; or nothing. */
+/** How sure the program is, on average and of what it is least, by the rows of the table, in a sentence; or nothing. */
 function sureText(blocks, labels) {
-  const rated = blocks.filter(({confidence}) => confidence !== null), mean = rated.reduce((sum, {confidence}) => sum + confidence, 0) / rated.length;
+  const rated = blocks.filter(({confidence}) => confidence !== null), mean = of => of.reduce((sum, {confidence}) => sum + confidence, 0) / of.length;
   if (!rated.length) return '';
-  const last = rated.reduce((worst, block) => block.confidence < worst.confidence ? block : worst), isEven = percent(last.confidence) === percent(mean);
-  const name = last.role ? roleText(last.role) : labels[0][last.parts[0][0]];
-  return ` The program is ${percentText(mean)} sure of this on average` + (isEven ? '.' : `, and least of ${name}, ${percentText(last.confidence)}.`);
+  const rows = rowsByRole(rated).map(row => ({...row, confidence: mean(row.blocks.map(b => rated[b]))}));
+  const last = rows.reduce((least, row) => row.confidence < least.confidence ? row : least), all = percentText(mean(rated));
+  const name = last.role ? roleText(last.role) : labels[0][rated[last.blocks[0]].parts[0][0]];
+  return ` The program is ${all} sure of this` + (percentText(last.confidence) === all ? ', of all parts alike.' : ` on average, and least of ${name}, ${percentText(last.confidence)}.`);
 }
 
 /** What the page shows, for those who see it for the first time. @param blocks that are shown @param hidden in a sentence */
