@@ -211,7 +211,11 @@ void compare(const std::string& raw_path, const std::string& labelled_path, Part
   const Part_split of_model = IO::split_parts_by_roles(objects, options, roles);
   const Segmented_shape& parts = of_model.shape;
   const auto split = std::chrono::steady_clock::now();
-  if (std::ofstream out(obj); !obj.empty()) IO::write_segmented_shape_obj(out, parts);
+  if (!obj.empty()) {
+    std::ofstream out(obj);
+    IO::write_segmented_shape_obj(out, parts);
+    if (!out.flush()) throw std::invalid_argument(obj + " cannot be written; give a file in a folder that exists");
+  }
   const Segmented_shape labelled = IO::read_segmented_shape(labelled_path);
   const Common_points common = common_points(points_on(labelled), labelled.parts().size(), parts);
   const Agreement agreement = agreement_of(common.counts);

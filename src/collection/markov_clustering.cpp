@@ -120,8 +120,9 @@ private:
   using Lanes = Eigen::Array<double, number, 1>;
 
   const Flow_matrix& flow_;
-  std::vector<Lanes> weights_, sums_; // by row; zero between calls, as are those of `is_reached_`
-  std::vector<char> is_reached_;
+  // One value for each row of the flow; all are zero between calls
+  std::vector<Lanes> weights_, sums_;
+  std::vector<char> is_reached_; // whether the row has a sum
 };
 
 /// Keeps only the largest entries of a column (ties by row) above a threshold, and sorts them by row.
@@ -147,7 +148,7 @@ void prune(const Markov_clustering_options& options, std::size_t column_limit, C
 /// The columns in an order in which those that flow the same way are neighbours.
 std::vector<Eigen::Index> like_columns(const Flow_matrix& flow)
 {
-  std::vector<std::pair<int, Eigen::Index>> order; // row of the largest entry, column
+  std::vector<std::pair<int, Eigen::Index>> order; // for each column, the row of its largest entry, and the column
   for (Eigen::Index j = 0; j < flow.cols(); ++j) {
     double most = 0;
     int row = 0;

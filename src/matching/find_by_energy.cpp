@@ -25,8 +25,9 @@ struct Search_run
 {
   Matching_problem problem;
   Direction direction;
-  int turns;                // quarter turns of the target
-  std::size_t coarse_parts; // number of parts matched first, coarse to fine; 0: all at once
+  int turns; // by how many quarter turns about the up axis the target is turned
+  std::size_t
+      coarse_parts; // number of the largest parts that were matched before the others; 0: all are matched at once
   Search_result result;
 };
 

@@ -63,8 +63,8 @@ Part_matching matched_in(const Match_task& task, const Shared_shape& shape, cons
     return matched_in_frames(
         task, *shape, given_quarter_turns(structure(task.source.graph()).frame) + alignment.source_front,
         given_quarter_turns(structure(task.target.graph()).frame) + alignment.target_front, deadline);
-  // Costs treat side and front differently, so that with an odd quarter turn the result depends on the frame of
-  // comparison: that of the shape which is first in canonical order, whichever is the source
+  // Costs treat side and front differently, so the result of an odd quarter turn depends on the frame in which parts
+  // are compared. It is that of the shape with the lower rank, so that source and target may change places
   if (alignment.turn % 2 != 0 && rank_of(*shape) < rank_of(*task.aligned_source))
     return matched_in_frames(task, *shape, -alignment.turn, 0, deadline);
   return match_parts(*features(task.source, task.aligned_source, 0, task.options.parts),
@@ -72,8 +72,9 @@ Part_matching matched_in(const Match_task& task, const Shared_shape& shape, cons
                      Match_constraints(*task.aligned_source, *shape, task.options.energy), deadline);
 }
 
-// The category of both shapes. If they belong to none in their given orientations, and these are not certain, the
-// category after turning, provided that the roles of one shape clearly show it facing another side.
+// The category of both shapes, as they are given. If there is none, and it is not certain that they face the given
+// side, both are turned to the front that the roles of their parts show, if those of one shape show another front
+// clearly.
 Pair_category recognised(const Match_task& task)
 {
   const Role_model_data& model = Role_model_access::data(*task.options.roles);
@@ -363,7 +364,7 @@ std::vector<Transferred_label> transferred_labels(const std::vector<Part_label>&
   if (has_no_pairs(task)) return std::vector<Transferred_label>(number_of_parts(task.target));
   const Part_match_result best = matched_parts(task, deadline_of(task.options));
   std::vector<Transferred_label> result(number_of_parts(task.target));
-  if (best.tried == 0) return result; // the search was cancelled
+  if (best.tried == 0) return result; // a callback or the time limit ended the matching: no labels
   for (std::size_t j = 0; j < best.target->parts.size(); ++j) {
     const Part_correspondence from = likeliest_source(best.matching, j);
     result[best.target->original[j]] = {labels[task.aligned_source->original[from.source]], from.confidence};

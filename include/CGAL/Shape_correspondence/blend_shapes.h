@@ -55,10 +55,10 @@ struct Blend_surface
 ///   become each other (`Blend_task_type::EXCHANGE`). Unmatched parts follow a warp of the space around their end, a
 ///   smoothing spline: it follows the surfaces of matched parts, the boxes of parts that correspond, and the bounding
 ///   box of the whole, so that parts stay in contact with their neighbours. Where their contacts allow it, they are
-///   stretched or mapped affinely, so that what is straight stays straight. They come and go along their own curve or
-///   sheet: from the place where they are held, or from the line between several such places. Old parts are replaced by
-///   those in their place in an instant, one place after the other; other old parts vanish before that, and other new
-///   parts grow after it, what is carried after what carries it.
+///   stretched, or turned and stretched, so that what is straight stays straight. They come and go along their own
+///   curve or sheet: from the place where they are held, or from the line between several such places. Old parts are
+///   replaced by those in their place in an instant, one place after the other; other old parts vanish before that, and
+///   other new parts grow after it, what is carried after what carries it.
 /// - If both shapes have the common mirror plane, the *mirror image* of a part becomes the mirror image of its
 ///   counterpart, even if only one of the two pairs is in the correspondence.
 ///
