@@ -343,11 +343,11 @@ void set_limits()
 #endif
 }
 
-void write(const Model_content& content)
+void write(Model_content content)
 {
-  Content_writer writer;
-  exchange(writer, content);
-  std::cout << has_content << writer.text;
+  Value_bytes written;
+  pass(written, content);
+  std::cout << has_content << written.bytes;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "io/read/shipped_roles.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
+#include "io/system/value_bytes.h"
 #include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -20,7 +21,6 @@
 #include <sstream>
 #include <string_view>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,27 +30,14 @@ namespace {
 /// To be increased with every change that alters the graph of a shape for the same options.
 constexpr int algorithms_version = 14;
 /// To be increased with every change that alters the parts or the upright axis of a model for the same options.
-constexpr int reading_version = 1;
+constexpr int reading_version = 2;
 constexpr std::size_t most_kept = 20'000'000; // bytes of an answer
 
-template <typename Value>
-void append(const Value& value, std::string& bytes)
-{
-  if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  } else if constexpr (std::is_same_v<Value, std::string>) {
-    append(static_cast<std::uint64_t>(value.size()), bytes);
-    bytes += value;
-  } else {
-    append(static_cast<std::uint64_t>(value.cols()), bytes);
-    bytes.append(reinterpret_cast<const char*>(value.data()), sizeof(*value.data()) * std::size_t(value.size()));
-  }
-}
-
+/// Writes values.
 template <typename... Values>
-void append_all(std::string& bytes, const Values&... values)
+void append_all(Value_bytes& bytes, const Values&... values)
 {
-  (append(values, bytes), ...);
+  pass_all(bytes, const_cast<Values&>(values)...); // which do not change
 }
 
 /// Does not depend on the compiler for the abstractors of the package.
@@ -63,7 +50,7 @@ std::string name_of_abstractor(const Abstraction_options& options)
   return abstractor.target_type().name();
 }
 
-void append_options(const Abstraction_options& options, std::string& bytes)
+void append_options(const Abstraction_options& options, Value_bytes& bytes)
 {
   append_all(bytes, name_of_abstractor(options), options.kind, options.part_kinds.size());
   for (const auto& [part, kind] : options.part_kinds)
@@ -83,75 +70,29 @@ internal::Stored_bytes bytes_of(std::string_view text, std::shared_ptr<const voi
   return {begin, begin + text.size(), std::move(owner)};
 }
 
-/// Writes values as bytes, or reads them again by the same `pass()`.
-class Value_bytes
-{
-public:
-  Value_bytes() = default;
-  explicit Value_bytes(std::string written) : bytes(std::move(written)), reads_(true) {}
+} // namespace
 
-  void raw(void* data, std::size_t size)
-  {
-    if (!reads_) return void(bytes.append(static_cast<const char*>(data), size));
-    check(size);
-    begin_ += bytes.copy(static_cast<char*>(data), size, begin_);
-  }
-  std::size_t size(std::size_t size)
-  {
-    raw(&size, sizeof size);
-    if (reads_) check(size);
-    return size;
-  }
-
-  std::string bytes;
-
-private:
-  void check(std::size_t size) const
-  {
-    if (size > bytes.size() - begin_) throw Invalid_input("too few bytes");
-  }
-
-  bool reads_ = false;
-  std::size_t begin_ = 0;
-};
+// What is kept of models
 
 template <typename Value>
-void pass(Value_bytes& bytes, Value& value)
-{
-  if constexpr (std::is_arithmetic_v<Value>) {
-    bytes.raw(&value, sizeof value);
-  } else if constexpr (std::is_base_of_v<Eigen::EigenBase<Value>, Value>) {
-    value.resize(3, Eigen::Index(bytes.size(std::size_t(value.cols()))));
-    bytes.raw(value.data(), std::size_t(value.size()) * sizeof(*value.data()));
-  } else {
-    value.resize(bytes.size(value.size()));
-    for (auto& element : value)
-      pass(bytes, element);
-  }
-}
-
-template <typename... Values>
-void pass_all(Value_bytes& bytes, Values&... values)
-{
-  (pass(bytes, values), ...);
-}
-
-template <typename Value>
-void pass(Value_bytes& bytes, std::array<Value, 2>& pair)
+static void pass(Value_bytes& bytes, std::array<Value, 2>& pair)
 {
   pass_all(bytes, pair[0], pair[1]);
 }
 
-void pass(Value_bytes& bytes, Up_estimate& up) { pass_all(bytes, up.up, up.confidence); }
+static void pass(Value_bytes& bytes, Up_estimate& up) { pass_all(bytes, up.up, up.confidence); }
 
-void pass(Value_bytes& bytes, Model_piece& piece)
+static void pass(Value_bytes& bytes, Model_piece& piece)
 {
   pass_all(bytes, piece.name, piece.object, piece.part, piece.closed, piece.size, piece.reason);
 }
 
-void pass(Value_bytes& bytes, Shape_part& part) { pass_all(bytes, part.name, part.mesh.points, part.mesh.triangles); }
+static void pass(Value_bytes& bytes, Shape_part& part)
+{
+  pass_all(bytes, part.name, part.mesh.points, part.mesh.triangles);
+}
 
-void pass(Value_bytes& bytes, Segmented_shape& shape)
+static void pass(Value_bytes& bytes, Segmented_shape& shape)
 {
   std::string name = shape.name();
   Point up = shape.up();
@@ -162,17 +103,15 @@ void pass(Value_bytes& bytes, Segmented_shape& shape)
     shape.add_part(std::move(part.name), std::move(part.mesh));
 }
 
-void pass(Value_bytes& bytes, Part_split& split)
+static void pass(Value_bytes& bytes, Part_split& split)
 {
   pass_all(bytes, split.shape, split.pieces, split.decisions, split.by_segments, split.is_found, split.found_roles,
            split.patched_objects, split.by_materials, split.unions, split.pieces_left_out, split.pieces_kept_whole);
 }
 
-} // namespace
-
 std::string content_hash(const Segmented_shape& shape, const Structure_options& options)
 {
-  std::string bytes;
+  Value_bytes bytes;
   append_all(bytes, algorithms_version, shape.name(), shape.up(), shape.parts().size());
   for (const Shape_part& part : shape.parts())
     append_all(bytes, part.name, part.mesh.points, part.mesh.triangles);
@@ -180,7 +119,7 @@ std::string content_hash(const Segmented_shape& shape, const Structure_options& 
   const Symmetry_options& symmetry = options.symmetry;
   append_all(bytes, symmetry.tolerance, symmetry.enabled, symmetry.reflection, symmetry.rotation, symmetry.translation,
              options.contacts.tolerance, options.contacts.closest_points);
-  return digest(bytes);
+  return digest(bytes.bytes);
 }
 
 Structural_graph_cache::Structural_graph_cache(std::string folder) : folder_(std::move(folder))
@@ -231,7 +170,8 @@ Answer kept_answer(const std::string& cache, const std::string& question, const 
   const std::string file = (folder / name).string();
   Answer answer;
   try {
-    Value_bytes kept(read_checked_file(file, kept_title).value_or(""));
+    const std::string bytes = read_checked_file(file, kept_title).value_or("");
+    Value_bytes kept(bytes);
     pass(kept, answer);
     return answer;
   } catch (const Invalid_input&) { // it is missing or damaged

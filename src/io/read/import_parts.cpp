@@ -40,9 +40,9 @@ Model_content import_parts(const std::string& file, const Reading_options& optio
     text.remove_prefix(import_mark.size());
     if (text.empty()) refuse("what its reader sends is damaged", remedy::install_again);
     if (text[0] == has_complaint) throw Invalid_input(std::string(text.substr(1)));
-    Content_reader reader(text.substr(1));
+    Value_bytes bytes(text.substr(1));
     Model_content content;
-    exchange(reader, content);
+    pass(bytes, content);
     return content;
   } catch (const Invalid_input& error) {
     refuse(file + ": " + error.what(), remedy::save_as_other_format);
