@@ -9,6 +9,7 @@
 #include "base/check_number.h"
 #include "base/for_each_index.h"
 #include "base/generic_direction.h"
+#include "shape/Flat_faces.h"
 #include "shape/check_mesh.h"
 #include "shape/convex_hull.h"
 
@@ -38,51 +39,19 @@ namespace {
 /// to a grid, equal vertices merged, duplicates removed, vertices and triangles sorted along a direction.
 Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
 {
-  using Key = std::array<double, 4>; // position along the direction, then coordinates
-  const Point direction = generic_direction();
-  std::map<Key, int> vertices;
-  const auto key = [&](Eigen::Index v) {
-    const auto snap = [grid](double x) { return std::round(x / grid) * grid + 0.; };
-    const Point p(snap(mesh.points(0, v)), snap(mesh.points(1, v)), snap(mesh.points(2, v)));
-    return Key{direction.dot(p), p.x(), p.y(), p.z()};
-  };
-  for (Eigen::Index t = 0; t < mesh.triangles.size(); ++t)
-    vertices.emplace(key(mesh.triangles.data()[t]), 0);
-  Part_mesh result;
-  result.points.resize(3, Eigen::Index(vertices.size()));
-  int count = 0;
-  std::vector<double> places;
-  for (auto& [position, index] : vertices) {
-    places.push_back(position[0]);
-    result.points.col(count) << position[1], position[2], position[3];
-    index = count++;
-  }
-  using Triangle_key = std::pair<double, std::array<int, 3>>; // position of the centre, then sorted corners
-  std::map<Triangle_key, std::array<int, 3>> triangles;       // corners in their orientation
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    std::array<int, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = vertices.at(key(mesh.triangles(Eigen::Index(k), t)));
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    std::array<int, 3> sorted = corners;
-    std::sort(sorted.begin(), sorted.end());
-    if (sorted[0] != sorted[1] && sorted[1] != sorted[2]) {
-      const auto place_of = [&](std::size_t k) { return places[std::size_t(sorted[k])]; };
-      const double place = place_of(0) + place_of(1) + place_of(2);
-      const auto [known, is_new] = triangles.emplace(Triangle_key(place, sorted), corners);
-      if (!is_new) known->second = std::min(known->second, corners);
-    }
-  }
-  if (triangles.empty()) {
+  Part_mesh rounded = mesh;
+  for (double& x : rounded.points.reshaped())
+    x = std::round(x / grid) * grid;
+  const Sorted_triangles sorted(rounded);
+  if (sorted.triangles.empty()) {
     // The mesh is thinner than the grid.
     const double finer = 1e-4, finest = 1e-20;
     return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
   }
-  result.triangles.resize(3, Eigen::Index(triangles.size()));
-  Eigen::Index t = 0;
-  for (const auto& [sorted, corners] : triangles)
-    result.triangles.col(t++) << corners[0], corners[1], corners[2];
-  return result;
+  std::vector<double> places;
+  for (const Point& p : sorted.points)
+    places.push_back(generic_direction().dot(p));
+  return sorted_mesh(sorted.points, sorted.triangles, places);
 }
 
 /// The coordinate axis of the largest component; of nearly equal components, y, then x.

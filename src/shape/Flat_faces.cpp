@@ -14,6 +14,67 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+Sorted_triangles::Sorted_triangles(const Part_mesh& mesh)
+{
+  std::vector<char> is_used(std::size_t(mesh.points.cols()), 0);
+  for (int v : mesh.triangles.reshaped())
+    is_used[std::size_t(v)] = 1;
+  std::vector<std::pair<std::array<double, 3>, int>> places; // 0. + x, since there are two zeros
+  for (int v = 0; v < int(is_used.size()); ++v)
+    if (is_used[std::size_t(v)])
+      places.push_back({{0. + mesh.points(0, v), 0. + mesh.points(1, v), 0. + mesh.points(2, v)}, v});
+  std::sort(places.begin(), places.end());
+  std::vector<int> number(is_used.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [x, y, z] = places[i].first;
+    if (i == 0 || places[i].first != places[i - 1].first) points.emplace_back(x, y, z);
+    number[std::size_t(places[i].second)] = int(points.size()) - 1;
+  }
+  for (const auto& t : mesh.triangles.colwise()) {
+    Corners corners{number[std::size_t(t[0])], number[std::size_t(t[1])], number[std::size_t(t[2])]};
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    triangles.push_back(corners);
+  }
+  std::sort(triangles.begin(), triangles.end());
+}
+
+Part_mesh sorted_mesh(const std::vector<Point>& points, const std::vector<Corners>& triangles,
+                      const std::vector<double>& place)
+{
+  std::vector<int> number(place.size(), -1), order;
+  for (const Corners& c : triangles)
+    for (int v : c)
+      if (std::exchange(number[std::size_t(v)], 0) < 0) order.push_back(v);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return std::tie(place[std::size_t(a)], a) < std::tie(place[std::size_t(b)], b); });
+  Part_mesh result;
+  result.points.resize(3, Eigen::Index(order.size()));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[std::size_t(order[i])] = int(i);
+    result.points.col(Eigen::Index(i)) = points[std::size_t(order[i])];
+  }
+  std::vector<std::tuple<double, Corners, Corners>> keyed; // place of the centre, sorted corners, corners
+  for (Corners c : triangles) {
+    for (int& v : c)
+      v = number[std::size_t(v)];
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+    const Corners sorted{c[0], std::min(c[1], c[2]), std::max(c[1], c[2])};
+    double sum = 0;
+    for (int v : sorted)
+      sum += place[std::size_t(order[std::size_t(v)])];
+    keyed.emplace_back(sum, sorted, c);
+  }
+  std::sort(keyed.begin(), keyed.end());
+  const auto is_same = [](const auto& a, const auto& b) { return std::get<1>(a) == std::get<1>(b); };
+  keyed.erase(std::unique(keyed.begin(), keyed.end(), is_same), keyed.end());
+  result.triangles.resize(3, Eigen::Index(keyed.size()));
+  Eigen::Index t = 0;
+  for (const auto& [sum, sorted, c] : keyed)
+    result.triangles.col(t++) << c[0], c[1], c[2];
+  return result;
+}
+
 Groups::Groups(const std::vector<int>& group_of) : members_(group_of.size())
 {
   begin_.assign(group_of.empty() ? 1 : 2 + std::size_t(*std::max_element(group_of.begin(), group_of.end())), 0);
@@ -52,11 +113,12 @@ struct Flat_faces::Units
   std::vector<double> areas;
 };
 
-Flat_faces::Flat_faces(const Part_mesh& mesh, double tolerance) : tolerance_(tolerance)
+Flat_faces::Flat_faces(const Part_mesh& mesh, double tolerance) : tolerance_(tolerance), sorted_(mesh)
 {
-  take_triangles(mesh);
+  for (int t = 0; t < int(triangles().size()); ++t)
+    area_vectors_.push_back((corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)));
   find_sides();
-  std::vector<int> own(triangles_.size());
+  std::vector<int> own(triangles().size());
   std::iota(own.begin(), own.end(), 0);
   exact_ = grown(Units(*this, own), Point::Zero(), exact_tolerance());
 }
@@ -68,38 +130,11 @@ std::vector<int> Flat_faces::nearly_flat(const Point& direction) const
   return grown(Units(*this, exact_), direction, tolerance_);
 }
 
-void Flat_faces::take_triangles(const Part_mesh& mesh)
-{
-  std::vector<char> is_used(std::size_t(mesh.points.cols()), 0);
-  for (int v : mesh.triangles.reshaped())
-    is_used[std::size_t(v)] = 1;
-  std::vector<std::pair<std::array<double, 3>, int>> places; // 0. + x, since there are two zeros
-  for (int v = 0; v < int(is_used.size()); ++v)
-    if (is_used[std::size_t(v)])
-      places.push_back({{0. + mesh.points(0, v), 0. + mesh.points(1, v), 0. + mesh.points(2, v)}, v});
-  std::sort(places.begin(), places.end());
-  std::vector<int> number(is_used.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [x, y, z] = places[i].first;
-    if (i == 0 || places[i].first != places[i - 1].first) points_.emplace_back(x, y, z);
-    number[std::size_t(places[i].second)] = int(points_.size()) - 1;
-  }
-  for (const auto& t : mesh.triangles.colwise()) {
-    Corners corners{number[std::size_t(t[0])], number[std::size_t(t[1])], number[std::size_t(t[2])]};
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    triangles_.push_back(corners);
-  }
-  std::sort(triangles_.begin(), triangles_.end());
-  for (int t = 0; t < int(triangles_.size()); ++t)
-    area_vectors_.push_back((corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)));
-}
-
 void Flat_faces::find_sides()
 {
-  sides_.reserve(3 * triangles_.size());
-  for (std::size_t i = 0; i < 3 * triangles_.size(); ++i) {
-    const Corners& corners = triangles_[i / 3];
+  sides_.reserve(3 * triangles().size());
+  for (std::size_t i = 0; i < 3 * triangles().size(); ++i) {
+    const Corners& corners = triangles()[i / 3];
     const auto [low, high] = std::minmax(corners[i % 3], corners[(i + 1) % 3]);
     sides_.push_back({std::uint64_t(low) << 32 | std::uint64_t(high), int(i)});
   }
@@ -117,7 +152,7 @@ void Flat_faces::find_sides()
 void Flat_faces::join_sides(const Side_range& sides)
 {
   const auto runs_up = [&](const Side_of_triangle& side) {
-    const Corners& corners = triangles_[std::size_t(side.triangle())];
+    const Corners& corners = triangles()[std::size_t(side.triangle())];
     return corners[std::size_t(side.corner % 3)] < corners[std::size_t((side.corner + 1) % 3)];
   };
   const auto normal = [&](const Side_of_triangle& side) { return area_vector(side.triangle()).normalized(); };
@@ -142,7 +177,7 @@ std::vector<int> Flat_faces::grown(const Units& units, const Point& direction, d
     const double area = units.areas[i];
     const Point centre = area > 0 ? Point(units.moments[i] / area) : corner(*units.triangles[i].begin(), 0);
     order.emplace_back(area > 0 ? -std::round(steps * std::log(area)) : std::numeric_limits<double>::max(),
-                       direction.dot(centre - points_[0]), int(i));
+                       direction.dot(centre - points()[0]), int(i));
   }
   std::sort(order.begin(), order.end());
   std::vector<int> rank(order.size()), face(order.size(), -1), members, next;

@@ -14,6 +14,21 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
+/// The triangles of a mesh. Vertices in the same place are one; they are sorted by their coordinates. Triangles with
+/// equal corners are left out; the others begin with their first vertex and are sorted.
+struct Sorted_triangles
+{
+  explicit Sorted_triangles(const Part_mesh& mesh);
+
+  std::vector<Point> points;
+  std::vector<Corners> triangles;
+};
+
+/// The triangles, each once, and their vertices, sorted by their places. \param place place of a point along a
+/// direction
+Part_mesh sorted_mesh(const std::vector<Point>& points, const std::vector<Corners>& triangles,
+                      const std::vector<double>& place);
+
 /// The members of groups, in ascending order.
 class Groups
 {
@@ -57,8 +72,8 @@ public:
   /// \param tolerance distance from a plane that is rounding noise
   Flat_faces(const Part_mesh& mesh, double tolerance);
 
-  const std::vector<Point>& points() const { return points_; }         ///< sorted by their coordinates
-  const std::vector<Corners>& triangles() const { return triangles_; } ///< sorted, each from its first vertex on
+  const std::vector<Point>& points() const { return sorted_.points; }
+  const std::vector<Corners>& triangles() const { return sorted_.triangles; }
   const Point& area_vector(int triangle) const { return area_vectors_[std::size_t(triangle)]; } ///< twice the area
 
   /// The only other triangle, turned alike, at the side that begins at a corner; or -1.
@@ -90,17 +105,15 @@ private:
 
   const Point& corner(int triangle, int k) const
   {
-    return points_[std::size_t(triangles_[std::size_t(triangle)][std::size_t(k)])];
+    return points()[std::size_t(triangles()[std::size_t(triangle)][std::size_t(k)])];
   }
-  void take_triangles(const Part_mesh& mesh);
   void find_sides();
   void join_sides(const Side_range& sides);
   std::vector<int> grown(const Units& units, const Point& direction, double tolerance) const;
   bool is_flat(const Units& units, int unit, const Point& normal, const Point& centre, double tolerance) const;
 
   double tolerance_;
-  std::vector<Point> points_;
-  std::vector<Corners> triangles_;
+  Sorted_triangles sorted_;
   std::vector<Point> area_vectors_;     ///< indexed by triangle, as long as twice its area
   std::vector<Side_of_triangle> sides_; ///< those of one edge beside each other
   std::vector<int> neighbours_;         ///< indexed by corner

@@ -9,7 +9,6 @@
 #include "shape/triangle_distance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -24,47 +23,23 @@ std::size_t corner(const Part_mesh& mesh, std::size_t t, int k)
   return std::size_t(mesh.triangles(k, Eigen::Index(t)));
 }
 
-/// An edge: its two vertices and the numbers of their places, the lower number first.
-struct Edge
-{
-  std::array<int, 2> places;
-  std::array<std::size_t, 2> vertices;
-};
-
-/// The edges of all triangles, sorted so that edges at the same place are neighbours.
-std::vector<Edge> sorted_edges(const Part_mesh& mesh)
-{
-  const std::vector<int> place = first_in_place(mesh.points);
-  std::vector<Edge> result;
-  for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t a = corner(mesh, t, k), b = corner(mesh, t, (k + 1) % 3);
-      if (place[a] < place[b]) result.push_back({{place[a], place[b]}, {a, b}});
-      if (place[b] < place[a]) result.push_back({{place[b], place[a]}, {b, a}});
-    }
-  std::sort(result.begin(), result.end(), [](const Edge& p, const Edge& q) {
-    return std::pair(p.places, p.vertices) < std::pair(q.places, q.vertices);
-  });
-  return result;
-}
-
-/// Calls a function once for each place of edges, with an edge there and the number of its triangles.
-template <typename Function>
-void for_each_edge(const Part_mesh& mesh, Function function)
-{
-  const std::vector<Edge> edges = sorted_edges(mesh);
-  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
-    while (next < edges.size() && edges[next].places == edges[i].places)
-      ++next;
-    function(edges[i], next - i);
-  }
-}
-
+/// Whether an even number of triangles meets at every edge.
 bool is_closed(const Part_mesh& mesh)
 {
-  bool result = true;
-  for_each_edge(mesh, [&](const Edge&, std::size_t triangles) { result = result && triangles % 2 == 0; });
-  return result;
+  const std::vector<int> place = first_in_place(mesh.points);
+  std::vector<std::pair<int, int>> edges; // places of their ends
+  for (std::size_t t = 0; t < std::size_t(mesh.triangles.cols()); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = place[corner(mesh, t, k)], b = place[corner(mesh, t, (k + 1) % 3)];
+      if (a != b) edges.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  std::sort(edges.begin(), edges.end());
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::upper_bound(edge, edges.end(), *edge);
+    if ((next - edge) % 2 != 0) return false;
+    edge = next;
+  }
+  return true;
 }
 
 /// By corner of a triangle, three after three, the number of its place, which is another one for each material.

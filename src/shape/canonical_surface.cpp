@@ -41,7 +41,7 @@ public:
     std::vector<Corners> triangles;
     while (!divide_faces(triangles))
       triangles.clear();
-    return sorted_mesh(triangles);
+    return sorted_mesh(mesh_.points(), triangles, place_);
   }
 
 private:
@@ -279,41 +279,6 @@ private:
     std::sort(kept.begin(), kept.end());
     kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
     std::set_difference(kept.begin(), kept.end(), on_border.begin(), on_border.end(), std::back_inserter(result));
-    return result;
-  }
-
-  /// The triangles, each once, and their vertices, sorted by their places.
-  Part_mesh sorted_mesh(const std::vector<Corners>& triangles) const
-  {
-    std::vector<int> number(place_.size(), -1), order;
-    for (const Corners& c : triangles)
-      for (int v : c)
-        if (std::exchange(number[std::size_t(v)], 0) < 0) order.push_back(v);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return is_before(a, b); });
-    Part_mesh result;
-    result.points.resize(3, Eigen::Index(order.size()));
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      number[std::size_t(order[i])] = int(i);
-      result.points.col(Eigen::Index(i)) = point(order[i]);
-    }
-    std::vector<std::tuple<double, Corners, Corners>> keyed; // place of the centre, sorted corners, corners
-    for (Corners c : triangles) {
-      for (int& v : c)
-        v = number[std::size_t(v)];
-      std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-      const Corners sorted{c[0], std::min(c[1], c[2]), std::max(c[1], c[2])};
-      double sum = 0;
-      for (int v : sorted)
-        sum += place_[std::size_t(order[std::size_t(v)])];
-      keyed.emplace_back(sum, sorted, c);
-    }
-    std::sort(keyed.begin(), keyed.end());
-    const auto is_same = [](const auto& a, const auto& b) { return std::get<1>(a) == std::get<1>(b); };
-    keyed.erase(std::unique(keyed.begin(), keyed.end(), is_same), keyed.end());
-    result.triangles.resize(3, Eigen::Index(keyed.size()));
-    Eigen::Index t = 0;
-    for (const auto& [sum, sorted, c] : keyed)
-      result.triangles.col(t++) << c[0], c[1], c[2];
     return result;
   }
 

@@ -31,14 +31,14 @@ namespace {
 /// The mesh with its vertices and triangles in an order that does not depend on the file.
 Part_mesh in_order(const Part_mesh& mesh)
 {
-  const Flat_faces sorted(mesh, 0);
+  const Sorted_triangles sorted(mesh);
   Part_mesh result;
-  result.points.resize(3, Eigen::Index(sorted.points().size()));
-  result.triangles.resize(3, Eigen::Index(sorted.triangles().size()));
-  for (std::size_t v = 0; v < sorted.points().size(); ++v)
-    result.points.col(Eigen::Index(v)) = sorted.points()[v];
-  for (std::size_t t = 0; t < sorted.triangles().size(); ++t)
-    result.triangles.col(Eigen::Index(t)) = Eigen::Vector3i(sorted.triangles()[t].data());
+  result.points.resize(3, Eigen::Index(sorted.points.size()));
+  result.triangles.resize(3, Eigen::Index(sorted.triangles.size()));
+  for (std::size_t v = 0; v < sorted.points.size(); ++v)
+    result.points.col(Eigen::Index(v)) = sorted.points[v];
+  for (std::size_t t = 0; t < sorted.triangles.size(); ++t)
+    result.triangles.col(Eigen::Index(t)) = Eigen::Vector3i(sorted.triangles[t].data());
   return result;
 }
 
