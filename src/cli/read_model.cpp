@@ -59,7 +59,7 @@ auto answer_to(const std::string& question, const Common_options& options, const
 std::string content_of(const std::shared_ptr<const Role_model>& roles)
 {
   static std::mutex mutex;
-  static std::pair<std::shared_ptr<const Role_model>, std::string> last; // mostly the only one
+  static std::pair<std::shared_ptr<const Role_model>, std::string> last; // most runs use one model
   const std::lock_guard<std::mutex> lock(mutex);
   if (roles && last.first != roles) {
     std::ostringstream text;

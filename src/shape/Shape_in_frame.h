@@ -21,7 +21,8 @@ struct Shape_in_frame
   Shape_frame frame;
 };
 
-/// The frame of points sampled on a surface by area, and its vertices, which have its exact extents.
+/// The frame of a surface. \param surface points sampled by area, for its symmetry \param vertices for its exact
+/// extents
 Shape_frame frame_of_samples(const Points& surface, const Points& vertices, const Point& up);
 
 /// The frame of a shape of canonical surfaces, from fewer samples.

@@ -251,7 +251,7 @@ private:
   std::optional<Join> join_of(std::size_t i, std::size_t begin, std::size_t end)
   {
     const bool is_small = pieces_[i].size < options_.small_size * size_;
-    constexpr double rounding = 1e-9; // distances that are infinite from their limit on
+    constexpr double rounding = 1e-9; // relative; a distance equal to its limit would be reported as infinite
     const double lying_limit = (1 + rounding) * options_.layer_distance * size_;
     std::optional<Join> best;
     for (std::size_t other = begin; other < end; ++other) {

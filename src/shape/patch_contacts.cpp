@@ -25,7 +25,8 @@ namespace {
 constexpr double concave_height = 1e-6; // least height of a triangle's middle over its neighbour's plane
 constexpr int all_samples = 8000;       // number of points on all patches
 constexpr int fewest_samples = 12;      // number of points on a patch
-// A patch may reach out of the box of another by this margin to lie in it; such a pair counts as this far apart.
+// Margin by which a patch may reach out of the box of another and still count as inside; the gap that is assumed for
+// such a pair.
 constexpr double box_margin = 0.01, gap_in_box = 0.03;
 constexpr std::size_t most_in_box = 20;            // patches that are paired with one that holds them
 constexpr std::size_t most_patches_in_boxes = 150; // if there are more, none are looked for in boxes

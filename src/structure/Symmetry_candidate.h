@@ -246,7 +246,8 @@ private:
   /// Finds the mirror planes. Of two planes with equal support, the one across the length is the main one.
   void find_planes()
   {
-    constexpr double clearly = 0.01; // least difference of supports or relative extents that decides
+    constexpr double clearly =
+        0.01; // least difference between the supports of two planes, or between relative extents, that decides
     const std::optional<double> at_origin = 0.0, anywhere;
     std::array<Supported_plane, 3> found;
     for (Basic_map map : {MIRRORED_X, MIRRORED_Z})

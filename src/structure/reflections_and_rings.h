@@ -189,7 +189,8 @@ constexpr auto full_turn = double(2 * EIGEN_PI);
 constexpr double uneven_angle = 0.15; ///< deviation of an angle between neighbours from the mean angle, over the mean
 constexpr double star_core = 0.4;     ///< largest ratio of inner and outer radius of a star's members
 constexpr double horizontal_limit = 0.1; ///< largest vertical component of an axis that counts as horizontal
-/// Fewer members about a horizontal axis must be a star: a frame is no ring.
+/// Number of members from which on parts around a horizontal axis count as a ring. Fewer do only if they form a star:
+/// the four sides of a picture frame are no ring.
 constexpr std::size_t least_horizontal_ring = 5;
 
 struct Axis

@@ -284,7 +284,7 @@ Points Json_field::points() const
     const nlohmann::json& value = (*value_)[i];
     result.col(Eigen::Index(i)) =
         is_point(value) ? Point(value[0].get<double>(), value[1].get<double>(), value[2].get<double>())
-                        : element(i).point(); // reports the place of the error, whose text takes time to make
+                        : element(i).point(); // slower, since it keeps the place in the document for the error
   }
   return result;
 }
