@@ -146,8 +146,8 @@ TEST_CASE("If a library fails, commands end with a result or with an error that 
       {"blend", a, b, "-o", folder.path("solid.obj"), "--at", "0.5", "--solid"},
       {"transfer", a, b, "-o", folder.path("transfer.ply"), "--labels", a},
       {"collection", folder.path("set"), "--skip-bad"}};
-  for (const char* call : {"repair", "flow", "convex hull", "components", "segments", "polygon", "simplification",
-                           "section", "flat face", "wrap of a blend", "reading"}) {
+  for (const char* call : {"repair", "flow", "convex hull", "components", "segments", "simplification", "section",
+                           "flat face", "wrap of a blend", "reading"}) {
     const Failing_calls failing(call);
     for (const std::vector<std::string>& words : commands) {
       CAPTURE(call, words[0]);

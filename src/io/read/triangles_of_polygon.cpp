@@ -1,19 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/library_call.h"
 #include "io/read/model_parts.h"
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "shape/divide_polygon.h"
 
 #include <Eigen/Geometry>
 
 #include <numeric>
-#include <optional>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -24,50 +17,18 @@ constexpr double straight = 1e-12;
 // Number of corners up to which ears are clipped, which takes cubic time in the worst case.
 constexpr std::size_t most_corners = 1000;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-using Face = CGAL::Triangulation_face_base_with_info_2<std::optional<bool>, Kernel,
-                                                       CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
-                                               CGAL::No_constraint_intersection_tag>;
-
-/// Marks faces inside of the polygon: crossing a side toggles between inside and outside.
-void mark_inside(Triangulation& triangulation)
-{
-  std::vector<Triangulation::Face_handle> faces{triangulation.infinite_face()};
-  faces[0]->info() = false;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int i = 0; i < 3; ++i) {
-      const Triangulation::Face_handle next = faces[f]->neighbor(i);
-      if (next->info()) continue;
-      next->info() = *faces[f]->info() != faces[f]->is_constrained(i);
-      faces.push_back(next);
-    }
-}
-
-/// Triangulates a polygon projected along `normal`, O(n log n) for n corners; none if the projection touches itself.
-/// CGAL throws if it crosses itself.
+/// Triangulates a polygon projected along `normal`, O(n log n) for n corners; none if the projection touches or crosses
+/// itself.
 std::vector<std::size_t> triangles_in_plane(const std::vector<Point>& polygon, const Point& normal)
 {
-  const Point x = normal.unitOrthogonal(), y = normal.cross(x);
-  std::vector<std::pair<Kernel::Point_2, std::size_t>> corners;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    corners.emplace_back(Kernel::Point_2(x.dot(polygon[i]), y.dot(polygon[i])), i);
-  Triangulation triangulation;
-  triangulation.insert(corners.begin(), corners.end()); // in spatial order
+  const int n = int(polygon.size());
+  std::vector<internal::Link> border;
+  for (int i = 0; i < n; ++i)
+    border.push_back({i, (i + 1) % n});
   std::vector<std::size_t> result;
-  if (triangulation.number_of_vertices() != polygon.size()) return result;
-  std::vector<Triangulation::Vertex_handle> vertices(polygon.size());
-  for (const auto vertex : triangulation.finite_vertex_handles())
-    vertices[vertex->info()] = vertex;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    triangulation.insert_constraint(vertices[i], vertices[(i + 1) % polygon.size()]);
-  mark_inside(triangulation);
-  for (const auto face : triangulation.finite_face_handles())
-    if (*face->info())
-      for (int i = 0; i < 3; ++i)
-        result.push_back(face->vertex(i)->info());
+  for (const internal::Corners& triangle :
+       internal::divide_polygon(polygon, border, {}, normal, Eigen::Matrix3d::Identity()))
+    result.insert(result.end(), triangle.begin(), triangle.end());
   return result;
 }
 
@@ -136,10 +97,7 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
   const Point normal = area.normalized();
   const bool is_fan = polygon.size() < 4 || is_convex(polygon, normal, straight * area.norm());
   if (polygon.size() > most_corners) {
-    const auto none = [] { return std::vector<std::size_t>(); };
-    if (!is_fan)
-      result = internal::library_call(
-          "polygon", [&] { return triangles_in_plane(polygon, normal); }, none);
+    if (!is_fan) result = triangles_in_plane(polygon, normal);
     // Self-intersecting polygons get an arbitrary triangulation
     if (result.empty()) add_halves(0, polygon.size() - 1, result);
     return result;
