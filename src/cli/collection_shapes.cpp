@@ -104,7 +104,8 @@ std::string store_graph(const std::string& folder, const Common_options& options
   graph = Structural_graph();
   const std::string file = graph_file(folder, content);
   if (stored_text(folder, content)) return content;
-  if (fs::exists(file)) warn(options, file + ": it is damaged; it is made again");
+  std::error_code error;
+  if (fs::exists(file, error)) warn(options, file + ": it is damaged; it is made again");
   IO::write_entry(file, [&](std::ostream& out) { out << text; });
   return content;
 }

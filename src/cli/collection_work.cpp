@@ -135,7 +135,8 @@ std::string Row_store::find(const std::string& name) const
 
 bool Row_store::is_damaged(const std::string& name) const
 {
-  return !folder_.empty() && std::filesystem::exists(path(name)) && find(name).empty();
+  std::error_code error;
+  return !folder_.empty() && std::filesystem::exists(path(name), error) && find(name).empty();
 }
 
 void Row_store::insert(const std::string& name, const std::string& bytes)

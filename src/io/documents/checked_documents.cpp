@@ -134,7 +134,8 @@ std::string Structural_graph_cache::path(const std::string& content) const
 
 bool Structural_graph_cache::is_damaged(const std::string& content) const
 {
-  return std::filesystem::exists(path(content)) && !find(content);
+  std::error_code error;
+  return std::filesystem::exists(path(content), error) && !find(content);
 }
 
 std::optional<Structural_graph> Structural_graph_cache::find(const std::string& content) const
