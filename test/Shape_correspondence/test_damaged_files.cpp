@@ -236,7 +236,7 @@ TEST_CASE(
   CHECK_THAT(complaint_of("exit 3"), Contains("2 GB of memory"));
   CHECK_THAT(complaint_of("exit 1"), Contains("makes its reader crash"));
   CHECK_THAT(complaint_of("echo hello"), Contains("another version"));
-  const std::string begin = "printf 'shape_correspondence import 4\\n";
+  const std::string begin = "printf 'shape_correspondence import 5\\n";
   CHECK_THAT(complaint_of(begin + "e%s is refused' \"$2\""), Contains(model + ": inside is refused"));
   CHECK_THAT(complaint_of(begin + "c12345678'"), Contains("damaged"));
   // No other file is open, nothing can be read, and standard error is discarded
