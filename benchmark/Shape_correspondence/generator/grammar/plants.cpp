@@ -61,7 +61,7 @@ void draw_plant(Sketch& s)
     return s.add_several("leaf", ring(s.turned({radius * .2, height, 0}, {radius * s.in(.2, 1), height + tall, 0},
                                                length * .1, length * .4),
                                       s.count(1, 5)));
-  const int count = s.chance(.3) ? s.count(15, 40) : s.count(3, 14);
+  const int count = s.count(3, 14);
   Solids leaves;
   const Solid one = leaf(s, length, length * s.in(.1, .6), s.in(-.2, .8));
   for (int i = 0; i < count; ++i) {
