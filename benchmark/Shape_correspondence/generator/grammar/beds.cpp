@@ -136,22 +136,14 @@ void add_rails_of(Sketch& s, const Bed& at)
     if (low > 0 && s.chance(.4)) s.add("base", s.block({0, low / 2, 0}, {1.6 * at.x, low, 1.6 * at.z}), "plinth");
     return;
   }
-  if (s.chance(.12)) // a fence of bars, as of a cot
-    return s.add_several(
-        "side_rail",
-        [&] {
-          Solids bars;
-          const double high = std::min(at.head, at.frame + .4);
-          for (const Solid& one :
-               row(s.stick({at.x - at.wood / 2, at.frame - at.rail, 0}, {at.x - at.wood / 2, high, 0}, at.wood * .5),
-                   {0, 0, -.95 * at.z}, {0, 0, .95 * at.z}, s.count(5, 14)))
-            bars.push_back(one), bars.push_back(mirrored(one));
-          for (const double height : {at.frame - at.rail, high})
-            for (const double x : {at.x - at.wood / 2, -at.x + at.wood / 2})
-              bars.push_back(s.stick({x, height, -at.z}, {x, height, at.z}, at.wood));
-          return bars;
-        }(),
-        "", Place::none, .5);
+  if (s.chance(.12)) { // a fence of bars, as of a cot
+    const double x = at.x - at.wood / 2, low = at.frame - at.rail, high = std::min(at.head, at.frame + .4);
+    Solids bars =
+        row(s.stick({x, low, 0}, {x, high, 0}, at.wood * .5), {0, 0, -.95 * at.z}, {0, 0, .95 * at.z}, s.count(5, 14));
+    for (const double height : {low, high})
+      bars.push_back(s.stick({x, height, -at.z}, {x, height, at.z}, at.wood));
+    return s.add_pair("side_rail", joined(bars));
+  }
   s.add_pair("side_rail", s.block({at.x - at.wood / 2, y, 0}, {at.wood, at.rail, 2 * at.z}));
   if (s.chance(.3)) {
     const int count = s.count(5, 14);

@@ -83,7 +83,7 @@ void add_arms(Sketch& s, const Sofa& at, double low, double front, double rear)
   default:
     arm = {s.block({x, low + height / 2, z}, {at.arm, height, depth})};
   }
-  if (s.chance(.6)) arm = {joined(arm)};
+  if (s.chance(.75)) arm = {joined(arm)};
   for (const Solid& one : arm)
     s.add_pair("armrest", one);
   if (s.chance(.06)) s.add_pair("cushion", s.cushion({at.x - .06, at.seat + .1, z}, {.12, .2, depth * s.in(.4, .8)}));
