@@ -39,8 +39,9 @@ all pairs, and *error* is the mean difference of the confidence and the share th
 This table has the categories, with all shapes of their sources left out:
 
 {kinds}
-The error in the row *mean* is that of all pairs, where too high confidences of one category balance too low ones of another. The mean of the errors of the categories is {errors}. How strongly the
-confidences of a category are drawn to those of all categories was chosen on these pairs: drawn less, they had the errors .071 and .107.
+The error in the row *mean* is that of all pairs. There, confidences of one category that are too high balance those of another that are too low. The mean of the errors of the
+categories is {errors}. How strongly the confidences of a category are drawn to those of all categories was chosen on these pairs. When they were drawn less, the two errors
+were .071 and .107.
 
 This table has F1 by the number of generated shapes in the training:
 
@@ -273,7 +274,8 @@ def main():
                        few=of_means(results, "A few labelled shapes of a category that is not known", "examples"),
                        errors=errors(results),
                        turned=further(results, "Shapes turned about the up axis", "shapes",
-                                      "If shapes face other sides, F1 depends on `--front` ([Roles](Roles.md)). `quarters` are turned by a multiple of 90°, `any` by any angle"),
+                                      "In this table, shapes face +z, or each is turned by a multiple of 90° (`quarters`) or by any angle (`any`). F1 depends on\n"
+                                      "`--front` ([Roles](Roles.md#how-roles-find-the-front)), whose default is `likely`. The gain is over geometry with the same `--front`"),
                        energy=further(results, "Roles in the energy", "weight of roles",
                                       "Exact search can use roles in the energy (`--role-weight`). All shapes of the sources of a pair were left out of the training"),
                        confidence=confidence(results),
