@@ -52,7 +52,7 @@ Until November 2026 this page said .815 and .798. Both were too high: the traini
 and for the first figure also shapes of the same pack and artist.
 
 So roles help for the categories that they were learned from, but not for others. For other categories, you can add some labelled shapes (`--examples`; here, with the category
-given). Eight raise F1, the gain of five is within the margin of error, and one lowers F1. *labels* is the share of parts that get their right label from another
+given). Three or more raise F1, and one does not. The last row is for a known category that is given (`--category`). *labels* is the share of parts that get their right label from another
 shape by `collection --labels-from`:
 
 {few}
