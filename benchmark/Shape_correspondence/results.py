@@ -48,6 +48,7 @@ ROLES_NOTE = ("The category is not given. Real shapes alone are matched. Beside 
               "`front`, `sure front`: with the category given, how often the true front is among those that roles leave possible, and how often it is the only one; `labels`, `with\n"
               "roles`: share of the parts of the second shape that get their label from the first one, by geometry and with roles. Intervals: bootstrap over shapes, of the F1 with\n"
               "roles and of the paired gain over geometry.")
+CATEGORY_NOTE = "Columns, weights and intervals are as above. There are no confidences: those of a category that is not known are not fitted to its pairs."
 FEW_NOTE = ("F1 of pairs for which the training has only this number of shapes of the category, drawn for every pair without its two shapes, as with\n"
             "`match --examples`; none of them is generated. The category is given. The weights of the terms are those of the other categories with as few\n"
             "examples. `labels`: share of the parts of one shape that get their label from the other one (`collection --labels-from`); even a\n"
@@ -182,7 +183,7 @@ def roles_rows(first, title, evaluations):
 def roles_sections(args, generated, out):
     for left_out, title in ROLES:
         text, _ = roles_evaluation(args, generated, left_out, ["--leave-out", left_out], out)
-        note = ROLES_NOTE if left_out == ROLES[0][0] else "Columns, weights and intervals are as above."
+        note = ROLES_NOTE if left_out == ROLES[0][0] else CATEGORY_NOTE
         table = "\n".join("    " + line.rstrip() for line in text.splitlines())
         yield (f"## Matching with roles, {title}\n\n`validate_roles LABELLED... --generated training "
                f"--leave-out {left_out}`\n\n{note}\n\n{table}\n")

@@ -83,7 +83,7 @@ TEST_CASE("Pairs of shapes that the training did not see")
 
 TEST_CASE("Shapes that are turned by any angle are matched as those that face the front")
 {
-  const std::vector<Validation_shape> shapes = validation_shapes(examples());
+  std::vector<Validation_shape> shapes = validation_shapes(examples());
   std::vector<Shape_pair> chairs;
   for (const Shape_pair& pair : pairs_of_category(examples(), shapes.size()))
     if (shapes[pair[0]].labelled.category == "chair") chairs.push_back(pair);
@@ -91,6 +91,15 @@ TEST_CASE("Shapes that are turned by any angle are matched as those that face th
   options.turns = Validation_turns::ANY;
   options.fronts = Validation_fronts::AUTO;
   SECTION("of which any front is as likely") {}
+  SECTION("beside a generated one")
+  {
+    const std::size_t generated = chairs.back()[1];
+    shapes[generated].labelled.is_generated = true;
+    chairs.erase(std::remove_if(chairs.begin(), chairs.end(),
+                                [&](const Shape_pair& pair) { return pair[0] == generated || pair[1] == generated; }),
+                 chairs.end());
+    REQUIRE(!chairs.empty());
+  }
   SECTION("by multiples of 90°, of which the given front is the likeliest")
   {
     options.turns = Validation_turns::QUARTERS;

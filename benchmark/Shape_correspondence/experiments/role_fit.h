@@ -40,8 +40,8 @@ constexpr double slight_penalty = 1e-4; // for large weights, where every catego
 // For weights of a category that are not those of the others: as strong as one shape. Set by cross-validation, where it
 // is flat.
 constexpr double category_penalty = 1;
-// The same of the offset of confidences: what share of a category's pairs is right differs more than how it grows.
-constexpr double offset_penalty = 0.25;
+// The same for confidences, as strong as sixteen shapes: those of a category are mostly of a few sources, which differ.
+constexpr double confidence_penalty = 16;
 
 // Pairs of parts of two shapes, and which are right.
 template <int term_count>
@@ -86,8 +86,6 @@ Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<t
   }
   return (weights / pair_weight_unit).array().round().matrix() * pair_weight_unit;
 }
-
-inline Confidence_weights confidence_penalties() { return {category_penalty, offset_penalty}; }
 
 inline Pair_terms role_terms_of_all(const Role_votes& source, const Role_votes& target)
 {
@@ -315,9 +313,10 @@ inline Role_fit::Role_fit(const std::vector<Unseen_pair>& pairs, const std::vect
   for_each_key([&](const Key& key, Match_weights& result) {
     const Confidence_weights usual = fitted_without(key, confidences_),
                              geometric_usual = fitted_without(key, geometric_confidences_);
-    result.confidence = fitted_of(key, &Unseen_pair::category, confidences_, usual, confidence_penalties());
+    const Confidence_weights penalties = Confidence_weights::Constant(confidence_penalty);
+    result.confidence = fitted_of(key, &Unseen_pair::category, confidences_, usual, penalties);
     result.geometric_confidence =
-        fitted_of(key, &Unseen_pair::nearest, geometric_confidences_, geometric_usual, confidence_penalties());
+        fitted_of(key, &Unseen_pair::nearest, geometric_confidences_, geometric_usual, penalties);
   });
 }
 

@@ -142,15 +142,14 @@ public:
         for (int turn = int(turned_[shape].size()); turn < 4; ++turn)
           turned_[shape].push_back(role_evidence(*labelled_[shape].graph, turn));
     }
-    unseen_ = predicted(options_, true);
-    if (options.examples) {
-      fitted_to_ = unseen_;
-    } else {
+    if (!options.examples) {
       Validation_options of_fit;
       of_fit.left_out = options.left_out == Left_out::SHAPES ? Left_out::SHAPES : Left_out::SOURCES;
       of_fit.with_generated = false;
       fitted_to_ = predicted(of_fit, false);
     }
+    unseen_ = predicted(options_, true); // the last one: what it learns, `match_turned()` uses
+    if (options.examples) fitted_to_ = unseen_;
     match({});
   }
 

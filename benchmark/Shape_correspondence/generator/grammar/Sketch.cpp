@@ -89,6 +89,12 @@ Solid Sketch::turned(const Point& from, const Point& to, double least_radius, do
   return transformed(post(profile), stand_on(from, to));
 }
 
+void Sketch::turn_quarter()
+{
+  for (Part& part : shape_.parts)
+    part.solid = mapped(part.solid, [](const Point& p) { return Point(p.z(), p.y(), -p.x()); });
+}
+
 Assembly Sketch::finished(const std::string& name) const
 {
   Assembly result = shape_;

@@ -68,6 +68,9 @@ public:
 
   bool is_square() const { return is_square_; }
 
+  /// All that was drawn, turned so that +z comes to +x.
+  void turn_quarter();
+
   /// The shape, with fine labels where they tell parts of a role apart.
   Assembly finished(const std::string& name) const;
 

@@ -49,7 +49,12 @@ void add_wheel(Sketch& s, const Point& hub, double radius, const std::string& na
   } else if (s.chance(.5)) {
     all = {beam(hub - Point(tyre, 0, 0), hub + Point(tyre, 0, 0), round_section(radius, 20), 2)};
   }
-  if (x == 0)
+  if (x == 0 && s.chance(.12)) { // a tyre, a rim and a hub
+    s.add("wheel", joined(all), name);
+    s.add("wheel", torus(hub, Point::UnitX(), radius - 2.2 * tyre, round_section(tyre * .5, 6), 24), name + "_rim");
+    if (s.chance(.6))
+      s.add("wheel", beam(hub - Point(.05, 0, 0), hub + Point(.05, 0, 0), round_section(.02, 8), 1), name + "_hub");
+  } else if (x == 0)
     s.add("wheel", joined(all), name);
   else
     s.add_pair("wheel", translated(joined(all), {x, 0, 0}), name, Place::none);
@@ -66,6 +71,17 @@ void add_frame(Sketch& s, const Cycle& at)
   const Solids tubes{
       s.stick(at.head_low, at.head, t * 1.2), s.stick(at.head, top, t), s.stick(at.head_low, at.crank, t),
       s.stick(at.crank, at.seat, t),          stay(at.crank, .04),      stay(at.seat, .04)};
+  if (s.chance(.12)) { // one beam in place of triangles
+    const Solid beam_of_frame =
+        s.rod({at.head_low, between(at.head_low, at.crank, .6), at.crank, at.rear}, t * s.in(1.2, 2.5));
+    return s.add("frame",
+                 joined({beam_of_frame, s.stick(at.crank, at.seat, t), s.stick(at.head_low, at.head, t * 1.2)}),
+                 "frame");
+  }
+  if (s.chance(.2)) { // the front triangle, and the rear one
+    s.add("frame", joined({tubes[0], tubes[1], tubes[2], tubes[3]}), "frame");
+    return s.add("frame", joined({tubes[4], tubes[5]}), "frame_rear");
+  }
   if (s.chance(.5)) return s.add("frame", joined(tubes), s.chance(.4) ? "frame" : "");
   const std::string names[] = {"head_tube", "top_tube", "down_tube", "seat_tube", "chain_stays", "seat_stays"};
   for (std::size_t i = 0; i < tubes.size(); ++i)
@@ -82,9 +98,15 @@ void add_steering(Sketch& s, const Cycle& at)
           ? s.stick(at.head_low + x, at.front + x, t * .8)
           : s.rod({at.head_low + x, between(at.head_low, at.front, .6) + x + Point(0, 0, -.02), at.front + x}, t * .8);
   const Point grip(width, top.y() + s.in(-.08, .15), top.z() - s.in(-.1, .3));
-  const Solid bars = s.rod({Point(-grip.x(), grip.y(), grip.z()), Point(-width * .6, top.y() + .02, top.z() + .03), top,
-                            Point(width * .6, top.y() + .02, top.z() + .03), grip},
-                           t * .8);
+  const bool is_dropped = s.chance(.2); // as of a racing cycle
+  const Point low_grip = grip + Point(0, -.12, -.1), bend = grip + Point(0, -.04, .08);
+  const Solid bars =
+      is_dropped ? s.rod({Point(-low_grip.x(), low_grip.y(), low_grip.z()), Point(-bend.x(), bend.y(), bend.z()),
+                          Point(-grip.x(), grip.y(), grip.z()), top, grip, bend, low_grip},
+                         t * .8)
+                 : s.rod({Point(-grip.x(), grip.y(), grip.z()), Point(-width * .6, top.y() + .02, top.z() + .03), top,
+                          Point(width * .6, top.y() + .02, top.z() + .03), grip},
+                         t * .8);
   const Solid stem = s.stick(at.head, top, t * .9);
   const int kind = s.count(0, 4);
   if (kind == 0) return s.add("handlebar", joined({bars, stem, blade, mirrored(blade)}), "handlebar_and_fork");
@@ -101,7 +123,15 @@ void add_steering(Sketch& s, const Cycle& at)
 
 void add_saddle(Sketch& s, const Cycle& at)
 {
-  s.add("saddle", s.cushion(at.saddle, {s.in(.12, .25), s.in(.04, .1), s.in(.2, .32)}), "saddle");
+  const double width = s.in(.12, .28), length = s.in(.2, .4);
+  s.add("saddle",
+        mapped(s.cushion(at.saddle, {width, s.in(.04, .1), length}),
+               [&, narrow = s.in(0, .8)](const Point& p) { // towards the front
+                 const double t = std::clamp((p.z() - at.saddle.z()) / length + .5, 0., 1.);
+                 return Point(p.x() * (1 - narrow * t), p.y(), p.z());
+               }),
+        "saddle");
+  if (s.chance(.06)) s.add("saddle", s.cushion(at.saddle + Point(0, .2, -.2), {width, .3, .06}), "backrest");
   if (s.chance(.65)) s.add("saddle", s.stick(at.seat, at.saddle, at.tube * .8), "seat_post");
 }
 
@@ -147,8 +177,24 @@ void add_fittings(Sketch& s, const Cycle& at)
 {
   if (s.chance(.35)) s.add("fender", fender(at.rear, at.rear_wheel * 1.07, 1, 2.9), "fender_rear");
   if (s.chance(.3)) s.add("fender", fender(at.front, at.front_wheel * 1.07, .9, 2.4), "fender_front");
-  if (s.chance(.25)) s.add("rack", s.block(at.rear + Point(0, at.rear_wheel * 1.15, -.02), {.15, .03, .35}), "rack");
-  if (s.chance(.2)) s.add("basket", s.block(at.head + Point(0, .05, .2), {.32, .22, .25}), "basket");
+  const Point on_rear = at.rear + Point(0, at.rear_wheel * 1.15, -.02);
+  if (s.chance(.3)) {
+    Solids all{s.block(on_rear, {.15, .03, .35})};
+    if (s.chance(.6))
+      for (const double x : {-.07, .07})
+        all.push_back(s.stick(at.rear + Point(x, 0, 0), on_rear + Point(x, 0, 0), .012));
+    s.add_several("rack", all, "rack", Place::none, .7);
+  }
+  if (s.chance(.22)) {
+    const double width = s.in(.25, .4), height = s.in(.15, .3), depth = s.in(.2, .35);
+    const Point middle = s.chance(.75) ? at.head + Point(0, .05, .1 + depth / 2) : on_rear + Point(0, height / 2, 0);
+    Solids sides{s.block(middle - Point(0, height / 2, 0), {width, .01, depth})};
+    for (const double side : {-.5, .5}) {
+      sides.push_back(s.block(middle + Point(side * width, 0, 0), {.01, height, depth}));
+      sides.push_back(s.block(middle + Point(0, 0, side * depth), {width, height, .01}));
+    }
+    s.add("basket", s.chance(.5) ? joined(sides) : s.block(middle, {width, height, depth}), "basket");
+  }
   if (s.chance(.25)) s.add("light", s.block(at.head + Point(0, 0, .08), {.06, .06, .08}), "light_front");
   if (s.chance(.15)) s.add("brake", s.block(at.head_low + Point(0, -.02, .03), {.06, .06, .03}), "brake_front");
 }
@@ -178,11 +224,13 @@ void draw_velocipede(Sketch& s)
 {
   const Cycle at = cycle_proportions(s);
   if (s.chance(.12)) return draw_scooter(s, at);
-  const bool is_tricycle = s.chance(.15);
+  const bool is_tricycle = s.chance(.15), is_led_by_two = !is_tricycle && s.chance(.06);
   add_frame(s, at);
   add_steering(s, at);
   add_saddle(s, at);
-  add_wheel(s, at.front, at.front_wheel, "wheel_front");
+  add_wheel(s, at.front, at.front_wheel, "wheel_front", is_led_by_two ? s.in(.15, .35) : 0);
+  if (!is_tricycle && s.chance(.05)) // of a child that learns
+    add_wheel(s, {0, at.rear_wheel * .4, at.rear.z()}, at.rear_wheel * .4, "wheel_training", s.in(.1, .2));
   add_wheel(s, at.rear, at.rear_wheel, "wheel_rear", is_tricycle ? s.in(.15, .35) : 0);
   if (s.chance(.85)) add_drive(s, at, is_tricycle && s.chance(.5) ? at.front : at.crank);
   add_fittings(s, at);

@@ -12,17 +12,17 @@ namespace generator {
 
 namespace {
 
-// A hollow shade about the y axis, wider at `low` than at `high` or the reverse; open at one end or both.
-Solid shade(Sketch& s, double low, double high, double low_radius, double high_radius)
+// A hollow shade about the y axis, closed above, open below: a cone, a drum, a dome, a bell; at times with four sides.
+Solid hood(Sketch& s, double low, double high, double low_radius, double high_radius)
 {
-  const double wall = std::max(low_radius, high_radius) * .03, bulge = s.chance(.4) ? s.in(0, .6) : 0;
+  const double wall = std::max(low_radius, high_radius) * .03, power = s.chance(.5) ? 1 : s.in(.3, 2.2);
   Profile outer, inner;
-  constexpr int steps = 5;
+  constexpr int steps = 6;
   for (int i = 0; i <= steps; ++i) {
-    const double t = double(i) / steps, r = low_radius + t * (high_radius - low_radius) +
-                                            bulge * std::sin(pi * t) * std::abs(low_radius - high_radius) / 2;
-    outer.push_back({std::max(r, 2 * wall), low + t * (high - low)});
-    inner.push_back({std::max(r, 2 * wall) - wall, low + t * (high - low) - (i == steps ? 2 * wall : 0)});
+    const double t = double(i) / steps,
+                 r = std::max(high_radius + std::pow(1 - t, power) * (low_radius - high_radius), 2 * wall);
+    outer.push_back({r, low + t * (high - low)});
+    inner.push_back({r - wall, low + t * (high - low) - (i == steps ? 2 * wall : 0)});
   }
   Profile all{{0, inner.back().y()}};
   all.insert(all.end(), inner.rbegin(), inner.rend());
@@ -33,35 +33,70 @@ Solid shade(Sketch& s, double low, double high, double low_radius, double high_r
 
 Solid globe(const Point& middle, double radius) { return Sketch::block(middle, Point::Constant(2 * radius), 1); }
 
-// Any shade, with its bulb inside or below; it hangs from or stands on `at`.
+// Any shade, with its bulb inside or below; it hangs from or stands on the origin.
 struct Light
 {
   Solids shades, bulbs, sockets;
 };
 
+// One shade from the origin up to a height; the caller turns it over where it hangs.
+Solids drawn_shades(Sketch& s, double size, double height, bool opens_up)
+{
+  const double wide = size * s.in(.8, 1.3), narrow = wide * s.in(.1, 1);
+  const Point middle(0, height / 2, 0);
+  switch (s.count(0, 11)) {
+  case 0:
+    return {globe({0, size, 0}, size)};
+  case 1:
+    return {Sketch::block(middle, {2 * wide, height, 2 * wide}, s.in(.3, 1))};
+  case 2:
+    return {s.block(middle, {2 * wide, height, 2 * wide * s.in(.5, 1)})};
+  case 3: { // long, as of tubes and screens
+    const double thickness = size * s.in(.1, .5);
+    return {s.block({0, thickness / 2, 0}, {size * s.in(2, 5), thickness, size * s.in(.3, 1)})};
+  }
+  case 4: { // rings or plates above each other
+    const int count = s.count(1, 4);
+    const Solid one = s.chance(.4) ? torus({0, 0, 0}, Point::UnitY(), wide, round_section(size * s.in(.04, .15), 8), 24)
+                                   : Sketch::block({0, 0, 0}, {2 * wide, size * .15, 2 * wide}, .5);
+    return row(one, {0, size * .1, 0}, {0, height, 0}, count);
+  }
+  case 5: // within another
+    return {hood(s, 0, height, wide, narrow), Sketch::block(middle, {wide, height * .6, wide}, s.in(.3, 1))};
+  case 6: // a tube of glass or metal
+    return {s.turned({0, 0, 0}, {0, height, 0}, size * .3, size * s.in(.4, .9))};
+  default:
+    return {opens_up ? translated(mirrored(hood(s, 0, height, wide, narrow), 1), {0, height, 0})
+                     : hood(s, 0, height, wide, narrow)};
+  }
+}
+
 Light drawn_light(Sketch& s, double size, bool hangs, bool has_bulb, bool has_socket)
 {
   Light result;
-  const double height = size * s.in(.7, 2), wide = size * s.in(.8, 1.3), narrow = wide * s.in(.15, .9);
-  switch (s.count(0, 4)) {
-  case 0:
-    result.shades = {globe({0, hangs ? -size : size, 0}, size)};
-    break;
-  case 1:
-    result.shades = {s.block({0, hangs ? -height / 2 : height / 2, 0}, {2 * wide, height, 2 * wide})};
-    break;
-  default:
-    result.shades = {hangs ? shade(s, -height, 0, wide, narrow) : shade(s, 0, height, wide, narrow)};
-  }
-  const double radius = size * s.in(.15, .4), y = (hangs ? -1 : 1) * height * s.in(.3, .8);
+  const double height = size * s.in(.5, 2.2), sign = hangs ? -1 : 1;
+  const bool is_bare = has_bulb && s.chance(.15), opens_down = hangs ? s.chance(.85) : s.chance(.7);
+  if (!is_bare)
+    for (const Solid& one : drawn_shades(s, size, height, opens_down == hangs))
+      result.shades.push_back(hangs ? mirrored(one, 1) : one);
+  const double radius = size * s.in(.15, .4), y = sign * height * s.in(.3, .8);
   if (has_bulb)
     result.bulbs = {s.chance(.6) ? globe({0, y, 0}, radius)
                                  : s.turned({0, y - radius, 0}, {0, y + radius, 0}, radius * .3, radius)};
-  if (has_socket) result.sockets = {s.stick({0, hangs ? 0 : -height * .1, 0}, {0, y * .6, 0}, radius)};
+  if (has_socket || is_bare) result.sockets = {s.stick({0, hangs ? 0 : -height * .1, 0}, {0, y * .6, 0}, radius)};
   return result;
 }
 
-// \param joins_all one part for several lights
+// A candle, or a bulb like one, without a shade.
+Light drawn_candle(Sketch& s, double size)
+{
+  const double height = size * s.in(.8, 2.5), radius = size * s.in(.12, .3);
+  Light result{{}, {s.turned({0, height, 0}, {0, height + size * s.in(.4, .9), 0}, radius * .3, radius * 1.2)}, {}};
+  result.sockets = {s.stick({0, 0, 0}, {0, height, 0}, 2 * radius)};
+  if (s.chance(.5)) result.sockets.push_back(s.turned({0, -size * .1, 0}, {0, size * .1, 0}, radius, radius * 3));
+  return result;
+}
+
 void add_light(Sketch& s, const Light& light, const std::vector<Eigen::Isometry3d>& places, double chance_of_one = .05)
 {
   const auto placed = [&](const Solids& solids) {
@@ -71,7 +106,7 @@ void add_light(Sketch& s, const Light& light, const std::vector<Eigen::Isometry3
         result.push_back(transformed(one, place));
     return result;
   };
-  s.add_several("shade", placed(light.shades), "", Place::none, chance_of_one);
+  if (!light.shades.empty()) s.add_several("shade", placed(light.shades), "", Place::none, chance_of_one);
   if (!light.bulbs.empty()) s.add_several("bulb", placed(light.bulbs), "", Place::none, chance_of_one);
   if (!light.sockets.empty()) s.add_several("body", placed(light.sockets), "bulb_socket", Place::none, chance_of_one);
 }
@@ -81,38 +116,103 @@ Eigen::Isometry3d moved(const Point& to) { return Eigen::Isometry3d(Eigen::Trans
 // What a lamp stands on; \return its height.
 double add_foot(Sketch& s, double radius)
 {
-  const double height = radius * s.in(.08, .6);
-  if (s.chance(.2)) {
-    const Point out(0, 0, radius * 1.3), knee(0, radius * s.in(1, 4), 0);
-    s.add_several(s.chance(.5) ? "base" : "body", ring(s.stick(out, knee, radius * .12), 3), "", Place::none, .4);
+  const double height = radius * s.in(.06, .7);
+  switch (s.count(0, 9)) {
+  case 0: { // three or four feet
+    const Point out(0, 0, radius * 1.3), knee(0, radius * s.in(.3, 4), 0);
+    s.add_several(s.chance(.6) ? "base" : "body", ring(s.stick(out, knee, radius * .12), s.count(3, 4)), "",
+                  Place::none, .4);
     return knee.y();
   }
-  const Solid foot = s.chance(.5)
-                         ? s.turned({0, 0, 0}, {0, height, 0}, radius * .5, radius)
-                         : Sketch::block({0, height / 2, 0}, {2 * radius, height, 2 * radius}, s.any({.07, .3, 1.}));
-  s.add("base", foot);
-  return height;
+  case 1: // plates on each other
+    s.add_several("base", {s.turned({0, 0, 0}, {0, height / 2, 0}, radius * .7, radius),
+                           s.turned({0, height / 2, 0}, {0, height, 0}, radius * .2, radius * .7)});
+    return height;
+  case 2: { // on small feet
+    const double low = radius * s.in(.08, .3);
+    s.add("base", Sketch::block({0, low + height / 2, 0}, {2 * radius, height, 2 * radius}, s.any({.07, .3})));
+    s.add_several("base", ring(globe({0, low / 2, radius * .7}, low / 2), s.count(3, 4)), "foot", Place::none, .6);
+    return low + height;
+  }
+  case 3:
+  case 4:
+    s.add("base", s.block({0, height / 2, 0}, {2 * radius, height, 2 * radius * s.in(.5, 1)}));
+    return height;
+  case 5: // a clamp at a board
+    s.add("base",
+          joined({s.block({0, 0, 0}, {radius, radius * .2, radius}),
+                  s.block({0, radius, 0}, {radius, radius * .2, radius}),
+                  s.block({0, radius / 2, -radius / 2}, {radius, radius * 1.2, radius * .2})}),
+          "clamp");
+    return radius;
+  default:
+    s.add("base", s.chance(.5)
+                      ? s.turned({0, 0, 0}, {0, height, 0}, radius * .5, radius)
+                      : Sketch::block({0, height / 2, 0}, {2 * radius, height, 2 * radius}, s.any({.07, .3, 1.})));
+    return height;
+  }
+}
+
+// Beads, knobs and rings on a post or vase.
+void add_ornaments(Sketch& s, double low, double high, double radius)
+{
+  for (int i = s.count(1, 3); i > 0; --i) {
+    const Point at(0, s.in(low, high), 0);
+    s.add(s.chance(.5) ? "body" : "ornament",
+          s.chance(.5) ? globe(at, radius * s.in(1, 2))
+                       : torus(at, Point::UnitY(), radius * 1.2, round_section(radius * .4, 6), 16));
+  }
+}
+
+// A post in one piece, or in several that follow each other.
+void add_post(Sketch& s, double low, double high, double width, const std::string& fine)
+{
+  if (!s.chance(.25))
+    return s.add("body",
+                 s.chance(.25) ? s.turned({0, low, 0}, {0, high, 0}, width * .4, width * 1.2)
+                               : s.stick({0, low, 0}, {0, high, 0}, width),
+                 fine);
+  const int count = s.count(2, 4);
+  for (int i = 0; i < count; ++i) {
+    const double step = (high - low) / count, y = low + i * step, w = width * s.in(.6, 1.4);
+    s.add("body",
+          s.chance(.4) ? s.turned({0, y, 0}, {0, y + step, 0}, w * .3, w) : s.stick({0, y, 0}, {0, y + step, 0}, w));
+  }
+}
+
+// Three long legs, a joint, a shade on top.
+void draw_tripod_lamp(Sketch& s)
+{
+  const double height = s.in(.4, 1.6), reach = height * s.in(.15, .4), width = height * s.in(.015, .04),
+               size = height * s.in(.1, .25);
+  s.add_several(s.chance(.5) ? "base" : "body", ring(s.stick({0, 0, reach}, {0, height, width}, width), s.count(3, 4)),
+                "leg", Place::none, .3);
+  if (s.chance(.6)) s.add("body", globe({0, height, 0}, width * s.in(1, 2.5)), "joint");
+  if (s.chance(.25)) s.add("base", s.block({0, height * s.in(.2, .5), 0}, {reach, width, reach}), "tray");
+  add_light(s, drawn_light(s, size, false, s.chance(.4), s.chance(.4)), {moved({0, height, 0})});
 }
 
 // Standing: a foot, a post or a vase, a shade above.
 void draw_standing_lamp(Sketch& s)
 {
-  const double height = s.in(.25, 1.8), size = s.in(.08, .28) * (height > 1 ? 1 : .8), radius = s.in(.08, .22);
-  const bool is_vase = height < .8 && s.chance(.5);
-  const double low = is_vase && s.chance(.5) ? 0 : add_foot(s, radius);
-  const double width = s.in(.01, .05);
-  const Solid body = is_vase        ? s.turned({0, low, 0}, {0, height, 0}, .02, radius)
-                     : s.chance(.2) ? s.turned({0, low, 0}, {0, height, 0}, width * .4, width * 1.2)
-                                    : s.stick({0, low, 0}, {0, height, 0}, width);
-  if (!is_vase && s.chance(.2)) {
-    const int count = s.count(2, 4);
-    for (const Solid& one : row(s.stick({0, low, 0}, {0, low + (height - low) / count, 0}, width), Point::Zero(),
-                                {0, (height - low) * (count - 1) / count, 0}, count))
-      s.add("body", one);
-  } else {
-    s.add("body", body, s.any({"", "", "post", is_vase ? "vase" : ""}));
+  const double height = s.in(.2, 1.9), size = height * (height > 1 ? s.in(.07, .2) : s.in(.15, .5)),
+               radius = height * (height > 1 ? s.in(.06, .16) : s.in(.12, .4));
+  const bool is_vase = height < .8 && s.chance(.6);
+  const double low = is_vase && s.chance(.5) ? 0 : add_foot(s, radius), width = height * s.in(.012, .07);
+  if (!is_vase)
+    add_post(s, low, height, width, s.any({"", "", "post"}));
+  else if (s.chance(.3))
+    s.add("body",
+          Sketch::block({0, (low + height) / 2, 0}, {1.5 * radius, height - low, 1.5 * radius * s.in(.6, 1)},
+                        s.in(.05, 1)),
+          s.any({"", "vase"}));
+  else
+    s.add("body", s.turned({0, low, 0}, {0, height, 0}, .1 * radius, radius), s.any({"", "", "vase"}));
+  if (s.chance(.15)) add_ornaments(s, low, height, is_vase ? radius * .5 : width * .7);
+  if (is_vase && s.chance(.4)) { // a neck between vase and shade
+    s.add("body", s.stick({0, height, 0}, {0, height + size * .4, 0}, width), s.any({"", "bulb_socket"}));
   }
-  if (s.chance(.2)) { // arms with a light each
+  if (s.chance(.15)) { // arms with a light each
     const int count = s.count(2, 6);
     const double reach = s.in(.1, .4), rise = s.in(-.05, .2);
     s.add_several(
@@ -122,15 +222,43 @@ void draw_standing_lamp(Sketch& s)
     for (int i = 0; i < count; ++i)
       places.push_back(rotation_about(Point::Zero(), Point::UnitY(), 2 * pi * i / count) *
                        moved({0, height + rise, reach}));
-    return add_light(s, drawn_light(s, size * .6, s.chance(.5), s.chance(.4), s.chance(.4)), places);
+    return add_light(s,
+                     s.chance(.3) ? drawn_candle(s, size * .5)
+                                  : drawn_light(s, size * .6, s.chance(.5), s.chance(.4), s.chance(.4)),
+                     places);
   }
   if (s.chance(.15))
     s.add_several("arm", ring(s.stick({0, height, 0}, {0, height + size * .3, size * .7}, width * .3), 3),
                   "shade_support", Place::none, .6);
   const double gap = s.in(-.5, .3) * size;
-  add_light(s, drawn_light(s, size, false, s.chance(.45), s.chance(.3)), {moved({0, height + gap, 0})});
-  if (s.chance(.08))
+  add_light(s, drawn_light(s, size, false, s.chance(.45), s.chance(.35)), {moved({0, height + gap, 0})});
+  if (s.chance(.1)) s.add("ornament", globe({0, height + gap + size * s.in(1, 2), 0}, size * .1), "finial");
+  if (s.chance(.12))
     s.add("chain", s.stick({size * .4, height + gap - .1, 0}, {size * .4, height + gap + .05, 0}, .006));
+}
+
+// A post with one or two arms high above: in a street, over a table, of a banker.
+void draw_hooked_lamp(Sketch& s)
+{
+  const double height = s.in(.3, 2.5), reach = height * s.in(.08, .5), width = height * s.in(.015, .05),
+               size = height * s.in(.05, .18);
+  const double low = add_foot(s, height * s.in(.06, .22)), top = height * s.in(.85, 1.1);
+  const bool is_pair = s.chance(.25), is_whole = s.chance(.25);
+  const Path hook{{0, height, 0}, {0, std::max(top, height) + reach * s.in(0, .3), reach * .5}, {0, top, reach}};
+  const Solid arm = s.chance(.6) ? s.rod(hook, width * .8) : s.stick(hook[0], hook[2], width * .8);
+  if (is_whole) {
+    const Solid post = s.stick({0, low, 0}, {0, height, 0}, width);
+    s.add("body", is_pair ? joined({post, arm, mirrored(arm, 2)}) : joined({post, arm}));
+  } else {
+    add_post(s, low, height, width, s.any({"", "post"}));
+    s.add("arm", arm);
+    if (is_pair) s.add("arm", mirrored(arm, 2));
+  }
+  std::vector<Eigen::Isometry3d> places{moved({0, top, reach}) *
+                                        rotation_about(Point::Zero(), Point::UnitX(), s.in(-.5, .2))};
+  if (is_pair) places.push_back(moved({0, top, -reach}));
+  add_light(s, drawn_light(s, size, s.chance(.85), s.chance(.45), s.chance(.3)), places);
+  if (is_pair || s.chance(.4)) s.turn_quarter();
 }
 
 // On a desk or a floor: a foot, arms with joints or a bow, a shade that looks down.
@@ -161,6 +289,26 @@ void draw_reaching_lamp(Sketch& s)
   }
   const Light light = drawn_light(s, size, true, s.chance(.5), s.chance(.25));
   add_light(s, light, {moved(end) * rotation_about(Point::Zero(), Point::UnitX(), s.in(-.9, .3))});
+  if (s.chance(.35)) s.turn_quarter();
+}
+
+// A heavy foot, a bow, a shade that hangs from its end.
+void draw_arc_lamp(Sketch& s)
+{
+  const double height = s.in(.5, 2.1), reach = height * s.in(.3, .9), width = height * s.in(.012, .03),
+               low = add_foot(s, height * s.in(.08, .18));
+  const double end = height * s.in(.5, .95), straight = s.chance(.5) ? s.in(.2, .6) * height : low;
+  const Path bow{{0, straight, 0},
+                 {0, between({0, straight, 0}, {0, height, 0}, .6).y(), reach * s.in(.02, .15)},
+                 {0, height, reach * .5},
+                 {0, end, reach}};
+  if (straight > low) s.add("body", s.stick({0, low, 0}, {0, straight, 0}, width * 1.3), s.any({"", "post"}));
+  s.add(straight > low || s.chance(.5) ? "arm" : "body", s.rod(bow, width));
+  const double drop = s.chance(.3) ? s.in(.05, .2) * height : 0;
+  if (drop > 0) s.add("chain", s.stick({0, end - drop, reach}, {0, end, reach}, width * .4));
+  add_light(s, drawn_light(s, height * s.in(.07, .18), true, s.chance(.5), s.chance(.3)),
+            {moved({0, end - drop, reach})});
+  if (s.chance(.5)) s.turn_quarter();
 }
 
 // A plate at a ceiling, y = 0; \return its height.
@@ -229,9 +377,13 @@ void draw_chandelier(Sketch& s)
   for (int i = 0; i < count; ++i)
     places.push_back(rotation_about(Point::Zero(), Point::UnitY(), 2 * pi * i / count) *
                      moved({0, root + rise, reach}));
-  add_light(s, drawn_light(s, s.in(.05, .14), hangs, s.chance(.6), s.chance(.4)), places, .1);
+  add_light(s,
+            s.chance(.35) ? drawn_candle(s, s.in(.05, .12))
+                          : drawn_light(s, s.in(.05, .14), hangs, s.chance(.6), s.chance(.4)),
+            places, .1);
   if (s.chance(.2))
     s.add_several("ornament", ring(globe({0, root - .05, reach * .5}, .02), count), "", Place::none, .2);
+  if (s.chance(.25)) s.add("ornament", globe({0, y - body - width, 0}, width * s.in(.8, 2)));
 }
 
 // On a wall: a plate behind, an arm to the front, a light; or spots along a track below a ceiling.
@@ -264,6 +416,62 @@ void draw_wall_lamp(Sketch& s)
   add_light(s, drawn_light(s, size, hangs, s.chance(.6), s.chance(.4)), places);
 }
 
+// Flat below a ceiling: a plate, a bowl or box, or tubes.
+void draw_ceiling_lamp(Sketch& s)
+{
+  const double radius = s.in(.12, .4), low = add_ceiling_mount(s, radius * s.in(.4, 1.1));
+  if (s.chance(.35)) {
+    const int count = s.count(1, 3);
+    const Solid one = beam({-radius * 1.5, -low - .03, 0}, {radius * 1.5, -low - .03, 0}, round_section(.02, 8), 2);
+    s.add_several("bulb", row(one, {0, 0, -.05 * (count - 1)}, {0, 0, .05 * (count - 1)}, count), "tube");
+    if (s.chance(.5)) s.add("shade", s.block({0, -low - .03, 0}, {3.2 * radius, .07, .12 * count}));
+    return;
+  }
+  add_light(s, drawn_light(s, radius, true, s.chance(.4), s.chance(.2)), {moved({0, -low, 0})});
+  if (s.chance(.25)) s.add("ornament", globe({0, -low - radius * s.in(.8, 1.8), 0}, radius * .08));
+}
+
+// A drum that turns in a bow: a spotlight, on a foot, a tripod or below a bar.
+void draw_spotlight(Sketch& s)
+{
+  const double size = s.in(.06, .16), length = size * s.in(1.2, 3), y = s.chance(.5) ? s.in(.6, 1.6) : s.in(.12, .3),
+               x = size * 1.15;
+  const double low = add_foot(s, s.in(.06, .2));
+  if (y > low + .1 + size) add_post(s, low, y - size, size * s.in(.15, .4), s.any({"", "post"}));
+  if (s.chance(.7)) {
+    Path bow{{-x, y, 0}, {-x, y - 1.1 * size, 0}, {x, y - 1.1 * size, 0}, {x, y, 0}};
+    s.add("arm", tube(bent(bow, size * .3), bar(size * .12, size * .3)), s.chance(.3) ? "bracket" : "");
+  }
+  const Eigen::Isometry3d aim = rotation_about({0, y, 0}, Point::UnitX(), s.in(-.6, .5));
+  const Point back(0, y, -length / 2), front(0, y, length / 2);
+  s.add("shade", transformed(s.chance(.5) ? s.turned(back, front, size * .5, size)
+                                          : beam(back, front, round_section(size * s.in(.5, 1), size, 12), 2),
+                             aim));
+  if (s.chance(.5))
+    s.add("bulb", transformed(beam(front, front + Point(0, 0, .01), round_section(size * .8, 12), 1), aim));
+}
+
+// A tank, a burner, a chimney of glass, at times with a handle and a shade.
+void draw_oil_lamp(Sketch& s)
+{
+  const double radius = s.in(.06, .14), tank = radius * s.in(.6, 2), neck = radius * s.in(.2, .5);
+  const double low = s.chance(.6) ? add_foot(s, radius * s.in(.8, 1.2)) : 0, burner = low + tank + neck,
+               top = burner + radius * s.in(1.5, 3.5);
+  s.add(s.chance(.7) ? "body" : "base", s.turned({0, low, 0}, {0, low + tank, 0}, radius * .4, radius), "tank");
+  s.add("body", s.turned({0, low + tank, 0}, {0, burner, 0}, radius * .3, radius * .6), s.any({"", "bulb_socket"}));
+  s.add("shade", s.turned({0, burner, 0}, {0, top, 0}, radius * .3, radius * .8));
+  if (s.chance(.4)) s.add("bulb", globe({0, burner + radius * .5, 0}, radius * .2));
+  if (s.chance(.5))
+    s.add("arm",
+          s.rod({{radius * .6, low, 0},
+                 {radius * 1.6, low + tank, 0},
+                 {0, top + radius, 0},
+                 {-radius * 1.6, low + tank, 0},
+                 {-radius * .6, low, 0}},
+                radius * .06),
+          "handle");
+}
+
 // A cage or panes between a floor and a roof, with a light inside; it stands, hangs, or is on a post or a wall.
 void draw_lantern(Sketch& s)
 {
@@ -285,7 +493,8 @@ void draw_lantern(Sketch& s)
   if (s.chance(.5)) s.add_several("body", cage, "cage", Place::none, .7);
   if (s.chance(.6))
     s.add("shade", s.block({0, y + height / 2, 0}, {1.7 * width, height - 2 * bar, 1.7 * width}), "pane");
-  s.add("shade", shade(s, y + height, y + height * 1.3, width * 1.2, width * .2), "roof");
+  const Solid roof = hood(s, y + height, y + height * 1.3, width * 1.2, width * .2);
+  s.add(s.chance(.6) ? "shade" : "body", roof, "roof");
   if (s.chance(.7)) s.add("bulb", globe({0, y + height * .4, 0}, width * s.in(.2, .5)));
   const Point top(0, y + height * 1.3, 0);
   if (kind == 2) {
@@ -306,8 +515,10 @@ void draw_lantern(Sketch& s)
 void draw_lamp(Sketch& s)
 {
   using Draw_lamp = void (*)(Sketch&);
-  s.any<Draw_lamp>({draw_standing_lamp, draw_standing_lamp, draw_reaching_lamp, draw_pendant, draw_chandelier,
-                    draw_wall_lamp, draw_lantern})(s);
+  s.any<Draw_lamp>({draw_standing_lamp, draw_standing_lamp, draw_standing_lamp, draw_tripod_lamp, draw_hooked_lamp,
+                    draw_reaching_lamp, draw_reaching_lamp, draw_arc_lamp, draw_pendant, draw_pendant, draw_chandelier,
+                    draw_chandelier, draw_wall_lamp, draw_wall_lamp, draw_ceiling_lamp, draw_spotlight, draw_oil_lamp,
+                    draw_lantern, draw_lantern})(s);
 }
 
 } // namespace generator

@@ -36,7 +36,10 @@ void add_pot(Sketch& s, double radius, double height)
   default:
     s.add("pot", s.stick({0, 0, 0}, {0, height, 0}, 1.4 * radius, 2 * radius));
   }
-  if (s.chance(.85)) s.add("soil", Sketch::block({0, height, 0}, {1.7 * radius, height * .08, 1.7 * radius}, .5));
+  if (s.chance(.15)) s.add("pot", Sketch::block({0, .01, 0}, {2.4 * radius, .03, 2.4 * radius}, .5), "saucer");
+  if (s.chance(.15))
+    s.add("pot", torus({0, height, 0}, Point::UnitY(), radius, round_section(radius * .12, 6), 16), "rim");
+  if (s.chance(.75)) s.add("soil", Sketch::block({0, height, 0}, {1.7 * radius, height * .08, 1.7 * radius}, .5));
 }
 
 } // namespace
@@ -54,6 +57,10 @@ void draw_plant(Sketch& s)
   if (s.chance(.2)) // a crown
     return s.add_several("leaf", row(Sketch::block({0, top, 0}, {length * 2, length * 1.5, length * 2}, s.in(.5, 1)),
                                      Point::Zero(), {0, length * s.in(0, 2), 0}, s.count(1, 3)));
+  if (s.chance(.12)) // a cactus or a ball of shoots
+    return s.add_several("leaf", ring(s.turned({radius * .2, height, 0}, {radius * s.in(.2, 1), height + tall, 0},
+                                               length * .1, length * .4),
+                                      s.count(1, 5)));
   const int count = s.count(3, 14);
   Solids leaves;
   const Solid one = leaf(s, length, length * s.in(.1, .6), s.in(-.2, .8));

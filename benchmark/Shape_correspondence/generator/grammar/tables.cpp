@@ -23,10 +23,10 @@ struct Table
 Table table_proportions(Sketch& s)
 {
   Table at;
-  at.x = s.in(.25, 1.1);
-  at.z = s.chance(.3) ? at.x : at.x * s.in(.35, 1);
-  at.high = s.chance(.35) ? s.in(.28, .55) : s.in(.6, 1);
-  at.low = at.high - s.in(.015, .07);
+  at.x = s.in(.2, 1.2);
+  at.z = s.chance(.3) ? at.x : at.x * s.in(.3, 1);
+  at.high = s.chance(.35) ? s.in(.25, .55) : s.in(.55, 1.1);
+  at.low = at.high - (s.chance(.85) ? s.in(.012, .07) : s.in(.07, .15));
   return at;
 }
 
@@ -106,6 +106,38 @@ void add_cabinet(Sketch& s, const Table& at, double side, double width, bool is_
                {width - 2 * board, .92 * step, deep}, count == 1 ? "door" : "drawer", has_handles);
 }
 
+// One block, or boards of one thickness around: a cube, a bridge, a C.
+void add_box(Sketch& s, const Table& at)
+{
+  if (s.chance(.35))
+    return s.add("leg", s.block({0, at.low / 2, 0}, {2 * at.x * s.in(.4, 1), at.low, 2 * at.z * s.in(.4, 1)}),
+                 s.any({"", "pedestal"}));
+  const double thickness = s.in(.015, .08), x = at.x - thickness / 2;
+  const Solid side = s.block({x, at.low / 2, 0}, {thickness, at.low, 2 * at.z});
+  if (s.chance(.3)) {
+    s.add("leg", side, "", Place::side);
+    return s.add(s.chance(.5) ? "leg" : "shelf",
+                 s.block({0, thickness / 2, 0}, {2 * at.x - 2 * thickness, thickness, 2 * at.z}), "bottom");
+  }
+  s.add_pair("leg", side, s.chance(.4) ? "side_panel" : "");
+  if (s.chance(.5))
+    s.add("shelf", s.block({0, at.low * s.in(.05, .6), 0}, {2 * (at.x - thickness), thickness, 2 * at.z}),
+          s.any({"", "lower_shelf"}));
+  if (s.chance(.4))
+    s.add("panel", s.block({0, at.low / 2, -at.z + thickness / 2}, {2 * (at.x - thickness), at.low, thickness}),
+          "back_panel");
+}
+
+// Three legs, or bars that cross in the middle.
+void add_spread_legs(Sketch& s, const Table& at)
+{
+  const double reach = std::min(at.x, at.z) * s.in(.5, 1), width = reach * s.in(.05, .15), top = s.in(-.8, 1) * reach;
+  s.add_several("leg", ring(s.stick({0, 0, reach}, {0, at.low, top}, width), s.count(3, 4)), "", Place::none, .2);
+  if (s.chance(.3))
+    s.add("stretcher",
+          torus({0, at.low * s.in(.2, .8), 0}, Point::UnitY(), reach * .6, round_section(width * .4, 6), 24));
+}
+
 void add_desk(Sketch& s, const Table& at)
 {
   const double width = at.x * s.in(.35, .6);
@@ -149,7 +181,13 @@ void draw_table(Sketch& s)
   add_top(s, at, is_round);
   if (is_desk) return add_desk(s, at);
   const Carried under{at.x * (is_round ? .72 : 1), at.z * (is_round ? .72 : 1), at.low};
-  switch (s.count(0, 8)) {
+  switch (s.count(0, 10)) {
+  case 9:
+    add_box(s, at);
+    break;
+  case 10:
+    add_spread_legs(s, {under.half_width, under.half_depth, at.low, at.high});
+    break;
   case 0:
   case 1:
     add_column(s, under);
@@ -162,10 +200,8 @@ void draw_table(Sketch& s)
     break;
   default:
     add_legs(s, under);
-    if (s.chance(.35))
-      add_rails(s, under, "apron");
-    else if (!is_round && s.chance(.25))
-      add_drawers_under_top(s, at);
+    if (s.chance(.4)) add_rails(s, under, "apron");
+    if (!is_round && s.chance(.25)) add_drawers_under_top(s, at);
     if (s.chance(.25)) add_shelves(s, at);
   }
 }
