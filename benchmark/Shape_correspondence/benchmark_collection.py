@@ -7,8 +7,8 @@
 
 Every run must write the same bytes. Kills: a run is killed (SIGKILL) at random moments and started again until it ends; no finished
 row may be done again, so that a kill costs at most the rows that were being done. Ranks need PROGRAM_mpi, built with MPI, beside it;
-rank kills: one of them is killed, and all are started again. Prints seconds on the wall and of CPU. Ends with exit status 1 if a run
-differs.
+they share the processors. Rank kills: one of them is killed, and all are started again. Prints seconds on the wall and of CPU. Ends
+with exit status 1 if a run differs.
 """
 import argparse
 import os
@@ -69,7 +69,7 @@ class Runs:
 
     def on_ranks(self, n, store):
         mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(n)]
-        return mpirun + self.command("--store", store, "--threads", "1", program="_mpi")
+        return mpirun + self.command("--store", store, program="_mpi")
 
     def kill_rank(self, n, moment):
         store = os.path.join(self.scratch, f"rank_killed{n}_{moment:.2f}")
