@@ -38,26 +38,27 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
 
 /// The charts in which a pair may morph: along each axis of the boxes, along the curves of both parts, and along their
 /// own axes.
-std::vector<Pair_charts> likely_charts(const Blend_stage& stage, const Piece_pair& pair, const Part_mesh& source,
-                                       const Part_mesh& target)
+std::vector<std::vector<Pair_charts>> likely_charts(const Blend_stage& stage, const Piece_pair& pair,
+                                                    const Part_mesh& source, const Part_mesh& target)
 {
   constexpr double any = 10; // ratio of volumes of boxes; by this one, own axes are always taken
   const auto& [from, to] = stage.charted;
   const std::array<Eigen::Matrix3d, 2> own = {from.charts[pair.source].axes(), to.charts[pair.target].axes()};
-  std::vector<Pair_charts> result;
+  std::vector<std::vector<Pair_charts>> result;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(), next;
   next << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   const auto add_axes = [&](const Pair_charts& boxes) {
+    result.emplace_back();
     for (int axis = 0; axis < 3; ++axis, turn *= next)
-      result.push_back({Part_chart::box(source.points, boxes.source.axes() * turn),
-                        Part_chart::box(target.points, boxes.target.axes() * turn)});
+      result.back().push_back({Part_chart::box(source.points, boxes.source.axes() * turn),
+                               Part_chart::box(target.points, boxes.target.axes() * turn)});
   };
   const Pair_charts boxes = pair_boxes({&source.points, &target.points}, own),
                     own_boxes = pair_boxes({&source.points, &target.points}, own, any);
   add_axes(boxes);
   const bool are_curves = !from.charts[pair.source].is_sheet() && !to.charts[pair.target].is_sheet();
   if (are_curves && pair_kind(pair, from, to) == Pair_kind::SAME)
-    result.push_back(pair_charts(pair, from, to, source.points, target.points));
+    result.push_back({pair_charts(pair, from, to, source.points, target.points)});
   const auto are_same = [](const Part_chart& a, const Part_chart& b) {
     return (a.axes().transpose() * b.axes()).cwiseAbs().isIdentity(1e-6);
   };
