@@ -41,19 +41,6 @@ Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes,
 
 double angle_of(const Eigen::Matrix3d& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.)); }
 
-/// Charts with the longest axis of the boxes as the first one.
-Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& axes)
-{
-  const Point sum = extents_along(*surfaces[0], axes[0]) + extents_along(*surfaces[1], axes[1]);
-  std::array<int, 3> order = {0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return quantized(sum[a]) > quantized(sum[b]); });
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i)
-    turn(order[std::size_t(i)], i) = 1;
-  if (turn.determinant() < 0) turn.col(2) *= -1;
-  return {Part_chart::box(*surfaces[0], axes[0] * turn), Part_chart::box(*surfaces[1], axes[1] * turn)};
-}
-
 /// Marks the cells of a grid that a triangle covers, by samples.
 void mark_covered(const std::array<Eigen::Vector2d, 3>& corners, int cells, std::vector<char>& marks)
 {
@@ -108,7 +95,7 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
     const std::tuple<Steps, Steps> cost(quantized(angle_of(turned * from.transpose())), quantized(difference.norm()));
     if (cost < least) least = cost, best = turned;
   }
-  return charts_along(surfaces, {from, best});
+  return {Part_chart::box(*surfaces[0], from), Part_chart::box(*surfaces[1], best)};
 }
 
 Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends)

@@ -16,8 +16,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Straight charts of the boxes of two surfaces, along the longest axis. A box has the axes of the world unless a
-/// part's own axes make it much smaller; axes are paired by the least rotation over the symmetries of boxes.
+/// Straight charts of the boxes of two surfaces. A box has the axes of the world unless a part's own axes make it much
+/// smaller; axes are paired by the least rotation over the symmetries of boxes.
 /// \param own_axes rotations to the axes of the surfaces
 /// \param much ratio of volumes below which a box is much smaller
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
@@ -77,7 +77,7 @@ private:
 };
 
 /// The morph of least effort in one of several pairs of charts; null if none is faithful.
-/// \param charts groups of charts, of which each has straight charts that differ by their first axis, or one pair of bent ones
+/// \param charts groups of straight ones, which differ by their first axis, or of one pair that may be bent
 std::shared_ptr<const Part_morph> best_morph(const std::vector<std::vector<Pair_charts>>& charts,
                                              const Part_mesh& source, const Part_mesh& target);
 
