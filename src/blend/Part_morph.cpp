@@ -188,7 +188,7 @@ void Part_morph::add(std::size_t end, const Part_mesh& mesh)
     if (round == most_rounds || fine.number_of_triangles() > most_triangles) break;
     const auto is_bent = [&](int a, int b) {
       const Point middle = (all[std::size_t(a)][2] + all[std::size_t(b)][2]) / 2;
-      return (moved((fine.point(a) + fine.point(b)) / 2)[2] - middle).norm() > most;
+      return quantized((moved((fine.point(a) + fine.point(b)) / 2)[2] - middle).norm()) > quantized(most);
     };
     if (!fine.split_edges([&](int a, int b) { return is_bent(a, b) ? 0.5 : -1; })) break;
   }

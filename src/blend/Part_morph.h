@@ -52,7 +52,7 @@ public:
   double strain() const { return strain_; }
   /// How far the morph is from one that keeps its shape and loses nothing.
   double effort() const { return misfit_ + 0.15 * strain_; }
-  /// Whether the effort is small, and both ends look alike.
+  /// Whether the effort is small, and both surfaces cover about as much when one replaces the other.
   bool is_faithful() const;
   /// Lets the surfaces meet half-way between each other at the change.
   void meet();
