@@ -129,6 +129,18 @@ Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& par
   return result;
 }
 
+/// Adds all pairs of the symmetry groups of a torn pair, since like parts change alike.
+void add_symmetric(const Blend_stage& stage, const Part_pairs& given, Part_pairs& torn)
+{
+  const std::array groups = {group_of_parts(stage.graphs[0]), group_of_parts(stage.graphs[1])};
+  const auto groups_of = [&](const auto& pair) { return std::pair(groups[0][pair.first], groups[1][pair.second]); };
+  const auto have_torn_groups = [&, torn](const auto& pair) {
+    return std::any_of(torn.begin(), torn.end(),
+                       [&](const auto& other) { return groups_of(other) == groups_of(pair); });
+  };
+  std::copy_if(given.begin(), given.end(), std::back_inserter(torn), have_torn_groups);
+}
+
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
                                       Unlike_pairs& unlike)
 {
@@ -152,6 +164,7 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
     if (!is_torn) torn = detached(stage, result);
     if (torn.empty()) return result;
     stage.add_mirrored(torn);
+    add_symmetric(stage, given, torn);
     if (!is_torn) unlike.detached.insert(torn.begin(), torn.end());
     unlike.torn.insert(torn.begin(), torn.end()); // like_pairs() then drops all other pairs of their parts
   }
