@@ -30,7 +30,7 @@ class BlendTask(Record):
     end: float  #: time at which it ends
     source: Optional[str] = None  #: the source part, if there is one
     target: Optional[str] = None  #: the target part, if there is one
-    #: why the part does not become its counterpart: no outline describes both (``"torn"``), or the two are too ``"unlike"``
+    #: why the part does not become its counterpart: its surface is too different (``"torn"``), or the two are too ``"unlike"``
     obstacle: Optional[str] = None
 
 

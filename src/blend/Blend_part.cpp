@@ -38,26 +38,27 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
 
 /// The charts in which a pair may morph: along each axis of the boxes, along the curves of both parts, and along their
 /// own axes.
-std::vector<Pair_charts> likely_charts(const Blend_stage& stage, const Piece_pair& pair, const Part_mesh& source,
-                                       const Part_mesh& target)
+std::vector<std::vector<Pair_charts>> likely_charts(const Blend_stage& stage, const Piece_pair& pair,
+                                                    const Part_mesh& source, const Part_mesh& target)
 {
   constexpr double any = 10; // ratio of volumes of boxes; by this one, own axes are always taken
   const auto& [from, to] = stage.charted;
   const std::array<Eigen::Matrix3d, 2> own = {from.charts[pair.source].axes(), to.charts[pair.target].axes()};
-  std::vector<Pair_charts> result;
+  std::vector<std::vector<Pair_charts>> result;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(), next;
   next << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   const auto add_axes = [&](const Pair_charts& boxes) {
+    result.emplace_back();
     for (int axis = 0; axis < 3; ++axis, turn *= next)
-      result.push_back({Part_chart::box(source.points, boxes.source.axes() * turn),
-                        Part_chart::box(target.points, boxes.target.axes() * turn)});
+      result.back().push_back({Part_chart::box(source.points, boxes.source.axes() * turn),
+                               Part_chart::box(target.points, boxes.target.axes() * turn)});
   };
   const Pair_charts boxes = pair_boxes({&source.points, &target.points}, own),
                     own_boxes = pair_boxes({&source.points, &target.points}, own, any);
   add_axes(boxes);
   const bool are_curves = !from.charts[pair.source].is_sheet() && !to.charts[pair.target].is_sheet();
   if (are_curves && pair_kind(pair, from, to) == Pair_kind::SAME)
-    result.push_back(pair_charts(pair, from, to, source.points, target.points));
+    result.push_back({pair_charts(pair, from, to, source.points, target.points)});
   const auto are_same = [](const Part_chart& a, const Part_chart& b) {
     return (a.axes().transpose() * b.axes()).cwiseAbs().isIdentity(1e-6);
   };
@@ -128,6 +129,18 @@ Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& par
   return result;
 }
 
+/// Adds all pairs of the symmetry groups of a torn pair, since like parts change alike.
+void add_symmetric(const Blend_stage& stage, const Part_pairs& given, Part_pairs& torn)
+{
+  const std::array groups = {group_of_parts(stage.graphs[0]), group_of_parts(stage.graphs[1])};
+  const auto groups_of = [&](const auto& pair) { return std::pair(groups[0][pair.first], groups[1][pair.second]); };
+  const auto have_torn_groups = [&, torn](const auto& pair) {
+    return std::any_of(torn.begin(), torn.end(),
+                       [&](const auto& other) { return groups_of(other) == groups_of(pair); });
+  };
+  std::copy_if(given.begin(), given.end(), std::back_inserter(torn), have_torn_groups);
+}
+
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,
                                       Unlike_pairs& unlike)
 {
@@ -151,6 +164,7 @@ std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspond
     if (!is_torn) torn = detached(stage, result);
     if (torn.empty()) return result;
     stage.add_mirrored(torn);
+    add_symmetric(stage, given, torn);
     if (!is_torn) unlike.detached.insert(torn.begin(), torn.end());
     unlike.torn.insert(torn.begin(), torn.end()); // like_pairs() then drops all other pairs of their parts
   }

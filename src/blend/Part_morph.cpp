@@ -5,8 +5,10 @@
 
 #include "base/clamped.h"
 #include "base/quantized.h"
-#include "map/Charted_mesh.h"
+#include "map/Subdivision.h"
+#include "shape/sample_triangles.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -40,71 +42,6 @@ Eigen::Matrix3d box_axes(const Points& surface, const Eigen::Matrix3d& own_axes,
 
 double angle_of(const Eigen::Matrix3d& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1., 1.)); }
 
-/// Charts with the longest axis of the boxes as the first one.
-Pair_charts charts_along(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& axes)
-{
-  const Point sum = extents_along(*surfaces[0], axes[0]) + extents_along(*surfaces[1], axes[1]);
-  std::array<int, 3> order = {0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return quantized(sum[a]) > quantized(sum[b]); });
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i)
-    turn(order[std::size_t(i)], i) = 1;
-  if (turn.determinant() < 0) turn.col(2) *= -1;
-  return {Part_chart::box(*surfaces[0], axes[0] * turn), Part_chart::box(*surfaces[1], axes[1] * turn)};
-}
-
-/// Where the points of a mesh slide to, relative to the outline: outer ones onto the outline, but those of caps and of
-/// inner surfaces stay inside.
-Points places_on(const Chart_outline& outline, const Part_chart& chart, const Charted_mesh& mesh)
-{
-  constexpr double inwards = -0.3; // cosine
-  constexpr double nearer = 0.83;  // ratio of distances, far from 1, so that rounding does not matter in a cube
-  const Points normals = chart_normals(mesh);
-  const Point half = chart.half_extents();
-  Points result(3, mesh.coordinates.cols());
-  for (Eigen::Index i = 0; i < result.cols(); ++i) {
-    Point q = outline.relative(mesh.coordinates.col(i));
-    const Eigen::Vector2d off = q.tail<2>();
-    const double share = off.norm();
-    if (share > 1e-9) {
-      const Point at_rim = outline.absolute({q[0], off.x() / share, off.y() / share});
-      const double depth = (at_rim - mesh.coordinates.col(i)).cwiseProduct(half).norm();
-      const double to_end = (1 - std::abs(q[0])) * half[0];
-      const bool is_inner = normals.col(i).tail<2>().dot(off) < inwards * share * normals.col(i).norm();
-      if (share > 1 || (!is_inner && depth < nearer * to_end)) q.tail<2>() /= share;
-    }
-    result.col(i) = q;
-  }
-  return result;
-}
-
-/// What two offsets have in common: of each coordinate the smaller one, if both have the same sign.
-Point common(const Point& a, const Point& b)
-{
-  return (a.array() * b.array() > 0).select((a.array().abs() < b.array().abs()).select(a, b), 0.);
-}
-
-/// The root mean square of offsets over a surface, over its diagonal.
-double spread_of(const Points& offsets, const Points& points, const Eigen::Matrix3Xi& triangles)
-{
-  double sum = 0, all = 0;
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const double area = contacts::area_vector(triangle_of(points, triangles, t)).norm();
-    for (int corner : triangles.col(t))
-      sum += area / 3 * offsets.col(corner).squaredNorm();
-    all += area;
-  }
-  const double diagonal = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-  return all > 0 ? std::sqrt(sum / all) / diagonal : 0;
-}
-
-/// How a surface looks along three axes.
-struct Look
-{
-  std::array<double, 3> covered; ///< share of the bounding rectangle that is covered, by axis
-  double area;                   ///< over that of the bounding box
-};
-
 /// Marks the cells of a grid that a triangle covers, by samples.
 void mark_covered(const std::array<Eigen::Vector2d, 3>& corners, int cells, std::vector<char>& marks)
 {
@@ -117,14 +54,16 @@ void mark_covered(const std::array<Eigen::Vector2d, 3>& corners, int cells, std:
     }
 }
 
-Look look_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3d& axes)
+/// The shares of the bounding rectangles along three axes that a surface covers.
+std::array<double, 3> covered_shares(const Points& points, const Eigen::Matrix3Xi& triangles,
+                                     const Eigen::Matrix3d& axes)
 {
   constexpr int cells = 32;
   constexpr double thin = 0.02; // least extent, over the longest
   const Points local = axes.transpose() * points;
   const Point low = local.rowwise().minCoeff(), extents = local.rowwise().maxCoeff() - low,
               sizes = extents.cwiseMax(thin * extents.maxCoeff());
-  Look result = {{}, 0};
+  std::array<double, 3> result;
   for (std::size_t axis : {0u, 1u, 2u}) {
     const auto u = Eigen::Index((axis + 1) % 3), v = Eigen::Index((axis + 2) % 3);
     std::vector<char> marks(cells * cells, 0);
@@ -134,13 +73,12 @@ Look look_of(const Points& points, const Eigen::Matrix3Xi& triangles, const Eige
       };
       mark_covered({place(corners[0]), place(corners[1]), place(corners[2])}, cells, marks);
     }
-    result.covered[axis] = double(std::count(marks.begin(), marks.end(), 1)) / (cells * cells);
+    result[axis] = double(std::count(marks.begin(), marks.end(), 1)) / (cells * cells);
   }
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t)
-    result.area += contacts::area_vector(triangle_of(local, triangles, t)).norm();
-  result.area /= 4 * (sizes[0] * sizes[1] + sizes[1] * sizes[2] + sizes[2] * sizes[0]);
   return result;
 }
+
+constexpr double most_effort = 0.035;
 
 } // namespace
 
@@ -158,113 +96,175 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
     const std::tuple<Steps, Steps> cost(quantized(angle_of(turned * from.transpose())), quantized(difference.norm()));
     if (cost < least) least = cost, best = turned;
   }
-  return charts_along(surfaces, {from, best});
+  return {Part_chart::box(*surfaces[0], from), Part_chart::box(*surfaces[1], best)};
 }
 
-Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, double longest_edge)
+Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends)
     : charts_{charts.source, charts.target}
 {
-  add(charts.source, source, longest_edge);
-  add(charts.target, target, longest_edge);
-  meet();
+  constexpr double fine = 0.3; // length of edges in coordinates, of meshes that have outlines
+  constexpr int samples = 400;
+  const std::array<const Part_mesh*, 2> meshes = {&source, &target};
+  if (bends) {
+    const std::array<Charted_mesh, 2> charted = {charted_mesh(source, charts_[0], fine),
+                                                 charted_mesh(target, charts_[1], fine)};
+    for (std::size_t end : {0u, 1u})
+      outlines_[end] = Chart_outline(charted[end].coordinates, charted[end].triangles).smoothed();
+    strain_ = std::max(strain_of(0, charted[0]), strain_of(1, charted[1]));
+    if (effort() > most_effort) return;
+  }
+  for (std::size_t end : {0u, 1u})
+    add(end, *meshes[end]);
+  for (std::size_t end : {0u, 1u}) {
+    const contacts::Triangle_tree other = tree_at_change(1 - end);
+    const Part_mesh mesh = {points(int(end), change), surfaces_[end].triangles};
+    double sum = 0;
+    for (const Point& p : contacts::sample_triangles(contacts::sampled_triangles_of(mesh), samples).points) {
+      std::size_t triangle = 0;
+      sum += (other.nearest(p, triangle) - p).squaredNorm();
+    }
+    const double diagonal = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
+    misfit_ = std::max(misfit_, std::sqrt(sum / samples) / diagonal);
+  }
 }
 
-void Part_morph::add(const Part_chart& chart, const Part_mesh& mesh, double longest_edge)
+/// The strain of a surface, without what is linear in its cross-sections and along the axis: moved, stretched, sheared
+/// and tapered parts stay straight.
+double Part_morph::strain_of(std::size_t end, const Charted_mesh& mesh) const
 {
-  const Charted_mesh fine = charted_mesh(mesh, chart, longest_edge);
-  const Chart_outline& outline = outlines_.emplace_back(fine.coordinates, fine.triangles);
-  Sliding_surface surface = {fine.triangles, places_on(outline, chart, fine), Points(3, fine.points.cols()),
-                             Points::Zero(3, fine.points.cols()), Points::Zero(3, fine.points.cols())};
-  for (Eigen::Index i = 0; i < fine.points.cols(); ++i) {
-    const Point k = outline.absolute(surface.places.col(i));
-    surface.offsets.col(i) = chart.frame(k).inverse() * (fine.points.col(i) - chart(k));
+  constexpr double flat = 1e-6; // keeps the equations of flat parts solvable
+  const Point half = Part_chart::between(charts_[0], charts_[1], change).half_extents();
+  const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], change);
+  const Points before = half.asDiagonal() * mesh.coordinates;
+  Points after(3, before.cols());
+  for (Eigen::Index i = 0; i < after.cols(); ++i)
+    after.col(i) = half.cwiseProduct(outline.absolute(outlines_[end].relative(mesh.coordinates.col(i))));
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(before.cols());
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int corner : mesh.triangles.col(t))
+      areas[corner] += contacts::area_vector(triangle_of(before, mesh.triangles, t)).norm();
+  if (!(areas.sum() > 0)) return 0;
+  Eigen::MatrixXd terms(before.cols(), 6);
+  terms.col(0).setOnes();
+  terms.middleCols<3>(1) = mesh.coordinates.transpose();
+  terms.col(4) = terms.col(1).cwiseProduct(terms.col(2));
+  terms.col(5) = terms.col(1).cwiseProduct(terms.col(3));
+  const Eigen::MatrixXd weighed = areas.asDiagonal() * terms;
+  Eigen::MatrixXd products = terms.transpose() * weighed;
+  products.diagonal().array() += flat * areas.sum();
+  const Eigen::MatrixXd straight = products.ldlt().solve(weighed.transpose() * after.transpose());
+  const Points rest = after - (terms * straight).transpose();
+  double sum = 0, all = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const contacts::Triangle from = triangle_of(before, mesh.triangles, t), to = triangle_of(rest, mesh.triangles, t);
+    const double area = contacts::area_vector(from).norm();
+    for (std::size_t i : {0u, 1u, 2u})
+      if (area > 0)
+        sum +=
+            area * std::min(1., (to[(i + 1) % 3] - to[i]).squaredNorm() / (from[(i + 1) % 3] - from[i]).squaredNorm());
+    all += 3 * area;
   }
-  error_ = std::max(error_, spread_of(surface.offsets, fine.points, fine.triangles));
+  return std::sqrt(sum / all);
+}
+
+/// Adds the surface of an end, subdivided until its edges stay nearly straight on the way to the other end.
+void Part_morph::add(std::size_t end, const Part_mesh& mesh)
+{
+  constexpr double bent = 0.002; // distance of the middle of an edge from where it would be, over the diagonal
+  constexpr std::size_t most_triangles = 20000;
+  constexpr int most_rounds = 6;
+  const Part_chart &chart = charts_[end], &other = charts_[1 - end];
+  const auto moved = [&](const Point& p) {
+    const Point k = chart.coordinates(p), place = outlines_[end].relative(k),
+                offset = chart.frame(k).inverse() * (p - chart(k)), to = outlines_[1 - end].absolute(place);
+    return std::array<Point, 3>{place, offset, other(to) + other.frame(to) * offset};
+  };
+  const double most = bent * 2 * other.half_extents().norm();
+  Subdivision fine(mesh.points, mesh.triangles);
+  std::vector<std::array<Point, 3>> all; // places, offsets, and points at the other end
+  for (int round = 0;; ++round) {
+    while (all.size() < fine.number_of_points())
+      all.push_back(moved(fine.point(int(all.size()))));
+    if (round == most_rounds || fine.number_of_triangles() > most_triangles) break;
+    const auto is_bent = [&](int a, int b) {
+      const Point middle = (all[std::size_t(a)][2] + all[std::size_t(b)][2]) / 2;
+      return quantized((moved((fine.point(a) + fine.point(b)) / 2)[2] - middle).norm()) > quantized(most);
+    };
+    if (!fine.split_edges([&](int a, int b) { return is_bent(a, b) ? 0.5 : -1; })) break;
+  }
+  const auto n = Eigen::Index(all.size());
+  Moving_surface surface = {fine.triangles(), Points(3, n), Points(3, n), Points::Zero(3, n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    surface.places.col(i) = all[std::size_t(i)][0];
+    surface.offsets.col(i) = all[std::size_t(i)][1];
+  }
   surfaces_.push_back(std::move(surface));
 }
 
-/// Lets either surface slide onto the other one at the change.
+contacts::Triangle_tree Part_morph::tree_at_change(std::size_t surface) const
+{
+  return tree_of(points(int(surface), change), surfaces_[surface].triangles);
+}
+
 void Part_morph::meet()
 {
-  const std::array<Points, 2> at_change = {points(0, change), points(1, change)};
   const Part_chart chart = Part_chart::between(charts_[0], charts_[1], change);
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], change);
+  const std::array<contacts::Triangle_tree, 2> trees = {tree_at_change(0), tree_at_change(1)};
   for (std::size_t side : {0u, 1u}) {
-    const contacts::Triangle_tree other = tree_of(at_change[1 - side], surfaces_[1 - side].triangles);
-    Sliding_surface& surface = surfaces_[side];
-    for (Eigen::Index i = 0; i < surface.meets.cols(); ++i) {
-      const Point p = at_change[side].col(i), k = outline.absolute(surface.places.col(i));
-      const Mesh_place place = nearest_place(other, p);
-      surface.meets.col(i) =
-          chart.frame(k).inverse() * (place.of(at_change[1 - side], surfaces_[1 - side].triangles) - p);
-      const Point detail = place.of(surfaces_[1 - side].offsets, surfaces_[1 - side].triangles);
-      surface.details.col(i) = common(surface.offsets.col(i), detail);
+    const Points at_change = points(int(side), change);
+    Moving_surface& surface = surfaces_[side];
+    for (Eigen::Index i = 0; i < at_change.cols(); ++i) {
+      std::size_t triangle = 0;
+      const Point p = at_change.col(i), k = outline.absolute(surface.places.col(i));
+      surface.meets.col(i) = chart.frame(k).inverse() * (trees[1 - side].nearest(p, triangle) - p) / 2;
     }
-    misfit_ = std::max(misfit_, spread_of(surface.meets, at_change[side], surface.triangles));
   }
 }
 
 bool Part_morph::is_faithful() const
 {
-  constexpr double most = 0.02, most_together = 0.03; // error, misfit, and their sum
-  return error_ <= most && misfit_ <= most && error_ + misfit_ <= most_together && looks_alike();
-}
-
-/// Whether both ends cover about as much along each axis, as a hoop and a panel do not, and the surface half-way covers
-/// as much and is no rougher.
-bool Part_morph::looks_alike() const
-{
-  constexpr double unlike = 0.4, more = 0.05; // shares of the bounding rectangle
-  constexpr double rougher = 1.1;             // ratio of areas
-  const Look first = look_of(points(0, 0), triangles(0), charts_[0].axes()),
-             last = look_of(points(1, 1), triangles(1), charts_[1].axes()),
-             half_way =
-                 look_of(points(0, change), triangles(0), Part_chart::between(charts_[0], charts_[1], change).axes());
-  for (std::size_t axis : {0u, 1u, 2u}) {
-    const auto [least, most] = std::minmax(first.covered[axis], last.covered[axis]);
-    if (most > least + unlike || half_way.covered[axis] < least - more || half_way.covered[axis] > most + more)
-      return false;
-  }
-  return half_way.area <= rougher * std::max(first.area, last.area);
+  constexpr double unlike = 0.4; // share of the bounding rectangle, as of a hoop and a panel
+  if (effort() > most_effort) return false;
+  const Eigen::Matrix3d axes = Part_chart::between(charts_[0], charts_[1], change).axes();
+  const auto first = covered_shares(points(0, change), triangles(0), axes),
+             last = covered_shares(points(1, change), triangles(1), axes);
+  return std::equal(first.begin(), first.end(), last.begin(),
+                    [&](double a, double b) { return std::abs(a - b) <= unlike; });
 }
 
 Points Part_morph::points(int surface, double t) const
 {
-  constexpr double meeting = 0.25; // time in which a surface slides onto the other one, or from there
+  constexpr double meeting = 0.06; // time in which a surface slides to where both meet, or from there
   const Part_chart chart = Part_chart::between(charts_[0], charts_[1], t);
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], t);
-  const auto& [triangles, places, offsets, details, meets] = surfaces_[std::size_t(surface)];
-  const double left = std::clamp(surface == 0 ? 1 - t / change : (t - change) / (1 - change), 0., 1.),
-               met = std::max(0., 1 - std::abs(t - change) / meeting);
+  const auto& [triangles, places, offsets, meets] = surfaces_[std::size_t(surface)];
+  const double met = std::max(0., 1 - std::abs(t - change) / meeting);
   Points result(3, places.cols());
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
     const Point k = outline.absolute(places.col(i));
-    result.col(i) =
-        chart(k) + chart.frame(k) * (left * offsets.col(i) + (1 - left) * details.col(i) + met * meets.col(i));
+    result.col(i) = chart(k) + chart.frame(k) * (offsets.col(i) + met * meets.col(i));
   }
   return result;
 }
 
-std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& charts, const Part_mesh& source,
-                                             const Part_mesh& target)
+std::shared_ptr<const Part_morph> best_morph(const std::vector<std::vector<Pair_charts>>& charts,
+                                             const Part_mesh& source, const Part_mesh& target)
 {
-  constexpr double good = 0.015; // sum of error and misfit, below which further charts are not tried
-  constexpr std::array coarser = {3.1, 0.9};
-  constexpr double worse = 0.002; // by how much their sum of error and misfit may exceed that of the finest
-  std::shared_ptr<const Part_morph> best;
-  const Pair_charts* best_pair = nullptr;
+  constexpr double good = 0.01; // effort below which other morphs are not tried
+  std::shared_ptr<Part_morph> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const Pair_charts& pair : charts) {
-    const auto morph = std::make_shared<const Part_morph>(pair, source, target);
-    const double cost = morph->error() + morph->misfit();
-    if (cost < least && morph->is_faithful()) least = cost, best = morph, best_pair = &pair;
-    if (least < good) break;
-  }
-  for (double longest_edge : coarser) {
-    if (!best) break;
-    const auto morph = std::make_shared<const Part_morph>(*best_pair, source, target, longest_edge);
-    if (morph->error() + morph->misfit() <= least + worse && morph->is_faithful()) return morph;
-  }
+  const auto try_out = [&](const Pair_charts& pair, bool bends) {
+    if (least < good) return;
+    const auto morph = std::make_shared<Part_morph>(pair, source, target, bends);
+    if (morph->effort() < least && morph->is_faithful()) least = morph->effort(), best = morph;
+  };
+  for (const std::vector<Pair_charts>& group : charts)
+    try_out(group.front(), false);
+  for (const std::vector<Pair_charts>& group : charts)
+    for (const Pair_charts& pair : group)
+      try_out(pair, true);
+  if (best) best->meet();
   return best;
 }
 

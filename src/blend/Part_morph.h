@@ -4,6 +4,7 @@
 #pragma once
 
 #include "map/Chart_outline.h"
+#include "map/Charted_mesh.h"
 #include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
@@ -15,8 +16,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Straight charts of the boxes of two surfaces, along the longest axis. A box has the axes of the world unless a
-/// part's own axes make it much smaller; axes are paired by the least rotation over the symmetries of boxes.
+/// Straight charts of the boxes of two surfaces. A box has the axes of the world unless a part's own axes make it much
+/// smaller; axes are paired by the least rotation over the symmetries of boxes.
 /// \param own_axes rotations to the axes of the surfaces
 /// \param much ratio of volumes below which a box is much smaller
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
@@ -25,18 +26,15 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 /// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
 ///
-/// A *stand-in*, the surface of the outlines of cross-sections, moves evenly from the source to the target. The
-/// source's surface slides onto it, but for details that both have, and then onto the target's surface, which has slid
-/// onto the source's and takes over.
+/// Either surface moves with the space of its chart. If that *bends*, it also changes smoothly in the chart, so that in
+/// the large the outlines of its cross-sections become those of the other surface; details keep their shape. Just
+/// before one surface replaces the other, to which it is near, it slides half-way there; the other one comes from
+/// there.
 class Part_morph
 {
 public:
-  /// Length of edges, in coordinates from -1 to 1, to which meshes are subdivided so that they can be bent. It is no
-  /// part of 2, which rounding would decide.
-  static constexpr double fine = 0.3;
-
   /// \param charts the charts of both ends, of curves, along which the sections are
-  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, double longest_edge = fine);
+  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends);
 
   static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
 
@@ -46,38 +44,42 @@ public:
   /// The points of a surface at time `t`, even if it is not the present one.
   Points points(int surface, double t) const;
 
-  /// Root mean square distance of the surfaces from the stand-in at their ends, over their diagonals: the larger one.
-  double error() const { return error_; }
-  /// Likewise, of the surfaces from each other when one replaces the other, before they slide onto each other.
+  /// Root mean square distance of the surfaces from each other when one replaces the other, over their diagonals: the
+  /// larger one.
   double misfit() const { return misfit_; }
-  /// Whether the stand-in describes both parts well enough, and the surface half-way is no rougher, and covers neither
-  /// more nor less, than both ends.
+  /// Root mean square change of edges in the chart until then, over their lengths: the larger one. 0 if it does not
+  /// bend.
+  double strain() const { return strain_; }
+  /// How far the morph is from one that keeps its shape and loses nothing.
+  double effort() const { return misfit_ + 0.15 * strain_; }
+  /// Whether the effort is small, and both surfaces cover about as much when one replaces the other.
   bool is_faithful() const;
+  /// Lets the surfaces meet half-way between each other at the change.
+  void meet();
 
 private:
-  struct Sliding_surface
+  struct Moving_surface
   {
     Eigen::Matrix3Xi triangles;
-    Points places;  ///< on the stand-in, in relative coordinates
+    Points places;  ///< in the chart, relative to the outline
     Points offsets; ///< from there to the surface at its end, in the frames of the chart
-    Points details; ///< likewise, what the offsets have in common with those of the other surface
-    Points meets;   ///< likewise, from there to the other surface, at the change
+    Points meets;   ///< likewise, from there to where the surfaces meet, at the change
   };
 
-  void add(const Part_chart& chart, const Part_mesh& mesh, double longest_edge);
-  void meet();
-  bool looks_alike() const;
+  double strain_of(std::size_t end, const Charted_mesh& mesh) const;
+  void add(std::size_t end, const Part_mesh& mesh);
+  contacts::Triangle_tree tree_at_change(std::size_t surface) const;
 
   // Members by end
   std::array<Part_chart, 2> charts_;
-  std::vector<Chart_outline> outlines_;
-  std::vector<Sliding_surface> surfaces_;
-  double error_ = 0, misfit_ = 0;
+  std::array<Chart_outline, 2> outlines_;
+  std::vector<Moving_surface> surfaces_; ///< empty if the strain is too large
+  double misfit_ = 0, strain_ = 0;
 };
 
-/// The morph in one of several pairs of charts in which the stand-in is the best; null if none is faithful. Its meshes
-/// are subdivided no more than it takes.
-std::shared_ptr<const Part_morph> best_morph(const std::vector<Pair_charts>& charts, const Part_mesh& source,
-                                             const Part_mesh& target);
+/// The morph of least effort in one of several pairs of charts; null if none is faithful.
+/// \param charts groups of straight ones, which differ by their first axis, or of one pair that may be bent
+std::shared_ptr<const Part_morph> best_morph(const std::vector<std::vector<Pair_charts>>& charts,
+                                             const Part_mesh& source, const Part_mesh& target);
 
 } // namespace CGAL::Shape_correspondence::internal

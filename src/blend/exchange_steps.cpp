@@ -7,6 +7,8 @@
 #include "base/quantized.h"
 #include "blend/In_between_shape.h"
 
+#include <CGAL/Shape_correspondence/Structural_graph.h>
+
 #include <boost/dynamic_bitset.hpp>
 
 #include <algorithm>
@@ -170,10 +172,15 @@ private:
     const auto part_of = [&](int end, std::size_t given) { return parts_of(blend_.parts, end, given).front(); };
     for (const auto& [s, t] : blend_.unlike)
       unite(groups_, part_of(0, s), part_of(1, t));
+    const std::array<std::vector<std::size_t>, 2> symmetric = {group_of_parts(blend_.stage.graphs[0]),
+                                                               group_of_parts(blend_.stage.graphs[1])};
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> unlike; // a part by end and symmetry group
     std::optional<std::size_t> standing;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       if (is_matched(i)) continue;
       const Blend_part& part = blend_.parts[i];
+      if (part.task.obstacle != Blend_obstacle::NONE)
+        unite(groups_, i, unlike.try_emplace({end(i), symmetric[end(i)][part.given(part.end())]}, i).first->second);
       if (const auto image = blend_.stage.images[end(i)][part.given(part.end())])
         unite(groups_, i, part_of(part.end(), *image));
       if (part.end_tree(part.end()).box().min().y() > Blend_part::on_ground) continue;

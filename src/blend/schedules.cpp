@@ -39,7 +39,7 @@ std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vec
 {
   constexpr double middle = Part_morph::change, first = 0.36, second = 0.58; // of the exchanges
   constexpr double spread = second - first, spread_of_step = 0.04; // times between the first and the last place
-  constexpr double earliest = 0.02, vanished = 0.27, growing = 0.7, latest = 0.98, longest = 0.15;
+  constexpr double earliest = 0.15, vanished = 0.3, growing = 0.62, latest = 0.77, longest = 0.15;
   const auto is_first = [](const Exchange& exchange) { return exchange.step == Exchange_step::FIRST; };
   const bool has_steps = std::any_of(exchanges.begin(), exchanges.end(), is_first);
   const auto time_of = [&](const Exchange& exchange) {

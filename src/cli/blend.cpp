@@ -242,8 +242,7 @@ const char* const blend_help =
 Makes the shapes in between two shapes of one category. The shapes may differ in topology. The first frame is the source,
 the last one the target. All frames stand on the ground, in the axes of the source.
 
-  - Parts that correspond morph: they move straight to the place of their counterpart and change their surface gradually,
-    by the outlines of their cross-sections.
+  - Parts that correspond morph: they move straight to the place of their counterpart and change their surface gradually.
   - Parts that correspond but differ too much, such as legs and a star base, are exchanged: new parts take the place of
     old ones in an instant.
   - Parts without counterpart shrink into the parts that carry them, or grow out of them.
@@ -424,7 +423,7 @@ void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, con
     names += (names.empty() ? "'" : ", '") + structure(shape.graph).parts[part].name + "'";
   };
   for (const auto& [reason, why] :
-       {std::pair(Blend_obstacle::TORN, "no outlines of cross-sections describe both"),
+       {std::pair(Blend_obstacle::TORN, "their surfaces are too different"),
         std::pair(Blend_obstacle::UNLIKE,
                   "their proportions, places or numbers differ too much, or they would come off what they touch")}) {
     std::string names, others;

@@ -97,10 +97,14 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
   return true;
 }
 
-Chart_outline::Chart_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles) : sections_(stations)
+Chart_outline::Chart_outline() : sections_(stations)
 {
   for (Section& section : sections_)
-    section.radii.setOnes(); // without an outline, coordinates stay as they are
+    section.radii.setOnes();
+}
+
+Chart_outline::Chart_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles) : Chart_outline()
+{
   std::vector<int> known;
   for (int i = 0; i < stations; ++i) {
     Section section;
@@ -145,6 +149,28 @@ Point Chart_outline::absolute(const Point& q) const
   const Section at = section(q[0]);
   const Eigen::Vector2d off = q.tail<2>(), place = at.middle + at.half.cwiseProduct(radius(at, off) * off);
   return {q[0], place.x(), place.y()};
+}
+
+Chart_outline Chart_outline::smoothed() const
+{
+  constexpr int along = 6, around = 2; // rounds in which each value is averaged with those beside it
+  Chart_outline result = *this;
+  for (int round = 0; round < along; ++round) {
+    const std::vector<Section> last = result.sections_;
+    for (std::size_t i = 0; i < last.size(); ++i) {
+      const Section &before = last[i > 0 ? i - 1 : 0], &at = last[i], &after = last[std::min(i + 1, last.size() - 1)];
+      result.sections_[i] = {(before.middle + 2 * at.middle + after.middle) / 4,
+                             (before.half + 2 * at.half + after.half) / 4,
+                             (before.radii + 2 * at.radii + after.radii) / 4};
+    }
+  }
+  for (int round = 0; round < around; ++round)
+    for (Section& section : result.sections_) {
+      const Radii last = section.radii;
+      for (int i = 0; i < angles; ++i)
+        section.radii[i] = (last[(i + angles - 1) % angles] + 2 * last[i] + last[(i + 1) % angles]) / 4;
+    }
+  return result;
 }
 
 Chart_outline Chart_outline::between(const Chart_outline& a, const Chart_outline& b, double t)

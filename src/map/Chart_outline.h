@@ -16,6 +16,8 @@ namespace CGAL::Shape_correspondence::internal {
 class Chart_outline
 {
 public:
+  /// The outline to which all coordinates are relative as they are.
+  Chart_outline();
   /// \param coordinates points of a surface, in chart coordinates
   Chart_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles);
 
@@ -23,6 +25,8 @@ public:
   Point relative(const Point& k) const;
   Point absolute(const Point& q) const;
 
+  /// The outline in the large, as it changes smoothly along the part and around it.
+  Chart_outline smoothed() const;
   static Chart_outline between(const Chart_outline& a, const Chart_outline& b, double t);
 
 private:

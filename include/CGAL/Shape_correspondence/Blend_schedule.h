@@ -32,7 +32,7 @@ enum class Blend_task_type {
 /// The reason why a part does not morph to its counterpart.
 enum class Blend_obstacle {
   NONE, ///< none: it morphs, or has no counterpart
-  TORN, ///< no outlines of cross-sections describe both surfaces well enough
+  TORN, ///< its surface is too different from that of its counterpart
   /// It, or a part with the same counterpart, would move far, come off what it touches, or be cut into pieces of other
   /// proportions.
   UNLIKE

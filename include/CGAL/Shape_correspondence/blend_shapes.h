@@ -48,9 +48,10 @@ struct Blend_surface
 ///   origin, in the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end; position, size and rotation are interpolated between them;
 ///   the axes of boxes are paired by the least rotation. The whole stands, with the interpolated height.
-/// - *Matched parts* morph in their boxes, or along their curves, by the outlines of their cross-sections, which are
-///   interpolated: the source's surface slides onto them, and the target's replaces it at time .45. A part that
-///   corresponds to many is cut into closed pieces, one for each.
+/// - *Matched parts* morph in their boxes, or along their curves. Either surface moves with its box and, where that
+///   brings it nearer to the other one, with a smooth change of space by the outlines of cross-sections. The target's
+///   surface replaces the source's at time .45. A part that corresponds to many is cut into closed pieces, one for
+///   each.
 /// - *Unmatched parts* have no counterpart, or cannot morph to it (`Blend_obstacle`). Two with similar place and size
 ///   become each other (`Blend_task_type::EXCHANGE`). Unmatched parts follow a warp of the space around their end, a
 ///   smoothing spline: it follows the surfaces of matched parts, the boxes of parts that correspond, and the bounding

@@ -40,7 +40,7 @@ const char* told(const Blend_task& task)
 
 const char* reason(const Blend_task& task)
 {
-  if (task.obstacle == Blend_obstacle::TORN) return "no outline of cross-sections describes both parts";
+  if (task.obstacle == Blend_obstacle::TORN) return "its surface is too different from that of its counterpart";
   if (task.obstacle == Blend_obstacle::UNLIKE)
     return "parts of its row would move far, come off what they touch, or be cut into other proportions";
   if (task.type == Blend_task_type::EXCHANGE) return "neither has a counterpart, and they are in the same place";
