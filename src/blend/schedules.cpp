@@ -39,7 +39,7 @@ std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vec
 {
   constexpr double middle = Part_morph::change, first = 0.36, second = 0.58; // of the exchanges
   constexpr double spread = second - first, spread_of_step = 0.04; // times between the first and the last place
-  constexpr double earliest = 0.15, vanished = 0.3, growing = 0.62, latest = 0.77, longest = 0.15;
+  constexpr double vanishing = 0.15, vanished = 0.3, growing = 0.62, grown = 0.77;
   const auto is_first = [](const Exchange& exchange) { return exchange.step == Exchange_step::FIRST; };
   const bool has_steps = std::any_of(exchanges.begin(), exchanges.end(), is_first);
   const auto time_of = [&](const Exchange& exchange) {
@@ -51,8 +51,7 @@ std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vec
   for (std::size_t i = 0; i < exchanges.size(); ++i)
     if (const Blend_part& part = blend.parts[i]; !part.is_matched() && exchanges[i].step == Exchange_step::NONE)
       deepest[std::size_t(part.end())] = std::max(deepest[std::size_t(part.end())], blend.depths[i]);
-  const double going = std::min(longest, (vanished - earliest) / deepest[0]),
-               coming = std::min(longest, (latest - growing) / deepest[1]);
+  const double going = (vanished - vanishing) / deepest[0], coming = (grown - growing) / deepest[1];
   std::vector<Blend_task> result;
   for (std::size_t i = 0; i < exchanges.size(); ++i) {
     const Blend_part& part = blend.parts[i];

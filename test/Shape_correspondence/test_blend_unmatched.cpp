@@ -307,6 +307,7 @@ TEST_CASE("Parts that replace none appear together after the exchanges; parts no
   const std::set<std::pair<double, double>> come = windows(few, more), go = windows(more, few);
   REQUIRE(come.size() == 1);
   CHECK(come.begin()->first >= 0.55);
+  CHECK(come.begin()->second <= 0.8);
   REQUIRE(go.size() == 1);
   CHECK(go.begin()->second <= 0.35);
 }

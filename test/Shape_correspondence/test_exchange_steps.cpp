@@ -75,6 +75,22 @@ TEST_CASE("Parts below and parts above a part that stays are exchanged in two st
   CHECK(found.at("box~") != found.at("left~"));
 }
 
+TEST_CASE("The exchanged parts of a symmetry group change in one step")
+{
+  // Three blocks above each other, between two boards that stay, become walls.
+  const auto rack = [](const std::string& name, double x, const Point& size) {
+    std::vector<Named_box> result = {{"low board", {0, 0.31, 0}, {1.2, 0.1, 0.8}},
+                                     {"high board", {0, 0.67, 0}, {1.2, 0.1, 0.8}}};
+    for (double y : {0.13, 0.49, 0.85})
+      result.push_back({name + std::to_string(result.size()), {x, y, 0}, size});
+    return result;
+  };
+  auto found = steps(rack("block", 0, {0.2, 0.26, 0.2}), rack("wall", 0.5, {0.06, 0.26, 0.7}), same_parts(5));
+  CHECK(found.at("block2~") != Exchange_step::NONE);
+  CHECK(found.at("block3~") == found.at("block2~"));
+  CHECK(found.at("block4~") == found.at("block2~"));
+}
+
 TEST_CASE("Exchanges have two times, or one if that is asked for")
 {
   const Box_model source = upright(on_walls()), target = upright(on_column());
