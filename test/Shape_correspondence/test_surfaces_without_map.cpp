@@ -289,12 +289,13 @@ TEST_CASE("Of the parts of a symmetry group, all morph or none does")
   // Only one of three posts in a row holds a crest, off which it would come.
   const auto stand_of = [](double height) {
     std::vector<Named_box> result = {{"base", {0, 0.05, 0}, {1, 0.1, 0.6}}};
-    for (double x : {-0.4, 0., 0.4})
+    for (double x : {-0.4, -0.05, 0.3})
       result.push_back({"post " + std::to_string(result.size()), {x, 0.1 + height / 2, 0}, {0.1, height, 0.1}});
-    result.push_back({"crest", {0.4, 1.05, 0}, {0.2, 0.1, 0.4}});
+    result.push_back({"crest", {0.3, 1.05, 0}, {0.2, 0.1, 0.4}});
     return model_of(result);
   };
-  for (const Blend_task& task : blend_of(stand_of(0.9), stand_of(0.3), same_parts(5)).schedules()[0].tasks) {
+  const Shape_blend blend = blend_of(stand_of(0.9), stand_of(0.3), same_parts(5));
+  for (const Blend_task& task : blend.schedules()[0].tasks) {
     const std::size_t part = std::min(task.source, task.target);
     CHECK((task.obstacle == Blend_obstacle::UNLIKE) == (part >= 1 && part <= 3));
   }
