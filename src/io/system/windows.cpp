@@ -1,6 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "io/system/atomic_file.h"
 #include "io/system/operating_system.h"
 #include "io/system/utf8_paths.h"
 
