@@ -68,7 +68,7 @@ class Runs:
         print(f"{len(moments)} kills, {survived} too late; {len(found)} rows, {redone} finished ones done again; {self.verdict()}")
 
     def on_ranks(self, n, store):
-        mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(n)]
+        mpirun = ["mpirun", "--bind-to", "none", "--allow-run-as-root", "--oversubscribe", "-n", str(n)]
         return mpirun + self.command("--store", store, program="_mpi")
 
     def kill_rank(self, n, moment):
