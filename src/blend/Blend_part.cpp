@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <string>
@@ -129,16 +130,16 @@ Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& par
   return result;
 }
 
-/// Adds all pairs of the symmetry groups of a torn pair, since like parts change alike.
+/// Adds the given pairs between the symmetry groups of each torn pair, since like parts change alike.
 void add_symmetric(const Blend_stage& stage, const Part_pairs& given, Part_pairs& torn)
 {
   const std::array groups = {group_of_parts(stage.graphs[0]), group_of_parts(stage.graphs[1])};
   const auto groups_of = [&](const auto& pair) { return std::pair(groups[0][pair.first], groups[1][pair.second]); };
-  const auto have_torn_groups = [&, torn](const auto& pair) {
-    return std::any_of(torn.begin(), torn.end(),
-                       [&](const auto& other) { return groups_of(other) == groups_of(pair); });
-  };
-  std::copy_if(given.begin(), given.end(), std::back_inserter(torn), have_torn_groups);
+  std::set<Part_pairs::value_type> torn_groups;
+  for (const auto& pair : torn)
+    torn_groups.insert(groups_of(pair));
+  std::copy_if(given.begin(), given.end(), std::back_inserter(torn),
+               [&](const auto& pair) { return torn_groups.count(groups_of(pair)) > 0; });
 }
 
 std::vector<Blend_part> matched_parts(const Blend_stage& stage, const Correspondence& correspondence,

@@ -78,7 +78,7 @@ std::array<double, 3> covered_shares(const Points& points, const Eigen::Matrix3X
   return result;
 }
 
-constexpr double most_effort = 0.035;
+constexpr double most_effort = 0.035; // effort above which a part is exchanged
 
 } // namespace
 

@@ -51,7 +51,11 @@ public:
   /// bend.
   double strain() const { return strain_; }
   /// How far the morph is from one that keeps its shape and loses nothing.
-  double effort() const { return misfit_ + 0.15 * strain_; }
+  double effort() const
+  {
+    constexpr double of_strain = 0.15; // weight of the strain, over that of the misfit
+    return misfit_ + of_strain * strain_;
+  }
   /// Whether the effort is small, and both surfaces cover about as much when one replaces the other.
   bool is_faithful() const;
   /// Lets the surfaces meet half-way between each other at the change.
