@@ -41,7 +41,7 @@ public:
 
 private:
   mutable boost::disjoint_sets_with_storage<> sets_;
-  std::vector<std::size_t> smallest_; ///< smallest number of a set, by its representative in Boost
+  std::vector<std::size_t> smallest_; ///< smallest number of a set, indexed by its representative in Boost
   std::size_t number_of_sets_;
 };
 

@@ -52,7 +52,7 @@ private:
     }
   };
 
-  /// The Euclidean metric, bitwise equal to Eigen's norm; nanoflann's own adds squares in another order.
+  /// The Euclidean metric, bitwise equal to Eigen's norm; the metric of nanoflann adds squares in another order.
   struct Metric
   {
     using ElementType = double;
@@ -68,13 +68,13 @@ private:
     const Data& data;
   };
 
-  /// Result set for the nearest point; of equally near ones the one of lowest index, for any order of the tree.
+  /// Result set for the nearest point; of equally near points, that of lowest index wins, for any order of the tree.
   struct Nearest
   {
     using DistanceType = double; // required by nanoflann 1.6
     using IndexType = std::size_t;
 
-    double squared; ///< squared distance; initially the limit
+    double squared; ///< squared distance of the nearest point so far; at first, the limit of the search
     Eigen::Index ignored, index = -1;
 
     std::size_t size() const { return index >= 0; }

@@ -8,8 +8,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Runs work once, in the first thread that asks; others wait. Unlike `std::call_once()`, it makes no system call for
-/// the first run, which would take as long as computing the rods of a contact.
+/// Runs work once, in the first thread that asks for it; other threads wait for its end. Unlike `std::call_once()`, it
+/// makes no system call for the first run, which would take as long as computing the rods of a contact.
 class Once
 {
 public:

@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Checks of numbers from callers of the library, made once where they come in. NaN is out of every range.
+// Checks of numbers that callers give to the library, made once, in its public functions. NaN is out of every range.
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
@@ -23,7 +23,7 @@ inline void refuse_number(const std::string& name, double value, const std::stri
   throw Invalid_input(text.str());
 }
 
-/// \throw Invalid_input unless least <= value <= greatest
+/// Throws `Invalid_input` unless least <= value <= greatest.
 inline void check_number(const std::string& name, double value, double least, double greatest = no_limit)
 {
   std::ostringstream range;
@@ -34,13 +34,13 @@ inline void check_number(const std::string& name, double value, double least, do
   if (!(value >= least && value <= greatest)) refuse_number(name, value, range.str());
 }
 
-/// \throw Invalid_input unless the number is positive and finite
+/// Throws `Invalid_input` unless the value is positive and finite.
 inline void check_positive(const std::string& name, double value)
 {
   if (!(value > 0 && value < no_limit)) refuse_number(name, value, "more than 0 and finite");
 }
 
-/// \param what kind of the index, for example "shape" \throw Invalid_input unless index < count
+/// Throws `Invalid_input` unless index < count. \param what the kind of thing that is indexed, for example "shape"
 inline void check_index(const std::string& function, const std::string& what, std::size_t index, std::size_t count)
 {
   if (index >= count)

@@ -7,7 +7,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Unlike `std::clamp()` these also have a result for NaN, so that it never becomes an index.
+// Unlike `std::clamp()`, these functions return 0 for NaN, so that it never becomes an index.
 
 /// A number clamped to [0, 1]; 0 for NaN.
 inline double clamped_to_unit(double x) { return x > 0 ? std::min(x, 1.) : 0; }

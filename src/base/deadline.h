@@ -11,7 +11,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Thrown when a time limit is reached. The code that set the limit takes a cheaper way.
+/// Thrown when a time limit is reached. The code that set the limit catches it and uses a cheaper method.
 class Out_of_time : public std::runtime_error
 {
 public:
@@ -39,11 +39,11 @@ private:
   Clock::time_point last_ = start_;
 };
 
-/// A limit for the time of work. Without one, all steps are bounded by the size of their input.
+/// The time limit of a computation. By default there is none: the size of the input bounds the number of steps.
 class Deadline
 {
 public:
-  /// Returns the seconds that have passed.
+  /// Function that returns the seconds since the limit was set; tests give one of their own.
   using Clock = std::function<double()>;
 
   static constexpr double never = std::numeric_limits<double>::infinity();

@@ -21,7 +21,7 @@ inline Point some_normal(const Point& direction)
   return (towards - direction.dot(towards) * direction).normalized();
 }
 
-/// The unit vector or its opposite, such that the first of y, x and z that is not small is positive.
+/// A unit vector or its opposite, such that the first component in the order y, x, z that is not small is positive.
 inline Point with_fixed_sign(const Point& direction)
 {
   const double small = 0.1;

@@ -13,9 +13,9 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double apart = 0.25;        // least spread along an axis for a division, over the largest extent of a share
-constexpr double one_place = 0.15;    // extent of a cluster of centres, over the spread
-constexpr double least_extent = 1e-4; // lower bound for shares, so that a flat one gets a box with volume
+constexpr double apart = 0.25;        // least spread of centres that divides a box, over the largest extent of a share
+constexpr double one_place = 0.15;    // largest extent of a cluster of centres at one position, over the spread
+constexpr double least_extent = 1e-4; // lower bound of half extents, so that a flat share gets a box with volume
 
 using Indices = std::vector<std::size_t>;
 

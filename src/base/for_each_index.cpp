@@ -92,12 +92,12 @@ void run_in_parallel(std::size_t n, const Work& work)
   if (group.is_group_execution_cancelled()) throw std::runtime_error("a parallel loop was cancelled");
 }
 #else
-/// The number of threads that may work, and of those not in use. If no thread can be created, as in a browser, the
-/// first attempt leaves no idle ones.
+/// Number of threads that may work, and number of those that are idle. Threads that could not be created, as in a
+/// browser, never count as idle again.
 std::atomic<int> working_threads{std::max(1, int(std::thread::hardware_concurrency()))},
     idle_threads{working_threads - 1};
 
-constexpr std::size_t most_taken = 1024;           // limit for one loop
+constexpr std::size_t most_taken = 1024;           // limit of the threads that one loop starts
 constexpr bool is_caller_alone() { return false; } // a loop that finds no idle thread starts none
 
 /// \return the number of threads taken, at most `most`

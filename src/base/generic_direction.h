@@ -7,7 +7,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A direction near y, unrelated to the axes, so that positions along it are hardly ever equal up to rounding.
+/// A direction near y, oblique to all axes, so that positions of different points along it are hardly ever equal.
 inline Point generic_direction() { return Point(0.6, 1, 0.36).normalized(); }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,8 +18,8 @@ inline void check_library_call(const char* name)
   if (failing_library_call == name) throw std::runtime_error("a failure that a test asked for");
 }
 
-/// The result of `call` or, if it throws, of `otherwise`. Other libraries, CGAL above all, throw on surfaces that they
-/// cannot treat; the caller knows the part and a replacement for the result.
+/// The result of `call` or, if it throws, of `otherwise`. CGAL and other libraries throw on surfaces that they cannot
+/// treat; the caller knows the part and a replacement for the result.
 /// \param name name of the call, by which tests make it fail
 template <typename Call, typename Fallback>
 auto library_call(const char* name, const Call& call, const Fallback& otherwise) -> decltype(call())

@@ -19,7 +19,7 @@ constexpr double largest_coordinate = 1e15;
 /// Largest absolute value of other numbers in documents: volumes, areas, ratios.
 constexpr double largest_number = 1e50;
 
-/// Number of parts of a shape: contacts and matching take time and memory quadratic in it.
+/// Largest number of parts of a shape: contacts and matching take time and memory quadratic in it.
 constexpr std::size_t most_parts = 2000;
 
 inline std::string too_many_parts(std::size_t parts)
@@ -28,24 +28,24 @@ inline std::string too_many_parts(std::size_t parts)
          "; join small parts, or leave them out";
 }
 
-/// Number of pairs of parts in contact.
+/// Largest number of pairs of parts of a shape that are in contact.
 constexpr std::size_t most_contacts = 50'000;
 
-/// Number of triangles at one vertex: assembling a surface from them takes time quadratic in it.
+/// Largest number of triangles at one vertex: assembling a surface from them takes time quadratic in it.
 constexpr std::size_t most_triangles_of_vertex = 10000;
 
-/// Number of triangles of a model of one piece that is divided into segments by default.
+/// Largest number of triangles of a model of one piece that is divided into segments by default.
 constexpr std::size_t most_segmented_triangles = 200000;
 
-/// Number of loose pieces that are grouped into parts, in time quadratic in it.
+/// Largest number of loose pieces that are grouped into parts: this takes time quadratic in it.
 constexpr std::size_t most_grouped_pieces = 10000;
 
-/// Pairs of congruent parts that rows of parts are looked for from, until no more are looked for: any shape of 1000
-/// parts whose rows are found in ten rounds is below it.
+/// Number of pairs of congruent parts that are tried as the first two parts of a row; after it, no more rows are looked
+/// for. It suffices for any shape of 1000 parts whose rows are found in ten rounds.
 constexpr std::size_t most_row_beginnings = 10'000'000;
 
-/// Numbers of groups that a search for the least energy deforms: beam search takes time cubic in it, and exact search
-/// needs memory for all pairs of labels of each contact.
+/// Largest numbers of symmetry groups of the shape that a search for the least energy deforms: beam search takes time
+/// cubic in it, and exact search needs memory for all pairs of labels of each contact.
 constexpr std::size_t most_beam_groups = 150, most_exact_groups = 500;
 
 constexpr int most_frames = 10000;
@@ -57,11 +57,12 @@ inline void check_number_of_frames(int frames)
                         std::to_string(frames));
 }
 
-/// Size in bytes of a JSON or XML document, and nesting depth of its values.
+/// Largest size in bytes of a JSON or XML document, and largest nesting depth of its values.
 constexpr std::size_t largest_document = std::size_t(1) << 28;
 constexpr std::size_t deepest_document = 100;
 
-/// Memory in bytes for the values of a JSON document, which is a multiple of the size of its text if values are short.
+/// Limit of the memory in bytes for the values of a JSON document, which is a multiple of the size of its text if
+/// values are short.
 constexpr std::uint64_t most_memory_of_values = std::uint64_t(2) << 30;
 
 } // namespace CGAL::Shape_correspondence::internal

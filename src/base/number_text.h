@@ -10,8 +10,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// `std::from_chars()` and `std::to_chars()` for floating-point numbers, for standard libraries that have these
-/// functions for integers only. The locale must be "C".
+/// Replacements of `std::from_chars()` and `std::to_chars()` for floating-point numbers, where the standard library has
+/// these functions for integers only. The locale must be "C".
 std::from_chars_result real_of_text(const char* begin, const char* end, double& number);
 std::string text_of_real(double number, bool is_single);
 

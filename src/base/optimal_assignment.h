@@ -17,7 +17,7 @@ inline std::vector<std::size_t> optimal_assignment(const Eigen::MatrixXd& cost)
 {
   const int rows = int(cost.rows()), cols = int(cost.cols());
   std::vector<double> row_price(rows + 1, 0), col_price(cols + 1, 0);
-  std::vector<int> row_of(cols + 1, 0), previous(cols + 1, 0); // 1-based; 0: none
+  std::vector<int> row_of(cols + 1, 0), previous(cols + 1, 0); // numbers from 1 on; 0: no row or column
   std::vector<double> slack(cols + 1);
   std::vector<char> visited(cols + 1);
   for (int row = 1; row <= rows; ++row) {

@@ -11,11 +11,11 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr double relative_noise = 1e-9; // area of a triangle, over the squared extent of the points
+constexpr double relative_noise = 1e-9; // greatest cross product that is rounding noise, over the squared extent
 constexpr double equal_areas = 1e-6;    // relative difference of areas that count as equal
 constexpr double equal_sines = 1e-6;    // difference of sines of angles that count as equal
 
-/// Of the sides of a rectangle, given one of them, the direction whose angle from the x axis is in (-45°, 45°].
+/// Of the directions of a rectangle's sides, the one whose angle from the x axis is in (-45°, 45°].
 Eigen::Vector2d side_along_x(Eigen::Vector2d side)
 {
   const auto is_along_x = [&] { return side.y() > equal_sines - side.x() && side.y() < side.x() + equal_sines; };

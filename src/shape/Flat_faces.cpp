@@ -19,7 +19,7 @@ Sorted_triangles::Sorted_triangles(const Part_mesh& mesh)
   std::vector<char> is_used(std::size_t(mesh.points.cols()), 0);
   for (int v : mesh.triangles.reshaped())
     is_used[std::size_t(v)] = 1;
-  std::vector<std::pair<std::array<double, 3>, int>> places; // 0. + x, since there are two zeros
+  std::vector<std::pair<std::array<double, 3>, int>> places; // 0. + x turns -0 into 0
   for (int v = 0; v < int(is_used.size()); ++v)
     if (is_used[std::size_t(v)])
       places.push_back({{0. + mesh.points(0, v), 0. + mesh.points(1, v), 0. + mesh.points(2, v)}, v});
@@ -86,7 +86,7 @@ Groups::Groups(const std::vector<int>& group_of) : members_(group_of.size())
     members_[next[std::size_t(group_of[i])]++] = int(i);
 }
 
-/// Sets of triangles of which flat faces are made, and sums over these.
+/// Sets of triangles (one triangle or an exactly flat face each) that are joined to faces, and sums over each set.
 struct Flat_faces::Units
 {
   Units(const Flat_faces& mesh, const std::vector<int>& unit)
@@ -109,7 +109,7 @@ struct Flat_faces::Units
   const std::vector<int>& unit_of; ///< indexed by triangle
   Groups triangles;
   std::vector<Point> area_vectors;
-  std::vector<Point> moments; ///< centres by area
+  std::vector<Point> moments; ///< sums of twice the area times the centre
   std::vector<double> areas;
 };
 
@@ -148,7 +148,7 @@ void Flat_faces::find_sides()
   });
 }
 
-/// Makes neighbours of triangles that are turned alike; where a sheet has a back, of those of one side.
+/// Makes neighbours of the triangles at an edge that are oriented alike; of four, of those that face the same way.
 void Flat_faces::join_sides(const Side_range& sides)
 {
   const auto runs_up = [&](const Side_of_triangle& side) {
@@ -168,11 +168,11 @@ void Flat_faces::join_sides(const Side_range& sides)
   }
 }
 
-/// Joins units to flat faces, from the largest one on. \return by triangle, the number of its face
+/// Joins adjacent units to flat faces, beginning with the largest. \return indexed by triangle: the number of its face
 std::vector<int> Flat_faces::grown(const Units& units, const Point& direction, double tolerance) const
 {
   const double steps = 3; // steps per unit of the logarithm of an area: rounding does not decide between equal areas
-  std::vector<std::tuple<double, double, int>> order; // steps down to the area, place along the direction, unit
+  std::vector<std::tuple<double, double, int>> order; // negated log area in steps, place along the direction, unit
   for (std::size_t i = 0; i < units.areas.size(); ++i) {
     const double area = units.areas[i];
     const Point centre = area > 0 ? Point(units.moments[i] / area) : corner(*units.triangles[i].begin(), 0);
@@ -220,7 +220,7 @@ std::vector<int> Flat_faces::grown(const Units& units, const Point& direction, d
   return result;
 }
 
-/// Whether triangles lie in a plane, without being folded over.
+/// Whether the triangles of a unit lie in a plane and are not folded over.
 bool Flat_faces::is_flat(const Units& units, int unit, const Point& normal, const Point& centre, double tolerance) const
 {
   const double least_cosine = 0.5;

@@ -14,8 +14,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The triangles of a mesh. Vertices in the same place are one; they are sorted by their coordinates. Triangles with
-/// equal corners are left out; the others begin with their first vertex and are sorted.
+/// The triangles of a mesh in sorted order. Vertices at the same place are merged and sorted by their coordinates.
+/// Triangles with two corners at the same place are left out; all others begin with their corner of lowest index.
 struct Sorted_triangles
 {
   explicit Sorted_triangles(const Part_mesh& mesh);
@@ -24,12 +24,12 @@ struct Sorted_triangles
   std::vector<Corners> triangles;
 };
 
-/// The triangles, each once, and their vertices, sorted by their places. \param place place of a point along a
-/// direction
+/// The mesh of some triangles, without duplicates; vertices and triangles are sorted by position along a direction.
+/// \param place indexed by point: its position along the direction
 Part_mesh sorted_mesh(const std::vector<Point>& points, const std::vector<Corners>& triangles,
                       const std::vector<double>& place);
 
-/// The members of groups, in ascending order.
+/// The members of each group, in ascending order.
 class Groups
 {
 public:
@@ -57,7 +57,7 @@ private:
 /// An edge of a triangle.
 struct Side_of_triangle
 {
-  std::uint64_t edge; ///< the same for all sides between two vertices
+  std::uint64_t edge; ///< key of the edge: equal for all sides between the same two vertices
   int corner;         ///< the corner at which it begins: three times the triangle plus the number of the corner
 
   int triangle() const { return corner / 3; }
@@ -65,18 +65,18 @@ struct Side_of_triangle
 
 using Side_range = std::pair<const Side_of_triangle*, const Side_of_triangle*>;
 
-/// The triangles of a mesh, equal vertices made one, and which of them lie in a plane.
+/// The triangles of a mesh, with vertices at the same place merged, and the flat faces that they make.
 class Flat_faces
 {
 public:
-  /// \param tolerance distance from a plane that is rounding noise
+  /// \param tolerance greatest distance from the plane of a face that counts as rounding noise
   Flat_faces(const Part_mesh& mesh, double tolerance);
 
   const std::vector<Point>& points() const { return sorted_.points; }
   const std::vector<Corners>& triangles() const { return sorted_.triangles; }
   const Point& area_vector(int triangle) const { return area_vectors_[std::size_t(triangle)]; } ///< twice the area
 
-  /// The only other triangle, turned alike, at the side that begins at a corner; or -1.
+  /// The triangle that continues the surface across the side that begins at a corner, see `join_sides()`; -1: none.
   int neighbour(int corner) const { return neighbours_[std::size_t(corner)]; }
 
   double tolerance() const { return tolerance_; }
@@ -85,8 +85,8 @@ public:
   /// For each triangle, the number of its exactly flat face.
   const std::vector<int>& exactly_flat() const { return exact_; }
 
-  /// For each triangle, the number of its flat face, which is made of exactly flat ones, from the largest on.
-  /// \param direction along which equally large ones are sorted
+  /// For each triangle, the number of its nearly flat face: exactly flat faces are merged, beginning with the largest.
+  /// \param direction orders exactly flat faces of equal area by their position along it
   std::vector<int> nearly_flat(const Point& direction) const;
 
   template <typename Function>
@@ -115,8 +115,8 @@ private:
   double tolerance_;
   Sorted_triangles sorted_;
   std::vector<Point> area_vectors_;     ///< indexed by triangle, as long as twice its area
-  std::vector<Side_of_triangle> sides_; ///< those of one edge beside each other
-  std::vector<int> neighbours_;         ///< indexed by corner
+  std::vector<Side_of_triangle> sides_; ///< sorted by edge
+  std::vector<int> neighbours_;         ///< indexed by corner, see `neighbour()`
   std::vector<int> exact_;
 };
 

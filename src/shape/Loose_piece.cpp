@@ -42,7 +42,7 @@ bool is_closed(const Part_mesh& mesh)
   return true;
 }
 
-/// By corner of a triangle, three after three, the number of its place, which is another one for each material.
+/// For each corner, three for each triangle, the number of its place; each material has place numbers of its own.
 Indices places_of_corners(const Part_mesh& mesh, const std::vector<int>& materials)
 {
   const std::vector<int> place = first_in_place(mesh.points);

@@ -17,8 +17,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Relative to the diagonal of the model: the least side of a box, and the distance of a part from the mirror image of
-// its copy.
+// Relative to the diagonal of the model: the length that sides of a box have at least, and the distance along each
+// axis at which one part counts as the mirror image of another.
 constexpr double least_thickness_of_box = 0.004;
 constexpr double mirror_distance = 0.015;
 constexpr double smallest_divisor = 1e-9;
@@ -60,11 +60,11 @@ Eigen::Array3d thickened_sides(const Eigen::AlignedBox3d& box)
 
 double ratio_or_zero(double a, double b) { return b > smallest_divisor ? a / b : 0; }
 
-/// The features of two nodes.
+/// The features of a pair of nodes.
 class Pair_row
 {
 public:
-  /// \param s, b the smaller and the larger node \param contact of s with b
+  /// \param s, b the smaller and the bigger node \param contact that of s with b
   Pair_row(const Surface_patches& surface, const Part_node& s, const Part_node& b, const Patch_contact& contact)
       : features(), surface_(surface), s_(s), b_(b), contact_(contact), row_(features.data())
   {
@@ -237,7 +237,7 @@ public:
   }
 
 private:
-  // Affinity in steps of the grid, then the indices with a minus: of equals, those of lowest index are merged first.
+  // Affinity in steps of the grid, then the negated indices: of equal affinities, the lowest indices are merged first.
   using Offer = std::tuple<Steps, std::ptrdiff_t, std::ptrdiff_t>;
 
   void offer(std::size_t i, std::size_t j)
@@ -275,7 +275,7 @@ private:
   const Surface_patches& surface_;
   const Merge_affinity& affinity_;
   std::vector<Part_node> nodes_;
-  std::vector<std::map<std::size_t, Patch_contact>> contacts_; // indexed by node and other node
+  std::vector<std::map<std::size_t, Patch_contact>> contacts_; // indexed by two nodes
   std::vector<bool> is_merged_;
   std::priority_queue<Offer> queue_;
 };
@@ -312,7 +312,7 @@ std::vector<std::size_t> best_cut(const std::vector<Part_node>& nodes, const std
     is_cut[i] = false;
   }
   std::vector<std::size_t> result;
-  std::vector<bool> is_above(nodes.size(), true); // no node above is of the cut
+  std::vector<bool> is_above(nodes.size(), true); // whether no ancestor is in the cut
   for (std::size_t i = nodes.size(); i-- > 0;) {
     const std::size_t parent = nodes[i].parent;
     is_above[i] = parent == Part_node::none || (is_above[parent] && !is_cut[parent]);

@@ -21,11 +21,11 @@ struct Part_node
   Surface_moments moments;
   Eigen::AlignedBox3d box;
   std::vector<std::size_t> patches;
-  std::vector<std::size_t> shapes;                      ///< those of the patches, sorted
-  std::vector<std::size_t> sheets, components, objects; ///< those of the patches, each once, sorted
+  std::vector<std::size_t> shapes;                      ///< `Surface_patch::shape` of each patch, sorted
+  std::vector<std::size_t> sheets, components, objects; ///< as in `Surface_patch`, each number once, sorted
   std::array<std::size_t, 2> children{none, none};      ///< indices of nodes
   std::size_t parent = none;                            ///< index of a node
-  double affinity = 1;                                  ///< probability with which the children were taken for one part
+  double affinity = 1;                                  ///< probability that the children are of one part
   double gap = 0;                                       ///< distance between the children
 
   Point centre = Point::Zero(); ///< centre of the surface
@@ -36,28 +36,28 @@ struct Part_node
   bool is_leaf() const { return children[0] == none; }
 };
 
-/// The number of features of two nodes that may be merged; they do not change with quarter turns about up.
+/// The number of features of two nodes that may be merged; quarter turns about the up axis do not change them.
 constexpr std::size_t merge_feature_count = 53;
 using Merge_features = std::array<std::uint8_t, merge_feature_count>;
 
 /// The probability that two nodes are of one part; below 0: they are not merged.
 using Merge_affinity = std::function<double(const Part_node&, const Part_node&, const Merge_features&)>;
 
-/// Merges patches two by two, those of greatest affinity first. \return nodes, leaves first, by index of their patches;
-/// children before parents. O(n² log n) in the number of patches
+/// Merges nodes two by two, those of greatest affinity first, beginning with the patches. \return first a leaf for each
+/// patch, in their order, then the unions, children before parents. O(n² log n) for n patches
 std::vector<Part_node> part_tree(const Surface_patches& surface, const Merge_affinity& affinity);
 
-/// The cut of a forest of nodes with the largest sum of values: indices of nodes, ascending.
+/// The nodes, ascending, that hold every patch once and have the largest sum of values. \param values indexed by node
 std::vector<std::size_t> best_cut(const std::vector<Part_node>& nodes, const std::vector<double>& values);
 
-/// A row of features in bytes.
+/// Writes a row of features, each scaled from its range to a byte, 0 … 254.
 class Feature_bytes
 {
 public:
   explicit Feature_bytes(std::uint8_t* next) : next_(next) {}
 
   void share(double value);        ///< 0 … 1
-  void root(double share);         ///< 0 … 1, small ones told from each other better
+  void root(double share);         ///< 0 … 1, as its square root, which resolves small shares better
   void signed_share(double value); ///< -1 … 1
   void ratio(double value);        ///< 0 … ∞
   void count(std::size_t n);       ///< up to 255, on a logarithmic scale

@@ -30,7 +30,7 @@ struct Grid_cell_hash
   }
 };
 
-/// Points by cells of a grid, for points that are near each other.
+/// Points sorted into the cubes of a grid with sides of length `cell`, to find points that are near each other.
 class Point_grid
 {
 public:
@@ -40,8 +40,8 @@ public:
       cells_[cell_of(i)].push_back(std::size_t(i));
   }
 
-  /// Calls a function with the other points of a point's cell and of those around it that are near, and with their
-  /// squared distances. \param most number of points of a cell that are looked at
+  /// Calls a function with the indices and squared distances of the points within `distance` of a point, in its cell
+  /// and the 26 cells around it. \param most number of points of each cell that are looked at
   template <typename Function>
   void for_each_near(std::size_t i, double distance, std::size_t most, Function function) const
   {

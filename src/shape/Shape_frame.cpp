@@ -22,19 +22,19 @@ using namespace internal;
 
 namespace {
 
-/// A vertical mirror plane that a shape may have: points p with normal . (x, z) = offset.
+/// A candidate of a vertical mirror plane: the points with normal · (x, z) = offset.
 struct Mirror_plane
 {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
   double offset = 0;
-  double residual = std::numeric_limits<double>::infinity();
+  double residual = std::numeric_limits<double>::infinity(); ///< mean distance of mirror images from the points
 };
 
 /// Finds the vertical mirror planes of points of which y is up.
 class Mirror_plane_finder
 {
 public:
-  /// \param corners points among which are the outermost ones of the surface
+  /// \param points samples of the surface \param corners points that include its outermost ones, such as vertices
   Mirror_plane_finder(const Points& points, const Points& corners)
       : points_(points),
         nearest_(points),
@@ -54,7 +54,7 @@ public:
     return hull_.size() < 2 ? Eigen::Vector2d(1, 0) : least_rectangle_direction(hull_);
   }
 
-  /// The best plane of all candidates; of equally good ones the first.
+  /// The candidate of least residual; of about equal ones, the first.
   Mirror_plane best() const
   {
     const double clearly = 0.9;
@@ -66,20 +66,21 @@ public:
     return refined(tightest_alternative(result));
   }
 
-  /// The plane across, if it is a mirror plane; else one of infinite residual.
+  /// The best plane at right angles to a plane; `is_mirror()` tells whether it is a mirror plane.
   Mirror_plane crossing(const Mirror_plane& plane) const
   {
     return score(quarter_turn(plane.normal), largest_residual_of_mirrors());
   }
 
-  /// A mirror image of points that are spread evenly but independently lies about one spacing away.
+  /// Whether the residual is below the spacing of the samples: mirror images of the samples of a symmetric surface,
+  /// which are not samples themselves, are about one spacing away from the nearest sample.
   bool is_mirror(const Mirror_plane& plane) const { return plane.residual < largest_residual_of_mirrors(); }
 
 private:
   double largest_residual_of_mirrors() const { return spacing_ + 0.01 * extent_; }
 
-  /// The best plane of a given normal: through the middle of the extent along it or through the centroid. If its
-  /// residual is not below the limit, it may be said to be infinite.
+  /// The better of two planes with a given normal: through the middle of the extent along it, or the centroid. A
+  /// residual that is not below the limit may be replaced by infinity, which saves time.
   Mirror_plane score(const Eigen::Vector2d& normal, double limit = std::numeric_limits<double>::infinity()) const
   {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -121,19 +122,19 @@ private:
   Mirror_plane scored(Mirror_plane plane, double limit = std::numeric_limits<double>::infinity()) const
   {
     constexpr Eigen::Index few = 50;
-    constexpr double hopeless = 1.5; // ratio of the mean over few queries to the limit, at which a plane goes
+    constexpr double hopeless = 1.5; // a plane is rejected if few queries have this mean, over the limit
     const Eigen::Index n = queries_.size() / few;
     plane.residual = std::numeric_limits<double>::infinity();
     if (n > 1 && mean_distance(plane, n, hopeless * limit) >= hopeless * limit) return plane;
     const double residual = mean_distance(plane, 1, limit);
     if (residual >= limit) return plane;
-    // Exact symmetry up to rounding noise is no better than exact symmetry.
+    // Rounding noise must not decide between planes that are exact symmetries
     const double noise = 0.02;
     plane.residual = std::max(residual, noise * spacing_);
     return plane;
   }
 
-  /// The mean distance of the mirror images of every n-th query from the points; less if it is not below the limit.
+  /// Mean distance of the mirror images of every n-th query from the points. Summation stops once it reaches the limit.
   double mean_distance(const Mirror_plane& plane, Eigen::Index n, double limit) const
   {
     const Point normal(plane.normal.x(), 0, plane.normal.y());
@@ -196,7 +197,8 @@ private:
     return (high - low).prod();
   }
 
-  /// The reach of the points into the corners of a rectangle whose sides are along the plane and across it.
+  /// Sum of |x z| over the points, with their distances x from the plane and z from the best plane at right angles to
+  /// it: large if the points reach into the corners of a box along these planes.
   double cornering(const Mirror_plane& plane) const
   {
     const Mirror_plane crossing = score(quarter_turn(plane.normal));
@@ -206,8 +208,8 @@ private:
     return sum;
   }
 
-  /// A shape with two mirror planes along its sides and two along its diagonals, like a square table, is seen along its
-  /// sides; one that is round from above but for that, like a disc on four legs, with the legs in the corners.
+  /// The plane, or the one turned by 45 degrees if that is as good a mirror plane and better aligned: along the sides
+  /// of a square table, not its diagonals; for a disc on four legs, with the legs in the corners of the box.
   Mirror_plane tightest_alternative(const Mirror_plane& plane) const
   {
     const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
@@ -221,7 +223,7 @@ private:
     return better ? diagonal : plane;
   }
 
-  /// Searches nearby directions if a plane is no good as it is.
+  /// Searches directions near a plane for a smaller residual, unless it has less than half of the spacing.
   Mirror_plane refined(Mirror_plane plane) const
   {
     const double clearly = 0.95; // samples alone change a residual by a few hundredths
@@ -247,10 +249,10 @@ private:
   double spacing_ = 0;
 };
 
-/// The least rotation that turns `up` to y.
+/// The rotation of least angle that maps `up` to y.
 Eigen::Matrix3d upright_rotation(const Point& up) { return least_rotation(up, Point::UnitY()).toRotationMatrix(); }
 
-/// A rotation about y whose x axis is a horizontal direction.
+/// The rotation about y that maps the x axis to a horizontal direction (x, z).
 Eigen::Matrix3d axes_of_side(const Eigen::Vector2d& side)
 {
   Eigen::Matrix3d result;
@@ -260,7 +262,7 @@ Eigen::Matrix3d axes_of_side(const Eigen::Vector2d& side)
   return result;
 }
 
-/// The one of four quarter turns that is nearest to the given orientation.
+/// Of a direction and its quarter turns, the one nearest to the x axis.
 Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
 {
   const double clearly = 1e-6;
@@ -272,7 +274,7 @@ Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
   return result;
 }
 
-/// The one of two opposite sides that has the front towards positive z or, if it is across to that, positive x.
+/// Of a direction and its opposite, the x axis with which the front (z axis) points to +z or, if that is 0, to +x.
 Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
 {
   const double clearly = 0.01; // more than the error of a mirror plane's normal
@@ -281,7 +283,8 @@ Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
   return keep ? direction : Eigen::Vector2d(-direction);
 }
 
-/// Sets the axes and mirror flags; y is up.
+/// Sets the axes and mirror flags; y is up. \param offset_along_mirror set to the offsets of the mirror planes across x
+/// and z; NaN where there is none
 void orient(Shape_frame& frame, const Points& points, const Points& corners, Eigen::Vector2d& offset_along_mirror)
 {
   const Mirror_plane_finder finder(points, corners);
@@ -308,7 +311,7 @@ void orient(Shape_frame& frame, const Points& points, const Points& corners, Eig
                                         frame.mirror_z ? along(x_is_best ? crossing : best, 2) : none);
 }
 
-/// Puts the origin on the ground, on mirror planes or in the middle of the extent, and takes the height.
+/// Sets the height, and the origin: on the ground, on the mirror planes, else in the middle of the extent.
 void place(Shape_frame& frame, const Points& corners, const Eigen::Vector2d& offset_along_mirror)
 {
   const double flattest = 1e-3;
@@ -341,7 +344,7 @@ Shape_frame compute_shape_frame(const Points& surface, const Point& up)
 Shape_frame internal::frame_of_samples(const Points& surface, const Points& vertices, const Point& up)
 {
   const Eigen::Matrix3d upright = upright_rotation(up);
-  // About the middle, so that the distance from the world's origin costs no digits.
+  // Relative to the middle, so that a shape far from the origin loses no digits.
   const Point middle = 0.5 * (vertices.rowwise().minCoeff() + vertices.rowwise().maxCoeff());
   const Points points = upright * (surface.colwise() - middle), corners = upright * (vertices.colwise() - middle);
   Shape_frame result;

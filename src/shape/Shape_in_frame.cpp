@@ -17,11 +17,11 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr int frame_samples = 4096;    ///< samples of a whole shape, to find its frame
-constexpr int rough_samples = 1024;    ///< the same, to find axes that settle ties
+constexpr int rough_samples = 1024;    ///< samples of a whole shape, to find axes that settle ties
 constexpr int least_frame_samples = 4; ///< samples of every part, however small
 constexpr double rounding_of_axes = 1e-12;
 
-/// The triangles of a part, their area, and the place of its centre along a direction.
+/// The triangles of a part, their area, and the position of their centre along a direction.
 struct Part_triangles
 {
   Part_triangles(const Part_mesh& mesh, const Point& origin, const Point& direction)
@@ -65,7 +65,7 @@ Points sample_surfaces(const std::vector<const Part_mesh*>& surfaces, const Poin
   return result;
 }
 
-/// Axes of which the second is the upright direction, by the least rotation.
+/// The coordinate axes after the rotation of least angle that maps y to the up direction.
 Eigen::Matrix3d upright_axes(const Point& up) { return least_rotation(Point::UnitY(), up).toRotationMatrix(); }
 
 /// The samples of a shape, and its vertices.
@@ -100,7 +100,7 @@ Shape_in_frame::Shape_in_frame(const Segmented_shape& given)
   const Eigen::Matrix3d axes = upright_axes(given.up());
   const std::vector<Canonical_surface> surfaces = canonical_surfaces(given, axes);
   shape = canonical_shape(given, surfaces, axes);
-  // Again with the axes found, so that the same triangles and samples are taken of a shape that was turned
+  // Once more with the axes found, so that a rotated shape gets the same triangles and samples
   const Eigen::Matrix3d found = Sampled_shape(surfaces_of(shape), axes, rough_samples).frame(shape.up()).axes;
   if ((found - axes).norm() > rounding_of_axes) shape = canonical_shape(given, surfaces, found);
   frame = Sampled_shape(surfaces_of(shape), found, frame_samples).frame(shape.up());

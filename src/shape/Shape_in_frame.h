@@ -28,7 +28,7 @@ Shape_frame frame_of_samples(const Points& surface, const Points& vertices, cons
 /// The frame of a shape of canonical surfaces, from fewer samples.
 Shape_frame rough_frame(const std::vector<const Part_mesh*>& surfaces, const Point& up);
 
-/// The frames of a shape if x, y or z is up.
+/// The frames that a shape would have with x, y or z up.
 std::array<Shape_frame, 3> frames_by_axis(const Segmented_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

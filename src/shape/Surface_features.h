@@ -14,14 +14,14 @@ namespace CGAL::Shape_correspondence::internal {
 struct Surface_features
 {
   const Eigen::MatrixXf& values; ///< one column for each face or vertex of the model
-  /// By object and triangle, the columns at its three corners: those of the vertices, or thrice that of the face.
+  /// By object and triangle: the columns of its three vertices, or three times the column of the face.
   std::vector<Eigen::Matrix3Xi> columns;
 };
 
-/// Throws `Invalid_input` if there are no features, or a number is not finite; names `what`.
+/// Throws `Invalid_input` if there are no features, or one is not finite. \param what begins the message
 void check_features(const std::string& what, const Eigen::MatrixXf& features);
 
-/// See `features_of_parts()`. \pre each object has its columns
+/// The features of the parts, see `features_of_parts()`. \pre `features.columns` has an entry for each object
 Eigen::MatrixXd integrated(const Surface_features& features, const Segmented_shape& objects, const Part_split& split);
 
 } // namespace CGAL::Shape_correspondence::internal

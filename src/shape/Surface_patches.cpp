@@ -20,9 +20,9 @@ namespace {
 // Areas are shares of the area of all triangles.
 
 constexpr double cosine_of_crease = 0.5;                     // 60 degrees: where the surface turns more, a patch ends
-constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which a piece joins a neighbour
-constexpr std::size_t many_sheets = 150, many_patches = 120; // numbers from which on larger ones join neighbours, too
-constexpr std::size_t most_triangles_at_edge = 64;           // triangles at an edge; at one with more, none are paired
+constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which one joins a neighbour
+constexpr std::size_t many_sheets = 150, many_patches = 120; // if there are as many, larger ones join, too
+constexpr std::size_t most_triangles_at_edge = 64;           // at an edge with more, no triangles are paired
 constexpr double turn_around = 2 * double(EIGEN_PI);         // full turn, in radians
 constexpr double same_angle = 0.002; // angle, in radians, of triangles at an edge that lie on each other
 
@@ -75,7 +75,7 @@ private:
     if (sides.size() == 2) return join(sides[0], sides[1], sheets);
     const std::vector<double> angles = angles_around(sides);
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      // the next one, on its inner side, that runs the other way
+      // the nearest triangle on its inner side, of those that run along the edge in the other direction
       double least = 9;
       std::size_t next = i;
       for (std::size_t j = 0; j < sides.size(); ++j) {
@@ -96,7 +96,7 @@ private:
       sheets.unite(triangles_.edges[a].triangle, triangles_.edges[b].triangle);
   }
 
-  /// The angles of triangles around an edge, to a thousandth.
+  /// The angles of triangles around an edge, in radians, rounded to 0.001.
   std::vector<double> angles_around(const Numbers& sides) const
   {
     const auto end = [&](const Triangle_side& edge, bool last) {
@@ -127,8 +127,8 @@ private:
     return result;
   }
 
-  /// Lets what is smaller than a share of the area join the neighbour of greatest weight, if that is larger.
-  /// \return whether anything was joined
+  /// Lets sheets or patches with less than a share of the area join their neighbour of greatest weight, if that is
+  /// larger. \param numbers indexed by triangle: its sheet or patch \return whether any joined
   bool join_small(Numbers& numbers, const Weights& weights, double share) const
   {
     const std::vector<double> areas = areas_of(numbers);
@@ -157,7 +157,7 @@ private:
     return true;
   }
 
-  /// Small sheets join the one of the same object with which they have the longest edges in common.
+  /// Lets small sheets join the sheet of the same object and material with which they share most length of edges.
   void absorb_small_sheets()
   {
     for (double factor : {1., 1., 4., 10.}) {
@@ -205,7 +205,7 @@ private:
     }
   }
 
-  /// Numbers the patches by their place, so that ties do not depend on the order of triangles.
+  /// Numbers the patches by their positions, so that ties do not depend on the order of triangles.
   void sort_patches()
   {
     std::vector<Surface_moments> moments(numbers_in(patch_));
@@ -224,7 +224,7 @@ private:
   }
 
   const Welded_triangles& triangles_;
-  Numbers material_, sheet_, component_, patch_; // indexed by triangle; a material is of one object
+  Numbers material_, sheet_, component_, patch_; // indexed by triangle; each object has material numbers of its own
 };
 
 } // namespace

@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The area of a surface and its integrals: of the place, and of the place times itself transposed.
+/// The area of a surface and the integrals over its points x: of x (first moment) and of x xᵀ (second moment).
 struct Surface_moments
 {
   double area = 0;
@@ -34,10 +34,10 @@ struct Surface_patch
 {
   Surface_moments moments;
   Eigen::AlignedBox3d box;
-  std::size_t object = 0;    ///< index of the object that it is of
-  std::size_t sheet = 0;     ///< number of the piece that is connected across edges of two triangles
-  std::size_t component = 0; ///< number of the piece that is connected through vertices
-  std::size_t shape = 0;     ///< the same number for patches that are about congruent
+  std::size_t object = 0;    ///< index of its object
+  std::size_t sheet = 0;     ///< number of its sheet, whose triangles are connected across edges
+  std::size_t component = 0; ///< number of its component, whose triangles are connected through vertices
+  std::size_t shape = 0;     ///< equal for patches of about the same area and principal lengths
   std::vector<std::array<Point, 3>> triangles{}; ///< triangles of the canonical surface
 };
 
@@ -45,9 +45,9 @@ struct Surface_patch
 struct Patch_contact
 {
   double gap = 0;                   ///< distance; 0 where they have a common border
-  std::array<double, 2> near{0, 0}; ///< area of each that is near the other
+  std::array<double, 2> near{0, 0}; ///< area of each patch within `patch_reach` of the other
   double border = 0;                ///< length of the common border
-  double flat_border = 0;           ///< the same, times the cosine of the angle between the normals
+  double flat_border = 0;           ///< integral over it of the cosine of the angle between the normals
   double concave_border = 0;        ///< length of the part of the border at which the surface is concave
   bool has_common_places = false;   ///< whether patches of different sheets have common vertices
 
@@ -71,15 +71,15 @@ struct Surface_patches
   std::vector<std::vector<std::size_t>> of_triangles; ///< indexed by object and triangle: the index of its patch
 };
 
-constexpr double patch_reach = 0.02; ///< distance over the diagonal up to which patches touch
+constexpr double patch_reach = 0.02; ///< greatest distance of patches that touch, over the diagonal
 
 constexpr std::size_t most_patches = 3000; ///< if there are more, neither measures nor contacts are found
 
-/// Divides the objects at creases of 60 degrees and at edges of other than two triangles; patches that are small join
-/// the one of their sheet with which they have the longest border. O(n log n) in the number of triangles.
+/// Divides the objects into sheets, and these at creases of 60 degrees or more; small patches join the patch of their
+/// sheet with which they have the longest border. O(n log n) in the number of triangles.
 /// \param axes the rows are the axes of the frame, the second one up
-/// \param materials by object and triangle; patches end where it changes. Empty: there is one
-/// \pre an object has area
+/// \param materials indexed by object and triangle; patches end where the material changes. Empty: there is one
+/// \pre at least one object has area
 Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes,
                                 const std::vector<std::vector<int>>& materials = {});
 

@@ -29,7 +29,7 @@ inline double squared_distance(const Box& box, const Point& p)
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
 }
 
-/// A bounding volume hierarchy of triangles. By hand, since distances between two surfaces need two trees that are
+/// A bounding volume hierarchy of triangles. Written here since distances between two surfaces need two trees that are
 /// traversed at once: CGAL's AABB_tree finds the nearest point of one surface, which for all vertices is slower and
 /// misses pairs of points within edges (`benchmark_parts` compares them).
 class Triangle_tree
@@ -98,9 +98,8 @@ public:
     improve_closest(0, other, 0, search);
   }
 
-  /// A point of either surface, not closest but nearly: their distance exceeds the least one, or `enough` if that is
-  /// more, by at most a tenth of what it is over `enough`. Much faster than the closest points of faces that lie flat
-  /// on each other.
+  /// A point of each surface, nearly the closest: if their distance d is more than `enough`, no other pair is closer
+  /// than d - (d - enough) / 10. For faces that lie flat on each other, much faster than to find the closest points.
   Closest_pair nearly_closest(const Triangle_tree& other, double enough = 0) const
   {
     Closest_pair best;
@@ -112,7 +111,7 @@ public:
   /// Whether two surfaces are within the root of `squared` of each other.
   bool is_within(const Triangle_tree& other, double squared) const { return is_within(0, other, 0, squared); }
 
-  /// Whether `p` is nearer than the root of `squared`.
+  /// Whether the distance of `p` from the surface is less than the root of `squared`.
   bool is_near(const Point& p, double squared) const
   {
     return any_triangle([&](const Box& box) { return contacts::squared_distance(box, p); },
@@ -138,8 +137,8 @@ private:
   struct Node
   {
     Box box;
-    std::size_t begin, end; ///< triangles
-    std::size_t right = 0;  ///< the second child; the first comes next; 0 for a leaf
+    std::size_t begin, end; ///< range of its triangles
+    std::size_t right = 0;  ///< index of the second child, 0 for a leaf; the first child is the next node
   };
 
   bool is_leaf(std::size_t node) const { return nodes_[node].right == 0; }
@@ -288,7 +287,7 @@ private:
     return is_within(near.first, other, near.second, squared) || is_within(far.first, other, far.second, squared);
   }
 
-  // Whether a triangle passes a test; nodes farther than the root of `squared` have none. The nearer node first.
+  // Whether any triangle passes a test; skips nodes beyond the root of `squared`, and visits the nearer child first.
   template <typename SquaredDistance, typename Test>
   bool any_triangle(const SquaredDistance& squared_distance, const Test& test, double squared,
                     std::size_t node = 0) const
@@ -344,7 +343,7 @@ private:
   }
 
   std::vector<Triangle> triangles_;
-  std::vector<std::size_t> given_; ///< indexed by triangle of the tree
+  std::vector<std::size_t> given_; ///< indexed by triangle of the tree: the index with which it was given
   std::vector<Node> nodes_;
 };
 

@@ -76,7 +76,8 @@ void Welded_triangles::collect(const Segmented_shape& shape, const Eigen::Matrix
 
 void Welded_triangles::weld()
 {
-  constexpr std::size_t most_compared = 8; // points of a cell, which are one place in any case
+  constexpr std::size_t most_compared =
+      8; // points of a cell that are compared; all points of a cell are welded in any case
   Disjoint_sets sets(std::size_t(points.cols()));
   const Point_grid grid(points, welding_distance / 2);
   grid.for_each_cell([&](const Numbers& of_cell) {
@@ -100,7 +101,6 @@ void Welded_triangles::find_edges()
   });
 }
 
-/// Numbers from 0 on for the sets, in the order of their first elements.
 Numbers numbers_of_sets(const Disjoint_sets& sets)
 {
   Numbers result(sets.size()), number(sets.size(), sets.size());

@@ -14,12 +14,12 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-constexpr double welding_distance = 1e-5; ///< distance over the diagonal up to which vertices are one
+constexpr double welding_distance = 1e-5; ///< greatest distance of vertices that are merged, over the diagonal
 
 /// A side of a triangle.
 struct Triangle_side
 {
-  std::size_t low, high; // places of its ends
+  std::size_t low, high; // numbers of the places of its ends
   std::size_t triangle;
   int corner;      // the corner at which it begins
   bool is_forward; // whether it goes from `low` to `high`
@@ -33,28 +33,28 @@ public:
   Welded_triangles(const Segmented_shape& shape, const Eigen::Matrix3d& axes);
 
   Point sides = Point::Ones();                     ///< lengths of the sides of the box
-  double area = 0;                                 ///< area of all
+  double area = 0;                                 ///< area of all triangles
   Points points;                                   ///< the vertices
   Numbers places;                                  ///< indexed by vertex: the number of its place
   std::vector<std::array<std::size_t, 3>> corners; ///< indexed by triangle: indices of vertices
   Numbers objects;                                 ///< indexed by triangle
   std::vector<double> areas;                       ///< indexed by triangle
   std::vector<Point> normals;                      ///< indexed by triangle
-  std::vector<Triangle_side> edges;                ///< those at the same places next to one another
+  std::vector<Triangle_side> edges;                ///< sorted by `low` and `high`
 
   std::size_t size() const { return corners.size(); }
   Point corner(std::size_t t, int k) const { return points.col(Eigen::Index(corners[t][std::size_t(k)])); }
   Point middle(std::size_t t) const { return (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3; }
   std::size_t place(std::size_t t, int k) const { return places[corners[t][std::size_t(k)]]; }
   bool is_degenerate(std::size_t t) const;
-  /// The triangles at each place.
+  /// Indexed by place: the triangles with a corner there.
   std::vector<Numbers> triangles_of_places() const;
 
   double length(const Triangle_side& edge) const;
-  /// Cosine of the angle between the normals, with one turned if the triangles are oriented differently.
+  /// Cosine of the angle between two triangles' normals; one is reversed if the triangles are oriented differently.
   double cosine(const Triangle_side& a, const Triangle_side& b) const;
 
-  /// Calls a function with the range of sides at each edge.
+  /// Calls a function with the range of each edge's sides in `edges`.
   template <typename Function>
   void for_each_edge(Function function) const
   {
@@ -65,7 +65,7 @@ public:
     }
   }
 
-  /// Calls a function with sides of neighbours of the same piece. \param pieces by triangle
+  /// Calls a function with the common sides of adjacent triangles of the same piece. \param pieces indexed by triangle
   template <typename Function>
   void for_each_neighbours(const Numbers& pieces, Function function) const
   {
@@ -81,7 +81,7 @@ private:
   void find_edges();
 };
 
-/// Numbers from 0 on for the sets, in the order of their first elements.
+/// For each element the number of its set; sets are numbered from 0 on in the order of their first elements.
 Numbers numbers_of_sets(const Disjoint_sets& sets);
 std::size_t numbers_in(const Numbers& numbers);
 

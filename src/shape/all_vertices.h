@@ -9,7 +9,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Points of one set after the other.
+/// The points of all sets, one set after the other.
 inline Points joined(const std::vector<const Points*>& sets)
 {
   Eigen::Index count = 0;

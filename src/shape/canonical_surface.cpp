@@ -22,7 +22,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Divides the flat faces of a surface anew.
+/// Divides the flat faces of a surface into triangles anew.
 class Divider
 {
 public:
@@ -48,7 +48,7 @@ private:
   const Point& point(int v) const { return mesh_.points()[std::size_t(v)]; }
   Corners corners(int t) const { return mesh_.triangles()[std::size_t(t)]; }
 
-  /// Divides all faces. \return whether all could be; of others it makes smaller ones
+  /// Divides all faces. \return whether it succeeded; else the faces that it could not divide are now smaller ones
   bool divide_faces(std::vector<Corners>& result)
   {
     find_outlines();
@@ -68,7 +68,7 @@ private:
     return is_done;
   }
 
-  /// Makes the exactly flat faces of a nearly flat one faces of their own, or keeps the triangles of one of those.
+  /// Divides a nearly flat face into its exactly flat ones; an exactly flat face will keep its triangles.
   void break_up(const Groups::Range& members, int faces)
   {
     const std::vector<int>& exact = mesh_.exactly_flat();
@@ -129,7 +129,7 @@ private:
     return std::tie(place_[std::size_t(v)], v) < std::tie(place_[std::size_t(w)], w);
   }
 
-  /// Keeps vertices where the edges of faces bend, and all of an edge that would vanish.
+  /// Keeps the vertices where the edges of faces bend, and all vertices of a cycle that would have less than three.
   void keep_bends()
   {
     std::vector<char> is_done = is_kept_;
@@ -138,7 +138,7 @@ private:
       const std::vector<int> chain = directed(chain_around(int(v)));
       for (int w : chain)
         is_done[std::size_t(w)] = 1;
-      // What is exactly straight first, since whether a bend is one depends on the vertices beside it
+      // Vertices on exact lines are removed first, since whether a vertex is a bend depends on its neighbours
       std::vector<int> bends = bends_of(bends_of(chain, mesh_.exact_tolerance()), mesh_.tolerance());
       if (chain.front() == chain.back() && bends.size() < 4) bends = chain;
       for (int w : bends)
@@ -146,7 +146,7 @@ private:
     }
   }
 
-  /// The next vertex of a chain.
+  /// The next vertex of a chain that comes from `before` to `at`.
   int next_of(int before, int at) const
   {
     const Link& ends = neighbours_[std::size_t(at)];
@@ -172,7 +172,7 @@ private:
     return result;
   }
 
-  /// The chain from its lower end; a cycle from its lowest bend.
+  /// The chain in a canonical direction: from the end, of a cycle the bend, with the lower position (`is_before()`).
   std::vector<int> directed(std::vector<int> chain) const
   {
     if (chain.front() == chain.back() && !is_kept_[std::size_t(chain.front())]) {
@@ -196,10 +196,10 @@ private:
     return !is_near_line(v, ends[0], ends[1], mesh_.exact_tolerance());
   }
 
-  /// The ends of a chain, and vertices between such that the others are near straight lines.
+  /// The ends of a chain, and vertices between them such that all others are near the lines from one to the next.
   std::vector<int> bends_of(const std::vector<int>& chain, double tolerance) const
   {
-    const std::size_t longest = 1000; // vertices that are left out in a row, for the time
+    const std::size_t longest = 1000; // number of vertices left out in a row; it bounds the time
     std::vector<int> result{chain[0]};
     std::size_t last = 0;
     const auto keep = [&](std::size_t i) {
@@ -216,7 +216,7 @@ private:
     return result;
   }
 
-  /// The border of a face, from vertex to vertex that is kept, the face on the left.
+  /// The border of a face, as links from each kept vertex to the next; the face is on the left.
   std::vector<Link> border_of(const Groups::Range& members) const
   {
     const int face = face_[std::size_t(*members.begin())];
@@ -240,7 +240,7 @@ private:
   bool divide(const Groups::Range& members, std::vector<Corners>& result) const
   {
     const std::vector<Link> border = border_of(members);
-    if (members.size() == 1 && border.size() == 3) { // kept as it is, with its corners
+    if (members.size() == 1 && border.size() == 3) { // the triangle itself
       result.push_back(corners(*members.begin()));
       return true;
     }
@@ -256,7 +256,7 @@ private:
       area += mesh_.area_vector(t).norm();
     const double error = tolerance * length + 1e-3 * area; // error of twice the area
     if (std::abs(normal.norm() - area) > error) return false;
-    if (normal.norm() <= tolerance * length) return border.size() < 3; // it is next to nothing
+    if (normal.norm() <= tolerance * length) return border.size() < 3; // it has no area
     if (std::adjacent_find(border.begin(), border.end()) != border.end()) return false;
     const std::vector<Corners> added =
         divide_polygon(mesh_.points(), border, points_within(members, border), normal.normalized(), stretch_);
@@ -267,7 +267,7 @@ private:
     return true;
   }
 
-  /// Vertices that are kept for other faces, though they are within this one.
+  /// Vertices inside a face that are kept, since edges of other faces end there.
   std::vector<int> points_within(const Groups::Range& members, const std::vector<Link>& border) const
   {
     std::vector<int> on_border, kept, result;
@@ -288,12 +288,12 @@ private:
   std::vector<double> place_;    ///< indexed by vertex: place along the direction
   std::vector<int> face_;        ///< indexed by triangle
   std::vector<char> is_whole_;   ///< indexed by triangle: whether it is kept as it is
-  std::vector<int> degree_;      ///< indexed by vertex: number of edges of faces
-  std::vector<Link> neighbours_; ///< neighbours of a vertex of degree 2
-  std::vector<char> is_kept_;    ///< indexed by vertex
+  std::vector<int> degree_;      ///< indexed by vertex: number of face edges that end there
+  std::vector<Link> neighbours_; ///< indexed by vertex: its neighbours along face edges, if its degree is 2
+  std::vector<char> is_kept_;    ///< indexed by vertex: whether it becomes a corner of triangles
 };
 
-/// Root of the sum of the squares of the height, along y, and the greatest width: turns about y do not change it.
+/// Root of height² + width², with the height along y and the greatest horizontal width: no rotation about y changes it.
 double upright_diagonal(const Points& points)
 {
   Planar_points seen_from_above;

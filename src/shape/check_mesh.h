@@ -9,11 +9,11 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// \throw Invalid_input if a coordinate is not finite or beyond 1e15, an index names no vertex, or a vertex has too many
-/// triangles; names the part
+/// Throws `Invalid_input`, naming the part, if a coordinate is not finite or beyond 1e15, an index is not that of a
+/// vertex, or a vertex has more than `most_triangles_of_vertex` triangles.
 void check_triangles(const std::string& part, const Part_mesh& mesh);
 
-/// \throw Invalid_input, too, if the mesh has no area
+/// Checks the same, and throws `Invalid_input`, too, if the mesh has no area.
 void check_mesh(const std::string& part, const Part_mesh& mesh);
 
 } // namespace CGAL::Shape_correspondence::internal

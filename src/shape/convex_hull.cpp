@@ -47,8 +47,8 @@ struct std::less<CGAL::Shape_correspondence::internal::Hull_triangulation::Verte
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Points whose hull is found as they are. The algorithm's time is quadratic in points that are exactly in one plane, as
-// the corners of a large polygon are, and nearly linear in others.
+// Largest number of points whose hull is computed without rotating them. CGAL's time is quadratic in the number of
+// points that are exactly in one plane, like the corners of a large polygon, and nearly linear otherwise.
 constexpr std::size_t most_coplanar_points = 2000;
 
 Halfedge_mesh hull_of(const std::vector<Mesh_point>& points)
@@ -58,7 +58,7 @@ Halfedge_mesh hull_of(const std::vector<Mesh_point>& points)
   return result;
 }
 
-/// Many points are first turned, so that rounding noise brings them out of common planes.
+/// Many points are rotated first, so that rounding noise moves them out of common planes.
 Halfedge_mesh hull_of(const Points& points)
 {
   std::vector<Mesh_point> input;
@@ -95,7 +95,7 @@ Points corners(Oriented_box box)
   return result;
 }
 
-/// The convex hull of points that do not lie in a plane, its faces triangles, or the box around them if CGAL fails.
+/// The convex hull of points that do not lie in a plane, with triangles as faces; a box around them if CGAL fails.
 struct Hull_mesh
 {
   Halfedge_mesh mesh;
@@ -115,7 +115,7 @@ Hull_mesh convex_hull_mesh(const Points& points)
       });
 }
 
-/// Hull vertices of points that lie in a plane: those of the rectangle or polygon in it.
+/// The hull of points that lie in the plane of a box's first two axes: a polygon without volume.
 Convex_hull flat_hull(const Points& points, const Oriented_box& box)
 {
   Planar_points flat;
@@ -130,14 +130,15 @@ Convex_hull flat_hull(const Points& points, const Oriented_box& box)
   return result;
 }
 
-/// The box along the principal axes, the thinnest of which shows flat points: a hull of rounding noise has no volume.
+/// The box along the principal axes. Its least extent tells whether points are flat: volume would be rounding noise.
 Oriented_box thinnest_box(const Points& points)
 {
   const Points centred = points.colwise() - points.rowwise().mean();
   return box_along(points, eigen_system(scatter_matrix(centred)).vectors);
 }
 
-/// A number of twice the digits of a double (Dekker 1971): the sum of two, the second at most half a unit of the first.
+/// A number of twice the digits of a double (Dekker 1971): the sum high + low, with |low| at most half a
+/// unit in the last place of high.
 struct Double_double
 {
   double high = 0, low = 0;
@@ -171,7 +172,7 @@ struct Double_double
   }
 };
 
-/// Six times the volume of a tetrahedron, up to its sign. \param corners the first is the apex of all
+/// Six times the signed volume of the tetrahedron of an apex and a triangle.
 Double_double six_volumes(const Point& apex, const std::array<Point, 3>& corners)
 {
   std::array<std::array<Double_double, 3>, 3> m;
@@ -184,7 +185,7 @@ Double_double six_volumes(const Point& apex, const std::array<Point, 3>& corners
   return result;
 }
 
-/// The vertices of a hull and its volume, both from a sorted mesh: the algorithm's output is ordered by addresses.
+/// The sorted vertices of a hull, and its volume as a sum over sorted triangles, whatever the order in the mesh.
 Convex_hull measured_hull(const Halfedge_mesh& mesh)
 {
   std::vector<Halfedge_mesh::Vertex_index> sorted(mesh.vertices().begin(), mesh.vertices().end());
@@ -206,7 +207,7 @@ Convex_hull measured_hull(const Halfedge_mesh& mesh)
       triangles.push_back({face[0], face[k - 1], face[k]});
   }
   std::sort(triangles.begin(), triangles.end());
-  // Nearly exact: how the algorithm divides flat faces into triangles is to change no digit
+  // Summed nearly exactly, so that the way CGAL divides flat faces into triangles changes no digit
   Double_double sum;
   for (const auto& [a, b, c] : triangles)
     sum = sum +

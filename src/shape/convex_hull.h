@@ -11,7 +11,7 @@ struct Convex_hull
 {
   Points vertices;
   double volume = 0;   ///< 0 if the points lie in a plane
-  bool is_box = false; ///< the volume is that of the box around the points, since theirs could not be computed
+  bool is_box = false; ///< whether it is a box around the points, since CGAL could not compute their hull
 };
 
 Convex_hull convex_hull(const Points& points);
@@ -20,7 +20,7 @@ Convex_hull convex_hull(const Points& points);
 class Hull_planes
 {
 public:
-  /// \param thickness of the hull of points that lie in a plane or on a line
+  /// \param thickness given to the hull in directions in which the points have none (in a plane or on a line)
   Hull_planes(const Points& points, double thickness);
 
   /// The share of points that are in the hull or at most `tolerance` outside of it.

@@ -21,29 +21,30 @@ using Tree = Surface_tree<Mesh_kernel, CGAL::AABB_face_graph_triangle_primitive<
 
 // Lengths are fractions of the diagonal of the surface, angles are in radians.
 
-// Log odds that neighbours are of one part. Fitted to meshes in one piece that were made of labelled and of generated
-// shapes, by a logistic regression on the merges that the fit itself proposes.
+// Weights of the log odds that neighbours are of one part, each for the feature in its comment. Fitted to meshes in one
+// piece that were made of labelled and of generated shapes, by a logistic regression on the merges that the fit itself
+// proposes.
 constexpr double usual_odds = -1.2;
 constexpr double odds_of_visibility = 3.8;  // share of the pairs of points that see each other through the inside
 constexpr double odds_of_concavity = -2.3;  // mean concave angle along the common border
-constexpr double odds_of_thickness = -0.57; // difference of the mean logarithms
+constexpr double odds_of_thickness = -0.57; // difference of the mean logarithms of the thickness
 
-constexpr double detour = 8; // additional length of the way over a concave edge, per radian of its angle
-constexpr double least_thickness = 1e-3;
-constexpr double deepest = 4e-3; // depth of the points below the surface that look through the inside
-constexpr double depth_by_thickness = 0.3;
-constexpr double above_rounding = 1e-5;
+constexpr double detour = 8;             // relative lengthening of paths over a concave edge, per radian of its angle
+constexpr double least_thickness = 1e-3; // lower bound, so that logarithms are finite
+constexpr double deepest = 4e-3; // greatest depth below the surface of the points whose mutual visibility is tested
+constexpr double depth_by_thickness = 0.3; // their greatest depth over the thickness
+constexpr double above_rounding = 1e-5;    // depth at which rays begin, so that they do not meet their own face
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 struct Face
 {
-  Point centre = Point::Zero(), normal = Point::Zero(), along = Point::Zero(); // along: of an edge
+  Point centre = Point::Zero(), normal = Point::Zero(), along = Point::Zero(); // along: direction of an edge
   double area = 0;
 
-  bool is_flat() const { return area <= 0; } ///< without area, so that its normal is unknown
+  bool is_flat() const { return area <= 0; } ///< it has no area, so that its normal is unknown
 };
 
-/// The angle by which a surface is concave between two faces; 0 where it is convex.
+/// The angle between the normals of two adjacent faces where the surface is concave; 0 where it is convex.
 double concave_angle(const Face& a, const Face& b)
 {
   if (a.is_flat() || b.is_flat()) return 0;
@@ -51,7 +52,7 @@ double concave_angle(const Face& a, const Face& b)
   return std::atan2(a.normal.cross(b.normal).norm(), a.normal.dot(b.normal));
 }
 
-/// Patches of a surface with the features that decide whether neighbours are of one part; sets of patches once merged.
+/// Sets of patches of a surface, at first of one patch each, with the features that decide which neighbours to merge.
 class Patches
 {
 public:
@@ -68,21 +69,21 @@ public:
 
   bool has_inside() const { return has_inside_; }
 
-  /// Merges neighbours, by descending odds.
+  /// Merges neighbours in descending order of their log odds, as long as these are above `odds`.
   void merge_down_to(double odds)
   {
     for (Eigen::Index i, j; odds_.maxCoeff(&i, &j) > std::max(odds, std::numeric_limits<double>::lowest());)
       merge(i, j);
   }
 
-  /// Merges the smallest with the neighbour of greatest odds.
+  /// Merges the smallest set with its neighbour of greatest odds, as long as it has less than a share of the area.
   void merge_smaller_than(double share)
   {
     for (Eigen::Index i, j; area_.minCoeff(&i) < share * total_area_ && odds_.row(i).maxCoeff(&j) > none;)
       merge(j, i);
   }
 
-  /// The number of each face, from 0 on in the order of their first faces.
+  /// For each face the number of its set; sets are numbered from 0 on in the order of their first faces.
   std::vector<std::size_t> of_faces() const
   {
     std::vector<std::size_t> result;
@@ -118,7 +119,7 @@ private:
     }
   }
 
-  /// Makes patches around faces that are as far from each other as possible, by ways that avoid concave edges.
+  /// Grows patches from seed faces, each as far as possible from those before, along paths that avoid concave edges.
   void grow(std::size_t count)
   {
     using Reached = std::pair<double, std::size_t>;
@@ -152,7 +153,7 @@ private:
     }
   }
 
-  /// The faces but those whose corners are exactly on a line, on which intersections with rays fail.
+  /// A tree of all faces except those with collinear corners, on which intersections with rays fail.
   Tree tree_of_proper_faces() const
   {
     std::vector<Halfedge_mesh::Face_index> proper;
@@ -165,7 +166,7 @@ private:
     return Tree(proper.begin(), proper.end(), mesh_);
   }
 
-  /// The median length of the ways inward from a face, in a cone of 39°; 0 if there is none.
+  /// The median length of rays from a face to the opposite side, within 39° of its inward normal; 0 if none hits.
   static double thickness_at(const Face& face, const Tree& tree)
   {
     const Point inward = -face.normal, across = inward.cross(face.along), from = face.centre + above_rounding * inward;
@@ -188,7 +189,7 @@ private:
     return *middle;
   }
 
-  /// Measures thicknesses, and which seeds see each other.
+  /// Measures the thickness at each seed face, and which seeds see each other through the inside.
   void look_through_inside()
   {
     const Tree tree = tree_of_proper_faces();
@@ -231,7 +232,7 @@ private:
     }
   }
 
-  /// Sets the odds that one and its neighbours are of one part.
+  /// Sets the log odds that set i and each of its neighbours are of one part.
   void rate(Eigen::Index i)
   {
     for (Eigen::Index j = 0; j < size(); ++j) {
@@ -244,7 +245,7 @@ private:
     }
   }
 
-  /// Merges j into i.
+  /// Merges set j into set i.
   void merge(Eigen::Index i, Eigen::Index j)
   {
     for (Eigen::MatrixXd* sums : {&visible_, &border_, &concavity_}) {
@@ -257,7 +258,7 @@ private:
     members_[i] += members_[j];
     thickness_[i] += thickness_[j];
     area_[i] += area_[j];
-    area_[j] = std::numeric_limits<double>::infinity(); // it is no more
+    area_[j] = std::numeric_limits<double>::infinity(); // so that it is never the smallest
     std::replace(set_of_patch_.begin(), set_of_patch_.end(), j, i);
     odds_.row(j).setConstant(none);
     odds_.col(j).setConstant(none);
@@ -268,10 +269,10 @@ private:
   std::vector<Face> faces_;
   double total_area_ = 0;
   bool has_inside_ = false;
-  std::vector<std::size_t> seeds_; ///< indexed by patch: its first face
+  std::vector<std::size_t> seeds_; ///< indexed by patch: the face from which it grew
   std::vector<Eigen::Index> patch_of_face_, set_of_patch_;
   // Indexed by set of patches, or by two of them
-  Eigen::VectorXd members_, area_, thickness_;          ///< thickness: sum of the logarithms
+  Eigen::VectorXd members_, area_, thickness_;          ///< thickness: sum of the patches' logarithms
   Eigen::MatrixXd visible_, border_, concavity_, odds_; ///< visible: number of pairs of seeds that see each other
 };
 

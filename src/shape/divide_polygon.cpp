@@ -35,7 +35,7 @@ int after(const std::vector<Link>& border, int v)
   return found == border.end() || (*found)[0] != v ? -1 : (*found)[1];
 }
 
-/// The only or the better way to divide a polygon of three or four edges.
+/// The triangles of a polygon of three or four edges, of two ways that of Delaunay; empty if neither is possible.
 std::vector<Corners> few_triangles(const std::vector<Point>& points, const std::vector<Link>& border,
                                    const Point& normal, const Eigen::Matrix3d& stretch)
 {
@@ -57,8 +57,8 @@ std::vector<Corners> few_triangles(const std::vector<Point>& points, const std::
   return joins_ac ? std::vector<Corners>{{a, b, c}, {a, c, d}} : std::vector<Corners>{{b, c, d}, {b, d, a}};
 }
 
-/// The triangles from which an odd number of edges of the border are crossed on the way outside; none if that depends
-/// on the way.
+/// The triangles inside the border: those from which any path to the outside crosses it an odd number of times; empty
+/// if that differs between paths.
 std::vector<Corners> inside_of(const Planar_triangulation& triangulation)
 {
   std::vector<Planar_triangulation::Face_handle> front{triangulation.infinite_face()};
@@ -84,7 +84,7 @@ std::vector<Corners> inside_of(const Planar_triangulation& triangulation)
   return result;
 }
 
-/// A constrained triangulation, of which CGAL throws on borders that cross.
+/// The triangles of a constrained Delaunay triangulation inside the border. CGAL throws if its edges cross.
 std::vector<Corners> triangulated(const std::vector<Point>& points, const std::vector<Link>& border,
                                   const std::vector<int>& within, const Point& normal, const Eigen::Matrix3d& stretch)
 {

@@ -15,8 +15,8 @@ using Link = std::array<int, 2>; // index of a vertex of the polygon, and that o
 
 /// Triangles of a flat polygon, which may have holes. None if it crosses or touches itself.
 /// \param border edges with the polygon on the left, sorted
-/// \param within sorted vertices that are no ends of the border
-/// \param stretch a linear map before Delaunay triangulation, which settles ties
+/// \param within sorted vertices inside the polygon, which become corners of triangles
+/// \param stretch a linear map applied before Delaunay triangulation, to settle ties of cocircular vertices
 std::vector<Corners> divide_polygon(const std::vector<Point>& points, const std::vector<Link>& border,
                                     const std::vector<int>& within, const Point& normal,
                                     const Eigen::Matrix3d& stretch);

@@ -32,25 +32,25 @@ constexpr double least_stability = -0.2;  // lower bound of the stability of sha
 constexpr int shape_samples = 3000;       // points sampled on the surface
 constexpr int mirrored_samples = 600;     // points whose mirror images are compared with the surface
 
-// A logistic regression on 131 labelled shapes, each an example of one right axis and two wrong ones. Over categories
-// left out in turn it found the axis of 90 %: of those of which it was over 90 % sure, all.
+// A logistic regression on 131 labelled shapes, each an example of one right axis and two wrong ones. When each
+// category was left out in turn, it found the axis of 90 % of its shapes, and of all shapes to which it gave over 90 %.
 constexpr double weight_of_stability = 9.2;
 constexpr double weight_of_horizontal = 8.3;
 constexpr double weight_of_asymmetry = 36;
 constexpr double weight_of_base = -25;
-// The weight of differences of logarithms, for a pair. On 437 pairs of the same shapes, in sample: 98 % right where y
-// is up in both, 92 % where in one, with odds of y of 4.5.
+// Weight of the difference of two shapes' proportions, which are logarithms. On 437 pairs of the shapes above, with
+// odds of y of 4.5, the axes of 98 % of the pairs with y up in both shapes were right, and of 92 % with y up in one.
 constexpr double weight_of_proportions = 1;
-constexpr double largest_difference = 2; // difference of the logarithms; a larger one counts as this
+constexpr double largest_difference = 2; // limit to which differences of the logarithms are clamped
 
-/// The features of a choice of the upright axis, in units of the shape's largest extent.
+/// What decides which axis of a shape is up, in units of its largest extent.
 struct Surface_summary
 {
   Points vertices;
   Points samples;
   Point extents = Point::Zero();
   Point centre = Point::Zero();     // centre of the surface
-  Point horizontal = Point::Zero(); // indexed by axis: the share of the surface that is perpendicular to it
+  Point horizontal = Point::Zero(); // indexed by axis: the share of the area that is perpendicular to it
 };
 
 Surface_summary summary_of_surface(const Segmented_shape& given)
@@ -98,7 +98,7 @@ double depth_inside(const Eigen::Vector2d& point, const Planar_points& hull)
   return depth;
 }
 
-// Mean distance of the surface from its mirror image in a horizontal plane, if an axis points up.
+// Mean distance of the surface from its mirror image in the middle plane perpendicular to an axis.
 double asymmetry(const Surface_summary& surface, const Nearest_points& samples, int axis)
 {
   double sum = 0;
@@ -110,7 +110,7 @@ double asymmetry(const Surface_summary& surface, const Nearest_points& samples, 
   return sum / mirrored_samples;
 }
 
-// Logarithm of the odds that an axis points up, up to a constant.
+// Log odds that an axis is up, plus a constant.
 double uprightness(const Surface_summary& surface, const Nearest_points& samples, int axis)
 {
   const int side = (axis + 1) % 3, front = (axis + 2) % 3;
@@ -136,12 +136,12 @@ Logits logits_of(const Surface_summary& surface, double odds_of_y)
   return result;
 }
 
-constexpr double clearly = 0.25; // difference of logits; a smaller one is sampling error
+constexpr double clearly = 0.25; // least difference of logits that is not sampling error
 
-// Ties go to the first of y, z, x
+// Of axes with equal logits, the first in this order is chosen
 constexpr std::array<std::size_t, 3> axes_in_order{1, 2, 0};
 
-// Logarithms of the height and the least width over the greatest width, if an axis points up.
+// Logarithms of height / greatest width and least width / greatest width, with a given axis up.
 Eigen::Vector2d proportions(const Surface_summary& surface, std::size_t axis)
 {
   constexpr double thinnest = 1e-6;

@@ -18,7 +18,8 @@ namespace internal {
 
 namespace {
 
-/// For each part, the objects that it is made of. Parts without pieces are the objects, or pieces of any of them.
+/// For each part, the objects that its triangles may be of. If the split lists no pieces: the object of the same index
+/// if there are as many objects as parts, else any object.
 std::vector<std::set<std::size_t>> objects_of_parts(const Segmented_shape& objects, const Part_split& split)
 {
   std::vector<std::set<std::size_t>> result(split.shape.parts().size());

@@ -26,15 +26,15 @@ using contacts::Triangle_tree;
 // Calibrated on raw files of which the parts are known (the manual's page on accuracy). Lengths over the size of the
 // model.
 constexpr int piece_samples = 64;           // points sampled on a piece
-constexpr Eigen::Index vertex_samples = 64; // greatest number of vertices taken
-constexpr double hull_tolerance = 0.005;
-constexpr std::size_t most_pieces = 1000; // pieces of an object; if it has more, such as leaves, none is a part
-constexpr double share_in_hull = 0.95;    // share of a piece that is in a hull
-constexpr double share_interlocked = 0.3; // share of each of two pieces that is in the hull of the other
-constexpr double alike = 0.01;            // relative difference of sizes
-constexpr double holder_size = 0.5;       // size of a piece that holds others; a larger one is the frame of the model
-constexpr double assembly_size = 0.3;     // of an object whose pieces stay together if they touch
-constexpr double unlimited = 1e100;       // a distance that none reaches
+constexpr Eigen::Index vertex_samples = 64; // greatest number of vertices among the samples of a piece
+constexpr double hull_tolerance = 0.005;    // distance outside of a hull that still counts as inside
+constexpr std::size_t most_pieces = 1000;   // an object with more pieces, such as the leaves of a tree, stays whole
+constexpr double share_in_hull = 0.95;      // least share of a piece inside the hull of the piece that holds it
+constexpr double share_interlocked = 0.3;   // least share of each of two pieces inside the hull of the other
+constexpr double alike = 0.01;              // largest relative difference of sizes or areas that count as equal
+constexpr double holder_size = 0.5; // largest size of a piece that holds others; a larger one is the frame of the model
+constexpr double assembly_size = 0.3; // largest size of an object whose pieces stay together if they touch
+constexpr double unlimited = 1e100;   // a limit above all distances
 
 /// A piece with its search structures, made on demand.
 class Measured_piece
@@ -100,11 +100,11 @@ private:
   mutable std::optional<Hull_planes> hull_; ///< made on demand
 };
 
-/// A piece that joins another one, and the reason.
+/// The piece that another piece may join, and why.
 struct Join
 {
   std::size_t to;
-  double distance; ///< one-sided Hausdorff distance; the nearest piece is joined
+  double distance; ///< one-sided Hausdorff distance from the joining piece; the nearest piece is joined
   const char* reason;
 };
 
@@ -137,7 +137,7 @@ public:
   }
 
 private:
-  /// \throw Invalid_input if there are too many pieces to be grouped
+  /// Throws `Invalid_input` if there are too many pieces to be grouped.
   void check_number() const
   {
     std::vector<std::size_t> count(objects_, 0);
@@ -240,7 +240,7 @@ private:
     return boxes_are_near(i, other, distance) && measured(i).is_within(measured(other), distance);
   }
 
-  /// The smaller piece joins the larger one; of copies the later one the earlier.
+  /// Whether a piece may join another one: smaller pieces join larger ones; of copies, the later joins the earlier.
   bool may_join(std::size_t i, std::size_t other) const
   {
     const double difference = pieces_[other].area - pieces_[i].area;

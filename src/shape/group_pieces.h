@@ -18,13 +18,12 @@ struct Piece_groups
 {
   Disjoint_sets sets;               ///< sets of pieces
   std::vector<std::string> reasons; ///< indexed by piece: why it joined another one; empty if it did not
-  std::vector<std::string>
-      kept; ///< indexed by object: why it was kept as it is although it has several pieces; or empty
+  std::vector<std::string> kept;    ///< indexed by object: why its several pieces stay together; else empty
 };
 
-/// Decides it as `split_parts()` says for `Part_splitting::AUTO`.
+/// Groups loose pieces into parts, as `split_parts()` documents it for `Part_splitting::AUTO`.
 /// \param pieces of all objects, those of an object next to one another
-/// \param names of the pieces, for the reasons \param objects how many there are \param size of the model
+/// \param names of the pieces, for the reasons \param objects their number \param size the model's `size_of()`
 Piece_groups group_pieces(const std::vector<Loose_piece>& pieces, const std::vector<std::string>& names,
                           std::size_t objects, double size, const Part_splitting_options& options);
 

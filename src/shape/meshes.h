@@ -21,7 +21,7 @@ using Halfedge_mesh = CGAL::Surface_mesh<Mesh_point>;
 inline Point to_point(const Mesh_point& p) { return {p.x(), p.y(), p.z()}; }
 inline Mesh_point to_mesh_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-/// Triangles as ranges, which is what the polygon soup functions take.
+/// Triangles as ranges of indices, the input of CGAL's functions for polygon soups.
 struct Triangle_soup
 {
   std::vector<Mesh_point> points;
@@ -37,7 +37,7 @@ Part_mesh joined(const std::vector<const Part_mesh*>& meshes);
 /// \param changed if not null, set to whether points were merged, triangles left out or vertices doubled
 Halfedge_mesh manifold_surface(const Part_mesh& mesh, bool* changed = nullptr);
 
-/// \pre `mesh` has no garbage
+/// \pre `mesh` has no garbage, that is no elements marked as removed
 Part_mesh to_part_mesh(const Halfedge_mesh& mesh);
 
 /// \pre the triangles make a manifold, consistently oriented

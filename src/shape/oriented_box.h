@@ -18,7 +18,7 @@ inline double diagonal(const Points& points)
   return points.cols() == 0 ? 0. : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// A box with its axes in the order of their extents, longest first.
+/// A box with its axes (columns) in the order of their extents, longest first.
 struct Oriented_box
 {
   Point centre;

@@ -23,13 +23,13 @@ namespace {
 // Lengths are fractions of the diagonal of the model's box.
 
 constexpr double concave_height = 1e-6; // least height of a triangle's middle over its neighbour's plane
-constexpr int all_samples = 8000;       // number of points on all patches
-constexpr int fewest_samples = 12;      // number of points on a patch
-// Margin by which a patch may reach out of the box of another and still count as inside; the gap that is assumed for
-// such a pair.
+constexpr int all_samples = 8000;       // number of sample points on all patches together
+constexpr int fewest_samples = 12;      // least number of sample points on a patch
+// Margin by which a patch may reach out of another one's box and still count as inside; gap that such a pair is assumed
+// to have.
 constexpr double box_margin = 0.01, gap_in_box = 0.03;
-constexpr std::size_t most_in_box = 20;            // patches that are paired with one that holds them
-constexpr std::size_t most_patches_in_boxes = 150; // if there are more, none are looked for in boxes
+constexpr std::size_t most_in_box = 20; // greatest number of patches that are paired with the one whose box holds them
+constexpr std::size_t most_patches_in_boxes = 150; // if there are more patches, none are paired by boxes
 
 class Patch_measures
 {
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  /// The triangles of a patch, as they do not depend on how it is divided.
+  /// The triangles of a patch, whatever the triangles into which the file divides its flat faces.
   std::vector<std::array<Point, 3>> canonical_triangles(const Numbers& triangles) const
   {
     Part_mesh mesh;
@@ -116,7 +116,7 @@ private:
     });
   }
 
-  /// Distances between patches, by samples.
+  /// Finds pairs of patches within `patch_reach`, their gaps and the areas near each other, by samples.
   void find_near()
   {
     std::vector<Point> samples;
@@ -135,7 +135,7 @@ private:
       points.col(Eigen::Index(k)) = samples[k];
     const Point_grid grid(points, patch_reach);
     constexpr double far = std::numeric_limits<double>::infinity();
-    std::vector<double> nearest(surfaces_.size(), far); // squared distance of a sample, by patch
+    std::vector<double> nearest(surfaces_.size(), far); // indexed by patch: squared distance of the current sample
     Numbers found;
     for (std::size_t k = 0; k < samples.size(); ++k) {
       const std::size_t own = of_patch[k];
@@ -154,14 +154,14 @@ private:
     }
   }
 
-  /// Patches of different sheets with common vertices.
+  /// Marks the contacts of patches of different sheets that have common vertices.
   void find_common_places()
   {
     for (const Numbers& at : triangles_.triangles_of_places()) {
       std::set<std::size_t> patches;
       for (std::size_t t : at)
         patches.insert(pieces_.patches[t]);
-      constexpr std::size_t most = 7; // patches that meet at a point; the hub of more tells nothing
+      constexpr std::size_t most = 7; // number of patches at a point; more meet only at a hub, which tells nothing
       if (patches.size() > most) continue;
       for (auto i = patches.begin(); i != patches.end(); ++i)
         for (auto j = std::next(i); j != patches.end(); ++j)
@@ -186,7 +186,7 @@ private:
     }
   }
 
-  /// Numbers for patches of about the same area and principal lengths.
+  /// Gives patches of about the same area and principal lengths the same shape number.
   void find_shapes()
   {
     std::vector<Eigen::Array4d> sizes;
@@ -201,7 +201,7 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return quantized(sizes[a][0]) > quantized(sizes[b][0]); });
-    constexpr double same_length = 0.004, same_share = 0.04, same_area = 0.015; // differences of roots of areas
+    constexpr double same_length = 0.004, same_share = 0.04, same_area = 0.015; // the shares: of the root of the area
     std::vector<bool> is_known(sizes.size(), false);
     std::size_t number = 0;
     for (std::size_t i : order) {

@@ -8,13 +8,13 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The pieces that triangles are of, by their numbers from 0 on.
+/// For each triangle, the numbers, from 0 on, of the sheet, the component and the patch that it belongs to.
 struct Triangle_pieces
 {
-  Numbers sheets, components, patches; // indexed by triangle; numbers as in `Surface_patch`
+  Numbers sheets, components, patches; // indexed by triangle
 };
 
-/// Measures the patches and finds which may be merged; of more than `most_patches` it only tells how many there are.
+/// Measures the patches and finds which may be merged; of more than `most_patches`, only their number is set.
 void measure_patches(const Welded_triangles& triangles, const Triangle_pieces& pieces, Surface_patches& surface);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -21,7 +21,7 @@ struct Surface_samples
   std::vector<double> areas;
 };
 
-/// A triangle by its corner and two sides, with its area.
+/// A triangle, given by a corner and the two sides from it, with its area.
 struct Sampled_triangle
 {
   Point corner, side_1, side_2;
@@ -50,7 +50,7 @@ inline double total_area(const std::vector<Sampled_triangle>& triangles)
 /// `n` points, evenly spread by area; the k-th takes its place in its triangle from a low-discrepancy sequence.
 inline Surface_samples sample_triangles(const std::vector<Sampled_triangle>& triangles, int n)
 {
-  constexpr double step_1 = 0.7548776662466927, step_2 = 0.5698402909980532; // powers of the plastic number
+  constexpr double step_1 = 0.7548776662466927, step_2 = 0.5698402909980532; // inverse plastic number and its square
   const double total = total_area(triangles);
   Surface_samples samples;
   std::size_t current = 0;

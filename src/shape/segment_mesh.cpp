@@ -42,7 +42,7 @@ Part_mesh in_order(const Part_mesh& mesh)
   return result;
 }
 
-/// The connected components of the manifold that the triangles make; none if CGAL fails. \param areas gets theirs
+/// The connected components of the manifold that the triangles make; none if CGAL fails. \param areas gets their areas
 std::vector<Halfedge_mesh> components_of(const Part_mesh& mesh, std::vector<double>& areas)
 {
   return library_call(

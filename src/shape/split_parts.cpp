@@ -27,7 +27,7 @@ using namespace internal;
 
 namespace {
 
-// more are noise, on a surface without an inside
+// Largest number of segments of a model in one piece. More are noise, on a surface without an inside
 constexpr std::size_t most_segments = 30;
 
 double size_of_model(const Segmented_shape& model)
@@ -39,7 +39,7 @@ double size_of_model(const Segmented_shape& model)
   return size_of(points, middle);
 }
 
-/// The name with `#` and the first number, from `number` on, that is not taken; added to `taken`.
+/// The name with `#` and the first number, from `number` on, that makes it unused; it is added to `taken`.
 std::string unused_name(const std::string& name, std::size_t number, std::set<std::string>& taken)
 {
   std::string result = name + '#' + std::to_string(number);
@@ -48,7 +48,7 @@ std::string unused_name(const std::string& name, std::size_t number, std::set<st
   return result;
 }
 
-/// \throw Invalid_input unless every triangle has a material, or none has
+/// Throws `Invalid_input` unless every triangle has a material, or none has.
 void check_materials(const std::vector<Shape_part>& objects, const std::vector<std::vector<int>>& materials)
 {
   if (materials.empty()) return;
@@ -83,7 +83,7 @@ public:
     name_pieces();
   }
 
-  /// Takes the patches of some objects for their pieces.
+  /// Replaces the pieces of some objects by their patches.
   void take_patches(const Segmented_shape& objects, const Surface_patches& surface, const std::vector<bool>& are_taken)
   {
     pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(),
@@ -106,8 +106,8 @@ public:
     name_pieces();
   }
 
-  /// Takes patches where parts end within loose pieces, and makes the parts.
-  /// \param part_of_triangle by object and triangle \param nodes the tree of the patches
+  /// Makes the parts; in objects where a part ends within a loose piece, patches replace the pieces.
+  /// \param part_of_triangle indexed by object and triangle \param nodes the tree of the patches
   Part_split of_patches(const Segmented_shape& objects, const Surface_patches& surface,
                         const std::vector<std::vector<std::size_t>>& part_of_triangle,
                         const std::vector<Part_node>& nodes)
@@ -122,7 +122,7 @@ public:
     if (std::find(are_divided.begin(), are_divided.end(), true) != are_divided.end())
       take_patches(objects, surface, are_divided);
     Disjoint_sets sets(pieces_.size());
-    std::map<std::size_t, std::size_t> first; // piece, by part
+    std::map<std::size_t, std::size_t> first; // indexed by part: its first piece
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const auto [known, is_new] = first.emplace(part_of_triangle[pieces_[i].object][pieces_[i].triangles[0]], i);
       if (!is_new) sets.unite(known->second, i);
@@ -222,7 +222,8 @@ public:
 private:
   using Group = std::vector<std::size_t>; // indices of pieces
 
-  /// What the nodes of a tree of patches have of whole pieces.
+  /// The unions of whole pieces in the nodes of a tree of patches. Each joins two pieces or earlier unions; unions are
+  /// numbered on from the pieces.
   std::vector<std::array<std::size_t, 2>> unions_of_pieces(const Surface_patches& surface,
                                                            const std::vector<Part_node>& nodes) const
   {
@@ -236,8 +237,8 @@ private:
       }
     struct Union
     {
-      std::size_t whole = none;                 // number of the union of the whole pieces
-      std::map<std::size_t, std::size_t> begun; // indexed by piece that is not whole, the number of its patches
+      std::size_t whole = none;                 // number of the piece, or the union of pieces, that it holds whole
+      std::map<std::size_t, std::size_t> begun; // number of patches of each piece that it holds in part
     };
     std::vector<std::array<std::size_t, 2>> result;
     const auto add = [&](Union& to, std::size_t number) {
@@ -274,8 +275,8 @@ private:
       ++result_.pieces_left_out;
   }
 
-  /// Sorts the pieces of each object by their place along a direction of the shape's frame, as names should not depend
-  /// on the order of triangles.
+  /// Sorts the pieces of each object by their positions along a direction of the shape's frame, so that their names do
+  /// not depend on the order of triangles.
   void sort_pieces(const Point& up)
   {
     if (pieces_.size() <= objects_.size()) return;
@@ -370,7 +371,7 @@ private:
     return std::move(result_);
   }
 
-  /// A sentence on the parts made of an object.
+  /// What the user is told about the parts made of an object.
   std::string decision(std::size_t pieces, bool is_patched, std::size_t parts, const std::string& why_kept) const
   {
     const std::string count = std::to_string(pieces) + (result_.by_segments ? " segments"

@@ -15,9 +15,9 @@ namespace CGAL::Shape_correspondence::internal {
 /// The same as `surface_patches()` in the frame of the objects.
 Surface_patches patches_of_objects(const Segmented_shape& objects, const std::vector<std::vector<int>>& materials);
 
-/// Parts that are sets of patches, which become the pieces.
+/// Makes a part of each node of a cut. Patches take the place of loose pieces in objects where a part ends within one.
 /// \param materials with which the surface was divided
-/// \param nodes the tree of the patches \param cut the nodes that are parts
+/// \param nodes the tree of the patches \param cut indices of the nodes that are parts
 Part_split split_patches(const Segmented_shape& objects, const Surface_patches& surface,
                          const std::vector<std::vector<int>>& materials, const std::vector<Part_node>& nodes,
                          const std::vector<std::size_t>& cut);

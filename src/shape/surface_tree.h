@@ -11,8 +11,8 @@
 
 #include <variant>
 
-// CGAL's search tree, whose traits CGAL 6 renamed; what it finds is a variant of Boost's before, and a standard one
-// since.
+// CGAL's AABB tree: CGAL 6 renamed its traits, and returns intersections in a `std::variant`, no longer in a
+// `boost::variant`.
 #if CGAL_VERSION_NR < 1060000000
 #include <CGAL/AABB_traits.h>
 #else

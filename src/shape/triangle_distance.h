@@ -75,8 +75,7 @@ inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b)
   return length > 0 ? Point(a + clamped_to_unit((p - a).dot(b - a) / length) * (b - a)) : a;
 }
 
-constexpr double parallel_squared_sine =
-    1e-24; // segments at a smaller angle count as parallel: rounding alone can make it
+constexpr double parallel_squared_sine = 1e-24; // squared sine below which segments count as parallel
 
 /// The point of the sides of the triangle nearest to `p`.
 inline Point nearest_on_sides(const Point& p, const Triangle& t)
@@ -115,7 +114,7 @@ inline Point nearest_on_triangle(const Point& p, const Triangle& t)
   return projected();
 }
 
-/// The closest points of two segments.
+/// Replaces `best` by the closest points of the segments ab and cd if these are closer.
 inline void improve_by_segments(const Point& a, const Point& b, const Point& c, const Point& d, Closest_pair& best)
 {
   const Point u = b - a, v = d - c, w = a - c;
@@ -140,7 +139,7 @@ inline std::optional<double> crossing(const Point& from, const Point& direction,
   return v.dot(turned) / determinant;
 }
 
-/// Whether an edge of `a` goes through `b`, and where.
+/// Whether an edge of `a` goes through `b`; `best` then becomes the crossing point.
 inline bool improve_by_crossing(const Triangle& a, const Triangle& b, Closest_pair& best)
 {
   for (int i = 0; i < 3; ++i) {
@@ -154,8 +153,8 @@ inline bool improve_by_crossing(const Triangle& a, const Triangle& b, Closest_pa
   return false;
 }
 
-/// Whether the plane of one triangle alone keeps another farther than the root of `squared`: much cheaper than
-/// distances.
+/// Whether a triangle is on one side of another one's plane, farther from it than the root of `squared`: a test that
+/// is much cheaper than the distance of the triangles.
 inline bool is_off_plane(const Triangle& plane, const Triangle& t, double squared)
 {
   constexpr double rounding = 1 + 1e-9;
