@@ -114,7 +114,7 @@ public:
     return for_each_out(a, [&](int around) { return (common += are_adjacent(target(around), b)) <= most_common; });
   }
 
-  /// Moves the source of a halfedge to its target. \pre `can_collapse(h)`
+  /// Collapses an edge: the source of `h` becomes its target. \pre `can_collapse(h)`
   void collapse(int h)
   {
     const int o = opposite(h), a = source(h), b = target(h), c = apex(h), d = apex(o);
@@ -195,7 +195,7 @@ private:
 
   std::vector<Point> points_;
   std::vector<int> source_, opposite_; ///< indexed by halfedge
-  std::vector<int> out_;               ///< one outgoing halfedge, by vertex
+  std::vector<int> out_;               ///< indexed by vertex: one of its outgoing halfedges
   std::vector<int> degrees_;           ///< indexed by vertex
 };
 

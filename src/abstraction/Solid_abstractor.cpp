@@ -30,8 +30,7 @@ double target_edge_length(const Part_mesh& solid, const Abstraction_options& opt
   return std::max(options.edge_length * diagonal(solid.points), std::sqrt(triangle_area * 4 / std::sqrt(3.)));
 }
 
-/// Whether points lie on a line but for rounding noise: what is made of such a surface differs with the version of
-/// CGAL.
+/// Whether points lie on a line but for rounding noise: the repaired surface would differ with the version of CGAL.
 bool are_in_line(const Points& points)
 {
   const double thinnest = 5e-7; // largest thickness over the length

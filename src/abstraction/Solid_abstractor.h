@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Finds the convex hull of a part. \param points of its surface
+/// Sets the convex hull of a part and its volume. \param points of its surface
 void measure_hull(const Points& points, Part_abstraction& part);
 
 /// Repairs and remeshes the surface of a part to a closed solid, from which derived classes find the curve or sheet.
@@ -30,12 +30,12 @@ public:
 protected:
   using Method = Abstraction_report::Method;
 
-  /// Calls `use_prism()` if the part is a prism, and returns whether it is. \param repaired closed and connected
+  /// Calls `use_prism()` if the part is a prism. \param repaired a part of one component \return whether it is a prism
   virtual bool find_geometry_from_faces(const Repaired_part& /*repaired*/) { return false; }
-  /// Calls one of `use_curve()`, `use_axis()` and `use_sheet()`. \throw Flow_failure
+  /// Finds the geometry and calls `use_curve()`, `use_axis()` or `use_sheet()`. \throw Flow_failure if there is none
   virtual void find_geometry(const Part_mesh& solid) = 0;
 
-  /// \throw Flow_failure if `is_point(fitted)`
+  /// Makes a curve the result. \throw Flow_failure if `is_point(fitted)`
   void use_curve(const Fitted_curve& fitted, Method method);
   void use_axis(const Curve& axis);
   void use_sheet(const Fitted_sheet& fitted, Method method);
@@ -60,11 +60,11 @@ protected:
   double lap() { return watch_.lap(); }
 
 private:
-  /// \throw Flow_failure or any exception of the algorithms
+  /// Finds the abstraction. \throw Flow_failure, Out_of_time or any exception of the algorithms
   void try_to_run();
   /// The share of the points that are inside a solid or near its surface.
   double share_in_part(const Points& points, const Part_mesh& solid) const;
-  /// \param failure why the bounding box is used
+  /// The abstraction by the bounding box. \param failure why it is used \param time_limit whether time was up
   Part_abstraction bounding_box(const std::string& failure, bool time_limit) const;
 
   const Shape_part& part_;

@@ -178,7 +178,7 @@ Part_abstraction abstract_mesh(const Shape_part& part, const Abstraction_options
   result.name = part.name;
   result.area = surface_area(part.mesh);
   result.surface = even_surface_points(part.mesh, surface_points_of_a_part);
-  // Ours may have needed the hull; what others say of it is not taken
+  // `Fitted_abstraction` may have computed the hull; a hull from a user's abstractor is not used
   if (result.hull.cols() == 0 || !options.abstractor.target<Fitted_abstraction>())
     measure_hull(part.mesh.points, result);
   result.report.phases.measure = watch.lap();

@@ -65,7 +65,7 @@ struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
   Point centre = Point::Zero();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d principal_axes;
-  Eigen::Vector3d lengths; ///< root mean square along the principal axes, shortest first
+  Eigen::Vector3d lengths; ///< root mean square distances from the centre along the principal axes, least first
 };
 
 inline bool may_be_congruent(const Mesh_signature& a, const Mesh_signature& b)
@@ -85,8 +85,8 @@ inline Eigen::Matrix3d axes_of_two(const Point& first, const Point& second)
   return result;
 }
 
-/// Adds motions that map the outermost corner and the corner farthest from its axis to equivalent corners: principal
-/// axes are arbitrary where a part has equal lengths along two of them.
+/// Adds motions that map two corners, the outermost one and the one farthest from the line to it, to corners of `to` at
+/// the same distances. They are needed where two lengths are equal, so that the principal axes are arbitrary.
 inline void add_motions_of_corners(const Mesh_signature& from, const Mesh_signature& to,
                                    std::vector<Eigen::Matrix3d>& motions)
 {
@@ -177,7 +177,7 @@ inline std::optional<Motion> find_congruence(const Mesh_signature& from, const M
   return std::nullopt;
 }
 
-/// The index of the mesh that a mesh is a copy of (or its own), and the motion from there.
+/// The index of the mesh that a mesh is a copy of (or its own), and the motion that maps that mesh to it.
 struct Congruence
 {
   std::size_t original;
@@ -199,7 +199,7 @@ inline bool canonical_less(const Part_mesh& a, const Part_mesh& b)
   return is_less(corners(a), corners(b));
 }
 
-/// Classes of congruent meshes in canonical form. The original of a class depends on positions, not on the order.
+/// For each of several canonical meshes, its original: the first, by position, of all meshes congruent to it.
 /// \param comparable whether the meshes of two indices may be in one class
 inline std::vector<Congruence> find_congruences(const std::vector<Part_mesh>& meshes,
                                                 const std::function<bool(std::size_t, std::size_t)>& comparable)

@@ -109,7 +109,7 @@ inline Eigen::Vector2d nearest_on_triangle(const Point& a, const Point& b, const
                            [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
 }
 
-/// The parameter of the point of a sheet's cell nearest to p, by Gauss-Newton steps from a good start.
+/// The parameter of the point of a sheet's cell nearest to p, by Gauss-Newton steps from a parameter in the cell.
 inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parameter, int row, int col, const Point& p)
 {
   const Eigen::Array2d cells(sheet.rows - 1, sheet.cols - 1);
@@ -141,7 +141,7 @@ inline Eigen::Vector2d refine_in_cell(const Sheet& sheet, Eigen::Vector2d parame
 /// A start for `refine_in_cell()`: the nearest point of one of a cell's two triangles.
 struct Cell_candidate
 {
-  double distance; ///< squared
+  double distance; ///< squared distance from the point
   Eigen::Vector2d parameter;
   int row, col;
 };
@@ -191,7 +191,8 @@ inline std::vector<Cell_distance> cells_by_distance(const Sheet& sheet, const Po
   return result;
 }
 
-/// Refines several candidates, since in a twisted cell the best start need not lead to the nearest point.
+/// The parameter of a sheet's point nearest to p. In twisted cells the best start need not lead to it, so that several
+/// are refined.
 inline Eigen::Vector2d nearest_parameter_on_sheet(const Sheet& sheet, const Point& p)
 {
   const std::size_t most_refined = 4;

@@ -19,7 +19,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Least coverage (`Abstraction_report::coverage`) of an abstraction that does not count as branching.
+/// Least coverage (`Abstraction_report::coverage`) of a part that does not count as branching.
 constexpr double least_coverage = 0.8;
 
 /// A curve taken from a skeleton.
@@ -27,7 +27,7 @@ struct Fitted_curve
 {
   Curve curve;
   double coverage = 1; ///< length of the curve over the length of the pruned skeleton
-  double residual = 0; ///< root mean square distance of the skeleton from the curve, before it is centred
+  double residual = 0; ///< root mean square distance of the skeleton from the curve, before `centre()`
 };
 
 /// The path from a leaf to the first vertex whose degree is not 2.
@@ -68,8 +68,8 @@ inline std::vector<int> longest_path(const Spatial_graph_view& graph)
 /// branching, or than a tenth of the longest path.
 inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
 {
-  const double smallest_fraction = 0.1; // length of a twig, over that of the longest path
-  const double smallest_radii = 2;      // length of a twig, over the distance of the surface at the branching
+  const double smallest_fraction = 0.1; // least length of a twig that stays, over that of the longest path
+  const double smallest_radii = 2;      // the same, over the distance of the surface from the branching
   const double smallest_length = smallest_fraction * chain_length(graph, longest_path(graph));
   while (true) {
     std::vector<int> shortest;
@@ -187,12 +187,12 @@ inline Curve smoothed(const Curve& raw, int samples)
   return result;
 }
 
-/// Moves a curve across itself to the mean of the medial points that are about as far from it as from the surface.
-/// \param axis the medial poles of the surface's points
+/// Moves the points of a curve, at right angles to it, to the means of the medial points nearest to them, without those
+/// that are much farther from the curve than from the surface. \param axis the medial poles of the surface's points
 inline void centre(Curve& curve, const Points& axis, const Points& surface)
 {
   const int rounds = 3;
-  const double reach = 1.5; // distance of medial points from the curve, over its distance from the surface
+  const double reach = 1.5; // greatest distance of medial points from the curve, over that from the surface
   const Eigen::Index n = curve.points.cols();
   Curve offsets{Points::Zero(3, n), curve.closed};
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(n);
@@ -238,16 +238,16 @@ inline Curve main_path(const Spatial_graph_view& graph)
 struct Skeleton_path
 {
   Fitted_curve fitted;
-  int turns = 0; ///< number of full turns
+  int turns = 0; ///< number of full turns that the curve makes
 };
 
-/// The number of control points of a curve. It grows with the turns, since few segments would cut bends.
+/// The number of control points of a curve with some full turns, since few segments would cut corners.
 inline int number_of_points(int control_points, int turns) { return control_points * (1 + turns); }
 
-/// \return an empty curve if nothing is left of the skeleton
+/// Prunes a skeleton and takes its main path. \return an empty curve if nothing is left
 inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_points& surface, int control_points)
 {
-  const int samples = 4;     // number for each control point
+  const int samples = 4;     // samples of the path for each control point
   const double nearly = 0.1; // tolerance, as a fraction of a full turn
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
@@ -264,7 +264,7 @@ inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_
   return result;
 }
 
-/// The curve of a skeleton, without corrections. \param solid the closed mesh that the skeleton was computed from
+/// The smoothed main path of a skeleton, neither extended to the surface nor centred. \param solid its closed mesh
 inline Fitted_curve skeleton_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
 {
   auto [result, turns] = skeleton_path(skeleton, Nearest_points(solid.points), control_points);

@@ -29,7 +29,7 @@ struct Fitted_sheet
   double residual = 0; ///< root mean square distance of the medial axis from the sheet
 };
 
-/// The plane of a sheet: its centre and axes, the normal last.
+/// The plane of a sheet, given by a centre and orthonormal axes (columns), the normal last.
 struct Sheet_plane
 {
   Point centre;
@@ -71,7 +71,7 @@ inline Planar_points project(const Points& points)
   return result;
 }
 
-/// Rotates the axes in the plane to the sides of the outline's bounding rectangle of least area.
+/// Rotates the axes in the plane to the sides of the least rectangle around the projected points of a surface.
 inline void turn_to_rectangle(Sheet_plane& plane, const Points& surface)
 {
   const Eigen::Vector2d side = least_rectangle_direction(planar_hull(project(plane.to_plane(surface))));
@@ -207,7 +207,7 @@ inline std::array<std::pair<Eigen::Index, double>, 4> bilinear_weights(const She
            {first + sheet.cols + 1, row.fraction * col.fraction}}};
 }
 
-/// The sum of squared second differences of a grid as a quadratic form; it extrapolates heights linearly.
+/// The matrix of the quadratic form that sums the squared second differences of a grid's values: a bending energy.
 inline Eigen::MatrixXd bending_form(int rows, int cols)
 {
   const Eigen::Index size = Eigen::Index(rows) * cols;
@@ -257,7 +257,7 @@ inline Eigen::MatrixXd smooth_values(const Sheet& grid, const Points& points, co
   return form.ldlt().solve(right).transpose();
 }
 
-/// The values, clamped to the range of others row by row: a strongly curved sheet would be extrapolated without bound.
+/// The values, clamped row by row to the extent of `range`: extrapolation of a strongly curved sheet has no bound.
 inline Eigen::MatrixXd clamped(const Eigen::MatrixXd& values, const Eigen::MatrixXd& range)
 {
   Eigen::MatrixXd result = values;
@@ -289,7 +289,7 @@ inline double sheet_residual(const Sheet& sheet, const Points& points)
   return std::sqrt(sum / double(measured.cols()));
 }
 
-constexpr Eigen::Index most_fitted_points = 600;
+constexpr Eigen::Index most_fitted_points = 600; // points of a medial axis to which a sheet is fitted
 
 /// Fits a sheet to a medial axis as a height field over a plane: the boundary is the outline of the part in this plane,
 /// the heights those of the axis.
@@ -307,7 +307,7 @@ inline Fitted_sheet fit_sheet(Sheet_plane plane, const Points& axis, const Point
   return result;
 }
 
-/// The same over the principal plane of the axis.
+/// Fits a sheet to a medial axis as a height field over its principal plane.
 inline Fitted_sheet fit_sheet(const Points& axis, const Points& surface, int n)
 {
   return fit_sheet(principal_plane(thin_out(axis, most_fitted_points)), axis, surface, n);

@@ -69,14 +69,14 @@ std::vector<Point> axis_candidates(const Points& centred)
   return result;
 }
 
-/// The axis about which rotation hardly changes the surface; none if there is no such axis. A hexagonal prism passes, a
+/// The axis about which rotation changes the surface least; none if it always changes much. A hexagonal prism passes, a
 /// square one does not. \param surface evenly spread points \param spacing their distance
 std::optional<Revolution_axis> revolution_axis(const Points& surface, double spacing)
 {
   // Largest distance by which rotation moves points off the surface, over the largest radius
   const double tolerance = 0.16;
   const double clearly = 0.02; // least difference of these ratios by which a later axis is better
-  const double gap = 0.6;      // distance between two samplings of the same surface, over their spacing
+  const double gap = 0.6;      // distance of samples of one surface from other samples of it, over the spacing
   const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};
   const Point centre = surface.rowwise().mean();
   const Points centred = surface.colwise() - centre;
@@ -168,10 +168,10 @@ Rod_sections rod_sections(const Points& axis, const Points& surface, const Line&
 std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& solid, int control_points,
                                            bool is_convex)
 {
-  // Relative to the distance of the surface from the axis there, for a convex part plus the spread
-  const double most_offset = 0.1; // distance of the centre of a section from the line
-  const double most_spread = 1;   // spread of the medial axis about it
-  const double fewest = 3;        // number of points in a section
+  // The first two over the mean distance of the surface from the axis in the section; for convex parts plus the spread
+  const double most_offset = 0.1; // greatest distance of a section's centre from the line
+  const double most_spread = 1;   // greatest spread of the medial axis about the centre
+  const double fewest = 3;        // least number of points in a section
   const Rod_sections sections = rod_sections(axis, solid.points, principal_line(axis));
   if (sections.counts.minCoeff() < fewest || !(is_convex || (sections.spreads <= most_spread * sections.radii).all()))
     return std::nullopt;
@@ -231,8 +231,8 @@ Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, 
   return extents[2] >= least_depth * extents[1] ? Intrinsic_kind::COMPACT : Intrinsic_kind::FLAT;
 }
 
-/// Whether a body of revolution is represented by its axis rather than by a disc. With a hole through it, only a
-/// thin-walled tube is; others are rings.
+/// Whether a body of revolution is abstracted by its axis rather than by a disc. With a hole through it, only a
+/// thin-walled tube is; other such bodies are rings.
 bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
 {
   const double least_slenderness = has_handle ? 0.15 : 1. / 3; // height over diameter
@@ -243,11 +243,11 @@ bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
 /// Whether a body of revolution with a layer as medial axis is truly round, like a wheel, and not a cushion.
 bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
 {
-  const double most_deviation = 0.03; // ratio to the radius; that of a wheel of twelve sides is less
+  const double most_deviation = 0.03; // ratio to the radius; a wheel with twelve sides has less
   return !is_layer(layout, thickness) || axis.deviation < most_deviation;
 }
 
-/// Whether a part has compact proportions only because it is hollow, as a carcass of boards.
+/// Whether a part has compact proportions only because it is hollow, like a carcass of boards.
 bool is_carcass(const Intrinsic_layout& layout, double thickness)
 {
   const double thin_wall = 0.2; // largest half thickness, over the depth
@@ -309,7 +309,7 @@ class Fitter : public Solid_abstractor
       use_axis(medial_curve(box, options().curve_points, distinct_axis(box)));
       return;
     }
-    // Largest residual; greater for a blade with branching arms, and for a net that no single curve follows
+    // Largest residual of a fit. A blade with branching arms has more, and so has a net, which no single curve follows
     const double most = 0.02 * diagonal_of_part();
     if (wanted_kind() == Abstraction_kind::AUTOMATIC && !has_handle &&
         (kind == Intrinsic_kind::FLAT || kind == Intrinsic_kind::BLADE)) {
@@ -327,7 +327,7 @@ class Fitter : public Solid_abstractor
       }
     }
     const Fitted_curve fitted = contracted_curve(solid, axis.points);
-    // The skeleton of a ring has no other branches
+    // Half of it for rings, whose skeletons have no branches off the curve
     const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most;
     if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
@@ -378,8 +378,8 @@ private:
     return revolution_axis(solid.points, edge_length());
   }
 
-  /// The medial axis of a wrap differs with the version of CGAL, and spokes look alike when they are turned: there, the
-  /// part's box says how the sheet lies.
+  /// A sheet as a height field over the principal plane of the medial axis; of a wrap, over a plane of the part's box,
+  /// since its medial axis differs with the version of CGAL, which could turn the sheet of a wheel with spokes.
   Fitted_sheet sheet_seen_across(const Points& axis, const Oriented_box& box) const
   {
     return report().repair == Abstraction_report::Repair::WRAP
@@ -391,7 +391,7 @@ private:
   Fitted_sheet fitted_sheet(const Points& axis, const Intrinsic_layout& layout, double thickness,
                             const Oriented_box& box) const
   {
-    const double bent = 0.4; // depth over width
+    const double bent = 0.4; // least depth over width of a medial axis that may be too bent
     const Fitted_sheet seen = sheet_seen_across(axis, box);
     const Eigen::Vector3d extents = principal_variances(axis).cwiseSqrt();
     if (extents[2] < bent * extents[1]) return seen;

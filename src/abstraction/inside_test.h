@@ -76,7 +76,7 @@ private:
     }
   }
 
-  /// Whether the edge a-b passes p at a greater x, half open in y; the same for b-a.
+  /// Whether, seen along z, a ray from p to greater x crosses the edge ab, lower end included; equal to the bit for ba.
   static bool passes(const Point& a, const Point& b, const Point& p)
   {
     if ((a.y() > p.y()) == (b.y() > p.y())) return false;

@@ -37,7 +37,7 @@ Meso_measures meso_measures(const Part_mesh& meso_skeleton, double area_kept, do
   return {area_kept, box_over_root_mean_square * intrinsic_layout(Spatial_graph_view(graph)).extents, thickness};
 }
 
-/// Thresholds are for 2 % of the volume, chosen on the generated parts, whose kinds are known.
+/// The kind of a part whose flow stopped at 2 % of its volume. Thresholds were chosen on parts of known kinds.
 Meso_kind meso_kind(const Meso_measures& measures)
 {
   const double sheet_area = 0.36; // share of the area that only sheets keep; that of a rod falls as √volume, to 0.14

@@ -31,7 +31,7 @@ inline Points vertex_normals(const Part_mesh& mesh)
   return result;
 }
 
-/// A point of the medial axis for a vertex, and the other vertex that the medial ball touches; -1: none.
+/// The centre of the medial ball of a vertex, and the other vertex that the ball touches; -1: none.
 struct Medial_pole
 {
   Point centre;

@@ -187,7 +187,7 @@ private:
     return surface_.nearest(mesh_.point(v) + step - normal.dot(step) * normal, hints_[std::size_t(v)]);
   }
 
-  /// Whether a halfedge is the one of its edge that represents it.
+  /// Whether a halfedge is the one of the two that represents its edge.
   bool is_edge(int h) const { return !mesh_.is_removed(h) && h < mesh_.opposite(h); }
 
   static double square(double x) { return x * x; }
@@ -197,7 +197,7 @@ private:
   std::vector<std::size_t> hints_; ///< for each vertex, the triangle of the surface that it was last on
   double edge_length_;
   int most_vertices_;
-  double thickness_; ///< thickness, if the part is a plate
+  double thickness_; ///< thickness of a plate with the volume and area of the part
   const Deadline* deadline_;
 };
 

@@ -51,7 +51,7 @@ void turn_outwards(Halfedge_mesh& mesh)
   if (PMP::volume(mesh) < 0) PMP::reverse_face_orientations(mesh);
 }
 
-/// The mesh of some of the faces. \param vertex_map null for every vertex, before and after
+/// The mesh of some faces. \param vertex_map scratch memory, indexed by vertex: null before and after the call
 Halfedge_mesh submesh(const Halfedge_mesh& mesh, const std::vector<Halfedge_mesh::Face_index>& faces,
                       std::vector<Halfedge_mesh::Vertex_index>& vertex_map)
 {
@@ -116,9 +116,8 @@ bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
   return true;
 }
 
-/// Closes all holes by flat or minimal patches.
+/// Closes all holes by flat or minimal patches. \throw Out_of_time
 /// \return whether the result is a valid solid; otherwise `mesh` is unchanged
-/// \throw Out_of_time
 bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
 {
   const double area = PMP::area(mesh);
@@ -156,7 +155,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
   return true;
 }
 
-/// \pre the mesh is closed
+/// Orients a closed mesh outwards. \return whether it encloses more than next to nothing
 bool is_solid(Halfedge_mesh& mesh)
 {
   const double smallest_fullness = 1e-4;
@@ -164,10 +163,10 @@ bool is_solid(Halfedge_mesh& mesh)
   return fullness(mesh) > smallest_fullness;
 }
 
-// Limit for points that a wrap inserts at existing points, which its rounded distances can make it do forever.
+// Limit of the points that a wrap inserts at existing points; because of rounded distances, it may do so forever.
 constexpr int most_repeated_points = 1000;
 
-/// Throws if a wrap takes too long or does not terminate. CGAL calls all of its functions.
+/// A visitor of CGAL's wrapping, which throws if this takes too long or does not terminate.
 struct Wrap_watch
 {
   explicit Wrap_watch(const Deadline& deadline) : deadline(&deadline) {}
@@ -280,7 +279,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     return result;
   }
   deadline.check();
-  // The wrap of a wheel with its spokes would close the ring.
+  // Of a wheel, only the tyre is wrapped: a wrap around the spokes, too, would close the ring.
   const Halfedge_mesh wrapped = wrap(stands_alone ? to_part_mesh(components[0]) : part, deadline);
   if (!all_solid) result.volume = PMP::volume(wrapped);
   Halfedge_mesh outer = components_by_area(wrapped).at(0);

@@ -12,14 +12,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Thrown if the flow cannot treat a part; the message says why. Does not leave this room.
+/// Thrown if a part cannot be abstracted by the mean curvature flow; the message says why. Caught within this room.
 class Flow_failure : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A part repaired for the flow.
+/// A part repaired for the mean curvature flow.
 struct Repaired_part
 {
   Part_mesh mesh;    ///< closed, connected, oriented outwards

@@ -45,7 +45,7 @@ private:
 
 namespace CGAL {
 
-/// CGAL 5 and CGAL 6 round the weights of edges differently.
+/// The cotangent weights of edges. CGAL 5 and CGAL 6 would round them differently.
 template <>
 void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
                                          Shape_correspondence::internal::Flow_traits>::compute_edge_weight();
@@ -56,8 +56,8 @@ template <>
 void Mean_curvature_flow_skeletonization<Shape_correspondence::internal::Halfedge_mesh,
                                          Shape_correspondence::internal::Flow_traits>::compute_voronoi_pole();
 
-/// The position of a vertex that splits an edge: the foot of the height from the apex; also gives the vertex a pole. In
-/// CGAL 5, it copies whether the first end is fixed; in CGAL 6, it would not be fixed.
+/// The position of a vertex that splits an edge: the foot of the triangle's height from the apex. Sets the vertex's
+/// pole, and copies whether the first end is fixed, as CGAL 5 does, unlike CGAL 6.
 template <>
 auto Mean_curvature_flow_skeletonization<
     Shape_correspondence::internal::Halfedge_mesh,

@@ -46,7 +46,7 @@ public:
   double area_kept() const;
   /// The mesh contracted so far.
   Part_mesh meso_skeleton() const;
-  /// \pre the flow has converged
+  /// The curve skeleton to which the mesh has contracted. \pre the flow has converged
   Spatial_graph curve_skeleton();
 
 private:

@@ -91,11 +91,11 @@ private:
 struct Intrinsic_layout
 {
   Points coordinates;      ///< one column for each vertex, in principal axes, longest first
-  Eigen::Vector3d extents; ///< root mean square coordinates
+  Eigen::Vector3d extents; ///< root mean square of the coordinates along each axis
 };
 
 /// Picks vertices far from each other: each is the farthest from those before, by geodesic distance.
-/// \return one column for each landmark, the distances of all vertices from it
+/// \param chosen gets the vertices \return for each of them, a column of the distances of all vertices from it
 inline Eigen::MatrixXd landmark_distances(const Spatial_graph_view& graph, int landmarks, std::vector<int>& chosen)
 {
   Eigen::MatrixXd result(graph.size(), landmarks);

@@ -65,7 +65,7 @@ inline Points points_by_area(const Part_mesh& mesh, std::size_t n)
   return result;
 }
 
-/// The vertices used by triangles if they are at most `limit`; otherwise none.
+/// The vertices that triangles use; empty if there are more than `limit`.
 inline std::vector<Eigen::Index> used_vertices(const Part_mesh& mesh, std::size_t limit)
 {
   std::vector<char> used(std::size_t(mesh.points.cols()), 0);
@@ -80,7 +80,7 @@ inline std::vector<Eigen::Index> used_vertices(const Part_mesh& mesh, std::size_
   return result;
 }
 
-/// Picks `n` of the points, each the farthest from those before.
+/// Picks `n` of the points, each the farthest from those picked before.
 inline Points farthest_points(const Points& candidates, std::size_t n)
 {
   // Of nearly equally far points the first one wins, so that noise does not decide.
@@ -107,7 +107,7 @@ inline Points farthest_points(const Points& candidates, std::size_t n)
   return result;
 }
 
-/// Points evenly spread over a surface. Few vertices are candidates as well, so that corners are included.
+/// Points evenly spread over a surface. Vertices are candidates, too, if they are few, so that corners are among them.
 inline Points even_surface_points(const Part_mesh& mesh, std::size_t n)
 {
   const std::size_t candidates_a_point = 8;

@@ -14,8 +14,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-constexpr double ridge = 1; // added to the weight of a leaf
-constexpr double logit_unit = 1. / 4096;
+constexpr double ridge = 1;               // added to the sum of curvatures of a leaf (regularization)
+constexpr double logit_unit = 1. / 4096;  // unit of logits in a file
 constexpr double largest_logit = 7.9;     // bound of the logit of a leaf, either way
 constexpr std::size_t most_nodes = 65535; // nodes of a tree, as numbered in a file
 
@@ -78,7 +78,7 @@ private:
     Sum sum;
     int feature = -1;
     int value = 0;
-    double gain = 0; // that of the best split
+    double gain = 0; // gain of the best split
     int left = -1, right = -1;
   };
 
@@ -175,7 +175,7 @@ private:
   Boosted_trees& result_;
   std::mt19937_64 random_;
   std::vector<double> weights_, logits_, gradients_, curvatures_; // indexed by example
-  std::vector<int> features_;                                     // those that the tree may use
+  std::vector<int> features_;                                     // features that the next tree may use
 };
 
 Boosted_trees::Boosted_trees(const Byte_rows& rows, const std::vector<double>& targets,
@@ -206,7 +206,7 @@ void write_number(std::ostream& out, std::uint32_t value, int bytes)
     out.put(char(value >> 8 * k & 255));
 }
 
-// \pre there are so many bytes
+// Reads a little-endian number. \pre there are `bytes` bytes
 std::uint32_t taken_number(Stored_bytes& from, int bytes)
 {
   std::uint32_t result = 0;
@@ -215,7 +215,7 @@ std::uint32_t taken_number(Stored_bytes& from, int bytes)
   return result;
 }
 
-constexpr std::int32_t zero_logit = 1 << 15; // a logit is stored as a number of 16 bits
+constexpr std::int32_t zero_logit = 1 << 15; // stored number of logit 0: logits are unsigned numbers of 16 bits
 
 std::uint32_t stored_logit(float logit) { return std::uint32_t(std::lround(double(logit) / logit_unit) + zero_logit); }
 float logit_of_stored(std::uint32_t stored) { return float((std::int32_t(stored) - zero_logit) * logit_unit); }

@@ -13,21 +13,21 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Rows of features in bytes.
+// Features in bytes, one row for each example.
 using Byte_rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Boosting_options
 {
   int trees = 150;
   int leaves = 16;                // number of leaves of a tree
-  double rate = 0.1;              // share of a tree's values that is added
+  double rate = 0.1;              // learning rate: factor of the values of a tree
   double least_weight = 5;        // least sum of the weights of the examples of a leaf; the mean weight is 1
   double share_of_features = 0.5; // share of the features that is tried at each split
   std::uint64_t seed = 1;
 };
 
 // The logit of a probability as a sum of regression trees, each grown on the gradient of the logistic loss (Friedman
-// 2001), with splits at bytes.
+// 2001), with bytes as thresholds.
 class Boosted_trees
 {
 public:
@@ -41,7 +41,7 @@ public:
   bool is_empty() const { return nodes_.empty(); }
 
   void write(std::ostream& out) const;
-  // \return false if the bytes are not those of trees for so many features
+  // \return false if the bytes are not those of trees for `features` features
   bool read(Stored_bytes& bytes, int features);
 
 private:
@@ -50,14 +50,14 @@ private:
   struct Node
   {
     std::uint8_t feature = leaf;
-    std::uint8_t value = 0;  // up to it, examples go left, to the next node
-    std::uint16_t right = 0; // relative to this node
-    float logit = 0;         // value of a leaf
+    std::uint8_t value = 0;  // threshold: examples up to it go left, to the next node
+    std::uint16_t right = 0; // offset of the right child from this node
+    float logit = 0;         // value of a leaf; added up over the trees
   };
 
   class Builder;
 
-  float base_ = 0; // logit
+  float base_ = 0; // logit to which the trees are added
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> roots_;
 };

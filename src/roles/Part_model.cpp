@@ -22,8 +22,8 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr Boosting_options affinity_options{150, 16, 0.1, 5, 0.5, 1}, partness_options{60, 12, 0.15, 5, 0.3, 1};
-constexpr double pure_enough = 0.85;             // share of a node in one true part, from which on it tells of it
-constexpr std::size_t most_pairs_of_shape = 250; // pairs of nodes from which affinities are learned
+constexpr double pure_enough = 0.85; // least share of a node in one true part if it is to be an example of it
+constexpr std::size_t most_pairs_of_shape = 250; // limit of the pairs of nodes to learn from
 constexpr double worth_unit = 0.01;              // unit of worths in a file
 
 // Examples of pairs of nodes, and whether they are of one part.
@@ -33,7 +33,7 @@ struct Node_pairs
   std::vector<bool> are_same;
 };
 
-// The pairs of nodes that are met when pieces of the same part are merged, near and small ones first.
+// The pairs of nodes in contact while the nodes of each true part are merged, near and small ones first.
 Node_pairs pairs_of(const Part_example& example)
 {
   const auto owner = [&](const Part_node& node) {
@@ -83,7 +83,7 @@ Boosted_trees learned_affinity(const std::vector<const Node_pairs*>& shapes)
   return Boosted_trees(features, targets, weights, affinity_options);
 }
 
-// The nodes of a shape, and how much each is a part.
+// The nodes of a shape, and for each one how far it is a true part, from 0 to 1.
 struct Judged_nodes
 {
   std::vector<Part_node> nodes;
@@ -129,11 +129,11 @@ Boosted_trees partness_of(const std::vector<Judged_nodes>& shapes, const std::fu
   return training.empty() ? Boosted_trees() : learned_partness(training);
 }
 
-// Chooses what a part of a category is worth by the shapes of each source.
+// Chooses the worth of a category's parts, by the quality of the parts found in the shapes of each source.
 class Worth_choice
 {
 public:
-  // \param unseen learned without the source, in which a part of the only category is worth 0
+  // \param unseen model learned without the source, of one category, in which a part has worth 0
   void add(const Part_example& example, const Judged_nodes& judged, const Part_model& unseen)
   {
     const Eigen::MatrixXd overlaps = example.overlaps_of(judged.nodes);
@@ -155,12 +155,11 @@ public:
     }
   }
 
-  // Another worth than the usual one only if it is clearly better, whatever the source.
+  // The best worth; the usual one unless another is clearly better across sources.
   double best() const
   {
-    constexpr double standard_errors = 1.5,
-                     most_divided =
-                         1.25; // standard errors of the gain that must be exceeded; found parts over true ones
+    // Standard errors that are subtracted from the mean gain; greatest ratio of found parts to true ones
+    constexpr double standard_errors = 1.5, most_divided = 1.25;
     if (sources_.empty()) return usual_worth_of_part;
     double best = 0, result = usual_worth_of_part;
     for (std::size_t w = 0; w < worths.size(); ++w) {
@@ -188,8 +187,8 @@ private:
   struct Sums
   {
     double shapes = 0;
-    std::array<double, worths.size()> quality{}; // mean of the share of true parts that are found and its F1
-    std::array<double, worths.size()> ratio{};   // number of found parts over that of true ones
+    std::array<double, worths.size()> quality{}; // sum over the shapes: mean of recall and F1
+    std::array<double, worths.size()> ratio{};   // sum over the shapes: found parts over true ones
 
     double gain(std::size_t w) const { return (quality[w] - quality[0]) / shapes; }
   };
@@ -349,7 +348,7 @@ Part_model train_part_model(const std::vector<Part_example>& examples)
   const std::map<std::string, std::size_t> folds = folds_of_sources(sources);
   std::vector<Node_pairs> pairs(examples.size());
   for_each_index(examples.size(), true, [&](std::size_t i) { pairs[i] = pairs_of(examples[i]); });
-  std::vector<Part_model> by_fold(training_folds + 1); // the last one knows all
+  std::vector<Part_model> by_fold(training_folds + 1); // the last one is learned from all
   for_each_index(by_fold.size(), true, [&](std::size_t fold) {
     std::vector<const Node_pairs*> training;
     for (std::size_t i = 0; i < examples.size(); ++i)
@@ -389,7 +388,7 @@ Part_model train_part_model(const std::vector<Part_example>& examples)
       if (unseen.partness.is_empty() || unseen.categories[0].partness.is_empty()) continue;
       for (std::size_t i = 0; i < examples.size(); ++i)
         if (examples[i].category == category.name && fold_of(i) == fold && examples[i].surface.of_triangles.size() == 1)
-          choice.add(examples[i], nodes[i], unseen); // an object, where nothing else tells parts
+          choice.add(examples[i], nodes[i], unseen); // a model of one object, which only probabilities divide
     }
     category.worth = choice.best();
   });

@@ -15,18 +15,18 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The probability from which on a part is taken. If it is half of the F1 with which parts are found, the parts of
-// greatest F1 are those for which the number of right ones, less this for each one found, is greatest.
+// Least probability of a part that is worth taking: parts are chosen so that the sum of (probability - worth) is
+// greatest. If the worth is half of the F1 that is reached, this also gives the greatest F1.
 constexpr double usual_worth_of_part = 0.45;
 
-// Tells the parts of a model that is not divided into parts; learned from labelled shapes.
+// Divides models into parts, as learned from labelled shapes.
 struct Part_model
 {
-  // Tells the parts of one category.
+  // What was learned about the parts of one category.
   struct Category
   {
     std::string name;
-    Boosted_trees partness;
+    Boosted_trees partness; // probability that a node is a part
     double worth = usual_worth_of_part;
   };
 
@@ -41,31 +41,32 @@ struct Part_model
   bool read(Stored_bytes& bytes);
 };
 
-// The candidates for parts of a surface.
+// The candidates for parts of a surface: patches, and unions of them in the order of their affinity.
 std::vector<Part_node> part_candidates(const Surface_patches& surface, const Part_model& model);
 
-// The probabilities that nodes are parts, less those from which on they are taken; copies have the same.
-// \param category null: it is not known
+// For each node, the probability that it is a part, averaged over its copies, less the worth of a part.
+// \param category null if it is not known
 std::vector<double> part_values(const std::vector<Part_node>& nodes, const Byte_rows& features, const Part_model& model,
                                 const Part_model::Category* category);
 
-// The likeliest parts, for the best of the four fronts: indices of nodes. \param category null: it is not known
+// Indices of the nodes that are the likeliest parts, of four possible fronts of the shape for the one with the greatest
+// sum of part values. \param category null if it is not known
 std::vector<std::size_t> likeliest_parts(const Surface_patches& surface, const std::vector<Part_node>& nodes,
                                          const Part_model& model, const Part_model::Category* category);
 
-// A shape whose parts are known, to learn from.
+// A shape whose true parts are known, to learn from.
 struct Part_example
 {
   std::string category, source;
   Surface_patches surface;
-  Eigen::MatrixXd areas; // patch × true part
+  Eigen::MatrixXd areas; // areas of patches in true parts: patch × true part
 
-  Eigen::MatrixXd areas_of(const std::vector<Part_node>& nodes) const; // node × true part
-  // Share of the union of a node and a true part that is in both: node × true part.
+  Eigen::MatrixXd areas_of(const std::vector<Part_node>& nodes) const; // the same for nodes
+  // Intersection over union, by area, of each node with each true part: node × true part.
   Eigen::MatrixXd overlaps_of(const std::vector<Part_node>& nodes) const;
 };
 
-// \param parts by object and triangle, the index of the true part
+// \param parts indexed by object and triangle: index of the true part
 Part_example part_example(const Segmented_shape& objects, const std::vector<std::vector<std::size_t>>& parts,
                           std::string category, std::string source);
 
@@ -74,12 +75,12 @@ constexpr double same_part_overlap = 0.75;
 
 constexpr std::size_t training_folds = 5; // folds into which sources are divided
 
-// A number from 0 on for the fold of each source, so that folds have about as many shapes.
-// \param sources by shape
+// The fold of each source, a number from 0 on; all folds have about equally many shapes.
+// \param sources indexed by shape
 std::map<std::string, std::size_t> folds_of_sources(const std::vector<std::string>& sources);
 
-// Learns from examples. Which nodes are parts is learned on trees whose affinities have not seen the shape's source;
-// what a part of a category is worth, on shapes whose source nothing has seen.
+// Learns from examples. Which nodes are parts is learned on trees by affinities learned without the shape's source; the
+// worth of a category's parts, on shapes by affinities and probabilities both learned without their source.
 Part_model train_part_model(const std::vector<Part_example>& examples);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -33,13 +33,13 @@ struct Role_example
 };
 
 // Extremely randomised trees (Geurts, Ernst, Wehenkel 2006): each split is the best of thresholds drawn for a third of
-// the features, leaves are pure as far as the features tell. A tree votes for one role. Copies share their trees.
+// the features; a leaf has one role unless equal features have several. Copies of a forest share their trees.
 class Role_forest
 {
 public:
   Role_forest() : trees_(std::make_shared<Trees>()) {}
-  // \param drawn sets of further examples, of which each tree sees so many, others than the other trees
-  // \pre examples and sets are sorted, and there are some
+  // \param drawn sets of further examples; each tree sees `drawn_per_tree` of them, drawn at random
+  // \pre examples and sets are sorted, and there is an example
   Role_forest(const std::vector<Role_example>& examples, int trees, std::uint64_t seed,
               const std::vector<std::vector<Role_example>>& drawn = {}, std::size_t drawn_per_tree = 0);
 
@@ -48,7 +48,7 @@ public:
 
   void write(std::ostream& out) const;
   // Checks all nodes; trees are built of them when votes are first asked for. \return false if the bytes are not a
-  // forest of so many trees and roles
+  // forest of this number of trees and at most this number of roles
   bool read(Stored_bytes& bytes, int trees, int roles);
 
 private:
@@ -68,7 +68,7 @@ private:
     std::vector<Node> nodes; // those of a tree in the order root, left subtree, right subtree
     std::vector<std::uint32_t> roots;
     Stored_bytes stored{}; // nodes that were read; none if the trees were grown
-    Once are_made;         // built of `stored`
+    Once are_made;         // whether `nodes` and `roots` are made, of `stored`
   };
 
   class Builder;
@@ -77,7 +77,7 @@ private:
   static std::vector<Role_example> seen(std::vector<Role_example> examples,
                                         const std::vector<std::vector<Role_example>>& drawn, std::size_t count,
                                         std::uint64_t seed);
-  // Takes the first node of the bytes; none if they end before.
+  // Reads the next node; none if the bytes end before.
   static std::optional<Node> taken_node(Stored_bytes& bytes);
   static void make_trees(Trees& trees);
   const Trees& trees() const;

@@ -21,8 +21,8 @@ namespace internal {
 
 namespace {
 
-constexpr double steps_per_deviation = 32;   // steps of a feature: a byte covers four standard deviations either way
-constexpr double least_area_that_counts = 4; // area of a part, in the unit of the feature: the smallest tell the least
+constexpr double steps_per_deviation = 32;   // steps per standard deviation: a byte covers four deviations either way
+constexpr double least_area_that_counts = 4; // added to the area of a part in its weight, in steps of the feature
 
 } // namespace
 
@@ -128,7 +128,7 @@ const Category_roles& category_of(const Role_model_data& data, const std::string
 
 constexpr const char* magic = "shape_correspondence roles 8";
 constexpr std::uint32_t most_categories = 1000, most_examples = 1000000, most_example_weight = 1000000000;
-constexpr long most_weight_steps = 1000000000; // bound of a weight, either way
+constexpr long most_weight_steps = 1000000000; // limit of the absolute value of a weight, in `pair_weight_unit`
 
 // Writes little-endian numbers, and texts with their lengths.
 class Binary_writer
@@ -195,7 +195,7 @@ public:
       weight = double(long(number(2 * most_weight_steps)) - most_weight_steps) * pair_weight_unit;
   }
 
-  // The next bytes.
+  // Takes the next bytes.
   const std::uint8_t* take(std::size_t size)
   {
     if (bytes_.size() < size) fail();

@@ -23,8 +23,8 @@ namespace CGAL::Shape_correspondence::internal {
 struct Role_class
 {
   std::uint8_t role = 0; // index
-  std::string fine;      // without the side; empty: none
-  bool has_side = false; // left and right parts have labels of their own
+  std::string fine;      // finer label without the side; empty: none
+  bool has_side = false; // whether left and right parts have labels of their own
 
   friend bool operator<(const Role_class& a, const Role_class& b)
   {
@@ -37,7 +37,7 @@ struct Match_weights
 {
   Pair_weights weights = usual_pair_weights();
   Confidence_weights confidence = usual_confidence_weights();
-  // The confidence of pairs that geometry alone matches, since this is the nearest category, but not clearly.
+  // The same for pairs matched by geometry alone because this category is the nearest, but not clearly.
   Confidence_weights geometric_confidence = usual_confidence_weights();
 };
 
@@ -48,21 +48,21 @@ struct Category_roles : Match_weights
   std::vector<std::string> roles;  // sorted
   std::vector<Role_class> classes; // sorted, at most `maximum_classes`
   Role_forest forest;
-  std::vector<Role_example> examples; // the labelled parts, by class; sorted
+  std::vector<Role_example> examples; // labelled parts, with the index of the class as role; sorted
 };
 
 constexpr std::size_t maximum_classes = 255;
-constexpr int maximum_trees = 1000; // trees of a forest
+constexpr int maximum_trees = 1000; // limit of the trees of a forest
 
 struct Role_model_data
 {
   std::vector<Category_roles> categories; // sorted by name
   int trees = 0;                          // number of trees of every forest
-  // The confidence of pairs that geometry alone matches, where the nearest category has no weights of its own.
+  // The same as in `Match_weights`, where the nearest category has no weights of its own.
   Confidence_weights geometric_confidence = usual_confidence_weights();
-  std::shared_ptr<const Part_model> parts; // null: parts are not told by what was learned
+  std::shared_ptr<const Part_model> parts; // null: nothing was learned about dividing models into parts
 
-  // The index of a category; `categories.size()` if there is none of the name.
+  // The index of a category; `categories.size()` if there is none of this name.
   std::size_t index(const std::string& category) const;
 };
 
@@ -75,16 +75,16 @@ class Role_distances
 public:
   explicit Role_distances(const std::vector<Category_roles>& categories);
 
-  // Mean over the parts of the mean over the features of the difference from the nearest labelled part of a category.
-  // Parts weigh about as the root of their area, since small ones, such as knobs, are alike in all categories.
+  // Mean over the parts of the mean absolute difference of features from the nearest labelled part of a category. Parts
+  // have about the root of their area as weight, since small ones, such as knobs, are alike in all categories.
   double mean_distance(const Role_features& parts, std::size_t category) const;
 
 private:
-  // The number of bytes of a row: a multiple of 16, padded with 0.
+  // Bytes of a row: the number of features, rounded up to a multiple of 16 for vector instructions.
   static constexpr int row_length = (ROLE_FEATURE_COUNT + 15) / 16 * 16;
   using Rows = Eigen::Array<std::uint8_t, Eigen::Dynamic, row_length, Eigen::RowMajor>;
 
-  // \param features of a row, by its index
+  // \param features function that returns the features of the row of an index
   template <typename Features>
   Rows standardised(Eigen::Index rows, const Features& features) const;
 
@@ -92,7 +92,7 @@ private:
   std::vector<Rows> examples_;                                             // indexed by category; standardised
 };
 
-// The inside of a model.
+// Access to the data in a role model, which its public class does not show.
 struct Role_model_access
 {
   static Role_model model(Role_model_data data) { return Role_model(std::move(data)); }
@@ -100,14 +100,14 @@ struct Role_model_access
   static const Role_distances& distances(const Role_model& model) { return *model.distances_; }
 };
 
-// The labels of parts are predicted from these, indexed as in the structural graph.
+// What the labels of parts are predicted from, indexed by part of the structural graph.
 struct Role_evidence
 {
   Role_features features;
   std::vector<Side> sides;
 };
 
-// \param quarter_turns about up, from the given orientation, with which the shape faces +z
+// \param quarter_turns turns about the up axis after which the shape, as its file orients it, faces +z
 Role_evidence role_evidence(const Structural_graph& graph, int quarter_turns = 0);
 // \param shape the graph, aligned so that it faces +z
 Role_evidence role_evidence(const Structural_graph& graph, const Aligned_shape& shape);

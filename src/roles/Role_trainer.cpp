@@ -18,7 +18,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// The steps of a shape of weight 1: weights are whole numbers, so that sums do not depend on the order of the parts.
+// Number that stands for weight 1. Weights are whole numbers, so that sums do not depend on the order of the parts.
 constexpr double weight_steps = 1e6;
 
 void check(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)
@@ -39,7 +39,7 @@ void check(const std::vector<Labelled_graph>& shapes, const Role_training_option
   }
 }
 
-// Takes the word for a side out of a fine label; false if it has none.
+// Removes the word for a side from a fine label. \return whether it had one
 bool take_out_side(std::string& fine)
 {
   for (const std::string side : {"_left", "_right"})
@@ -52,14 +52,14 @@ bool take_out_side(std::string& fine)
   return false;
 }
 
-// A label, and whether it names a side.
+// A label without its side, and whether it named one.
 struct Example_label
 {
   std::string role, fine;
   bool has_side = false;
 };
 
-// Fine labels count where all parts of a role have one.
+// The labels of a shape's parts. Fine labels are used for roles of which all parts have one.
 std::vector<Example_label> example_labels(const std::vector<Part_label>& labels)
 {
   std::set<std::string> without_fine;
@@ -74,7 +74,7 @@ std::vector<Example_label> example_labels(const std::vector<Part_label>& labels)
   return result;
 }
 
-// The roles and classes of labelled parts. A class has a side where most of its parts have.
+// Sets the roles and classes of labelled parts. A class has sides if most of its parts name one.
 void set_classes(const std::vector<Example_label>& labels, Category_roles& category)
 {
   std::map<std::pair<std::string, std::string>, long> sides; // number of parts with a side minus those without
@@ -198,7 +198,7 @@ Category_roles Role_trainer::category(const std::string& name, const std::vector
   std::sort(drawn.begin(), drawn.end());
   result.forest =
       Role_forest(result.examples, options_.trees, options_.seed, drawn, std::size_t(options_.generated_per_tree));
-  if (parts.empty()) // nothing else tells how near a shape is
+  if (parts.empty()) // they are all that distances can be measured from
     for (const std::vector<Role_example>& examples : drawn)
       result.examples.insert(result.examples.end(), examples.begin(), examples.end());
   std::sort(result.examples.begin(), result.examples.end());

@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence::internal {
 // The weight of a real shape in the training, where a generated one weighs 1.
 constexpr double weight_of_real_shapes = 3;
 
-// Learns roles from labelled shapes, as often as asked for: features are computed once.
+// Learns roles from labelled shapes or subsets of them, for which features are computed only once.
 class Role_trainer
 {
 public:
@@ -25,7 +25,7 @@ public:
                const Role_model_data& known = {});
 
   const Role_evidence& evidence(std::size_t shape) const { return evidence_[shape]; }
-  // Learned from all shapes, with the categories that were known before.
+  // The model learned from all shapes; it includes the categories that were known before.
   Role_model_data model() const;
   // A category learned from the shapes that are not left out; without roles if none is left.
   Category_roles category(const std::string& name, const std::vector<char>& is_left_out) const;

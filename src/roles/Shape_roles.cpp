@@ -48,7 +48,8 @@ Eigen::MatrixX2i parts_of_roles(const Category_roles& category)
 // go to the likeliest other role.
 void move_votes_on_ground(const Eigen::MatrixX2i& known, Eigen::Ref<Eigen::RowVectorXi, 0, Eigen::InnerStride<>> votes)
 {
-  constexpr int least_parts = 20, most_rarely = 50; // one of so many
+  // Fewest labelled parts that show it; "hardly" is at most one of so many
+  constexpr int least_parts = 20, most_rarely = 50;
   const auto never_stands = [&](Eigen::Index role) {
     return known(role, 0) >= least_parts && known(role, 1) * most_rarely <= known(role, 0);
   };
@@ -153,14 +154,14 @@ namespace {
 
 double distance_of(const Shape_roles& shape, std::size_t category) { return shape.distance(category); }
 
-// Mean over the parts of the log of the share of the trees that vote for the likeliest role.
+// Mean over the parts of the logarithm of the share of trees that vote for the likeliest role.
 double agreement_of_trees(const Shape_roles& shape, std::size_t category, int trees)
 {
   const Eigen::MatrixXi& votes = shape.votes(category).roles;
   return (votes.rowwise().maxCoeff().cast<double>().array() / trees).log().mean();
 }
 
-// The shape's distance in the turn in which it is nearest to the category.
+// The least distance of a shape from a category over the quarter turns.
 double distance_of(const Turned_roles& shape, std::size_t category)
 {
   double least = shape[0]->distance(category);
@@ -192,7 +193,7 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
   // Trees agree on what they have not seen, too: parts clearly less like labelled ones than as given are not turned
   const auto distance = [&](int turn) { return shape[std::size_t(turn)]->distance(category); };
   if (quantized((1 - options.clearly_better) * distance(best)) > quantized(distance(0))) return 0;
-  // A shape that looks nearly as likely from another side, as a table does from behind, tells no front
+  // A shape that is nearly as likely at another turn, like a table seen from behind, has no clear front
   for (int turn = 1; turn < 4; ++turn)
     if (turn != best && likeness(turn, agreement(turn)) > most - clear_difference(options)) return 0;
   return best;
@@ -200,7 +201,7 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
 
 namespace {
 
-// Categories by distance, the nearest first. \param distance by category
+// Distances and indices of the categories, the nearest first. \param distance function of the index of a category
 template <typename Distance>
 std::vector<std::pair<double, std::size_t>> by_distance(const Role_model_data& model, const Distance& distance)
 {
@@ -211,14 +212,14 @@ std::vector<std::pair<double, std::size_t>> by_distance(const Role_model_data& m
   return result;
 }
 
-// Near, and much nearer than the second one.
+// Whether the first of sorted categories is near, and much nearer than the second one.
 bool is_clear(const std::vector<std::pair<double, std::size_t>>& categories, const Role_options& options)
 {
   return !categories.empty() && categories[0].first <= options.category_distance &&
          (categories.size() == 1 || categories[0].first <= options.category_ratio * categories[1].first);
 }
 
-// The category that a shape clearly is of; the number of categories: none.
+// The category to which a shape clearly belongs; the number of categories if there is none.
 template <typename Roles>
 std::size_t clear_category(const Roles& shape, const Role_model_data& model, const Role_options& options)
 {

@@ -17,14 +17,14 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// Forest votes per part of a shape, by index in the structural graph.
+// The votes of a forest for the parts of a shape, indexed as in the structural graph.
 struct Role_votes
 {
   Eigen::MatrixXi roles;          // number of trees that vote for each role: part × role
-  std::vector<Part_label> labels; // the likeliest finer label of the likeliest role; the first of equals
+  std::vector<Part_label> labels; // the finer label with most votes of the role with most votes; the first of equals
 };
 
-// The roles of a shape by a model, each computed when it is first asked for. Threads may share it.
+// The roles of a shape by a model, for each category computed when they are first asked for. Threads may share it.
 class Shape_roles
 {
 public:
@@ -61,17 +61,17 @@ private:
 // The category that two shapes are taken to be of.
 struct Pair_category
 {
-  std::size_t index = 0;   // the number of categories: none
-  std::string note;        // a sentence: why there is none
-  std::size_t nearest = 0; // even if it is not clear; the number of categories: there are none
+  std::size_t index = 0;   // the number of categories if there is none
+  std::string note;        // sentence that says why there is none
+  std::size_t nearest = 0; // also set if it is not clear; 0 in a model without categories
 };
 
-// The nearest category. None where the shapes are far from its labelled parts or not much nearer to them than to those
-// of others, or where each of them clearly is of a category of its own.
+// The nearest category. None if the shapes are far from its labelled parts, or not much nearer to them than to those of
+// other categories, or if they clearly are of two different categories.
 Pair_category category_of_pair(const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
                                const Role_options& options = {});
 
-// The roles of a shape by quarter turns about up from its given orientation.
+// The roles of a shape, indexed by the quarter turns about up from its given orientation.
 using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
 
 // The quarter turns with which a shape of a category may face +z: those at which the trees agree on its roles nearly as
@@ -79,24 +79,24 @@ using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
                              const Role_options& options = {});
 
-// The quarter turn with which a shape of a category faces +z. Not 0 only if, at another one, the agreement of the trees
-// and the nearness of the parts to labelled ones are together clearly greater than at any other one, the parts are not
-// clearly farther from them than as given, and no other category is nearer.
+// The quarter turns with which a shape of a category faces +z. They are 0 unless others clearly have the greatest sum
+// of the agreement of trees and the nearness of the parts to labelled ones, with parts not clearly farther from
+// labelled ones than at 0, and no other category nearer.
 int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options = {});
 
 // The nearest category of two shapes of unknown front.
 Pair_category category_of_pair(const Turned_roles& source, const Turned_roles& target, const Role_model_data& model,
                                const Role_options& options = {});
 
-// Cosine of the votes for the roles of every source part and every target part.
+// Cosine of the angle between the role votes of each source part and each target part: source × target.
 Eigen::MatrixXd agreement_of_votes(const Role_votes& source, const Role_votes& target);
 
-// The terms by roles of all pairs of parts, source by source.
+// The terms of all pairs of parts, source by source, without the geometric terms, which are 0.
 // \param source_parts, target_parts the parts to pair, by index in the votes
 Pair_terms role_terms(const Role_votes& source, const std::vector<std::size_t>& source_parts, const Role_votes& target,
                       const std::vector<std::size_t>& target_parts);
 
-// Adds the terms of the geometric match of the parts.
+// Sets the geometric terms. \param costs of substituting parts: source × target \param pairs of the geometric match
 Pair_terms with_geometric_terms(Pair_terms role_terms, const Eigen::MatrixXd& costs,
                                 const std::vector<Part_correspondence>& pairs);
 

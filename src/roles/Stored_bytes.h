@@ -14,7 +14,7 @@ struct Stored_bytes
 {
   const std::uint8_t* next;
   const std::uint8_t* end;
-  std::shared_ptr<const void> owner; // null: the bytes stay as long as the program runs
+  std::shared_ptr<const void> owner; // keeps the bytes; null if they stay as long as the program runs
 
   std::size_t size() const { return std::size_t(end - next); }
 };

@@ -33,7 +33,7 @@ std::map<std::string, Labelled_parts> parts_by_coarse_label(const std::vector<Pa
   return result;
 }
 
-/// Whether the fine labels decide: all parts have one, and they share at least half of the smaller set.
+/// Whether fine labels decide: all parts have one, and at least half of the labels of the smaller set are in both.
 bool share_fine_labels(const std::set<std::string>& a, const std::set<std::string>& b)
 {
   if (a.count("") || b.count("")) return false;

@@ -32,7 +32,7 @@ Eigen::MatrixXd excess_of_pairs(const Eigen::MatrixXd& costs)
   Eigen::MatrixXd result(costs.rows(), costs.cols());
   for (Eigen::Index j = 0; j < costs.cols(); ++j)
     for (Eigen::Index i = 0; i < costs.rows(); ++i)
-      result(i, j) = (costs(i, j) - of_source[i]) + (costs(i, j) - of_target[j]); // symmetric to the bit
+      result(i, j) = (costs(i, j) - of_source[i]) + (costs(i, j) - of_target[j]); // exactly symmetric
   return result;
 }
 
@@ -50,7 +50,7 @@ std::vector<char> pairs_of_greatest_expected_f1(const Eigen::ArrayXd& probabilit
     steps.push_back(quantized(p));
   std::vector<Steps> descending = steps;
   std::sort(descending.begin(), descending.end(), std::greater<>());
-  double expected = 0; // pairs that are right, in steps
+  double expected = 0; // expected number of right pairs, in steps
   for (Steps step : descending)
     expected += double(step);
   const double step_count = 1 / comparison_grid;

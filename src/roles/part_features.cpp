@@ -18,9 +18,9 @@ namespace {
 constexpr double height_of_ground = 0.03;
 // Relative to the width of the shape: how far over the middle plane a part must reach on both sides to span it.
 constexpr double margin_of_middle = 0.05;
-// Relative to the diagonal of the shape: distance of a part's centre from the mirror image of its copy's.
+// Relative to the diagonal of the shape: greatest distance along an axis of a centre from the mirror image of another.
 constexpr double mirror_tolerance = 0.015;
-constexpr double nearly_all = 0.98; // share of a piece's area from which on a node counts as all of it
+constexpr double nearly_all = 0.98; // least share of the area of its pieces with which a node counts as all of them
 constexpr double thinnest = 0.004;  // least side of a box, relative to the diagonal of the shape
 constexpr double least_divisor = 1e-9;
 
@@ -83,7 +83,7 @@ private:
     return result;
   }
 
-  // The point in the unit box of the shape.
+  // The coordinates of a point in the unit box of the shape.
   Eigen::Array3d in_box(const Point& turned_point) const
   {
     return (turned_point - box_.min()).array() / box_.sizes().array().max(thinnest);
@@ -105,13 +105,13 @@ private:
 
   const std::map<std::size_t, Piece>& sheets() const { return pieces_[0].second; }
 
-  // Sums over the surroundings of a node.
+  // The patches in contact with a node, and sums over their contacts with it.
   struct Around
   {
     std::set<std::size_t> patches;
-    double area = 0; // area of the node that is near other patches
+    double area = 0; // area of the node near these patches
     Patch_contact borders;
-    const Piece* largest = nullptr; // the sheet of most area that is near; null if none is
+    const Piece* largest = nullptr; // the largest of their sheets; null if there is no patch
   };
 
   Around around(const Part_node& node) const
@@ -292,12 +292,12 @@ private:
   const std::vector<Part_node>& nodes_;
   Eigen::Matrix3d turn_;
   Byte_rows result_;
-  Eigen::AlignedBox3d box_;                                                  // turned
+  Eigen::AlignedBox3d box_;                                                  // box of the shape, turned
   std::vector<std::vector<std::pair<std::size_t, Patch_contact>>> contacts_; // indexed by patch
   std::array<std::pair<Piece_number, std::map<std::size_t, Piece>>, 3> pieces_{
       {{&Surface_patch::sheet, {}}, {&Surface_patch::component, {}}, {&Surface_patch::object, {}}}};
   std::size_t largest_sheet_ = 0;
-  std::map<std::vector<std::size_t>, std::vector<std::size_t>> copies_; // nodes, by shapes of patches
+  std::map<std::vector<std::size_t>, std::vector<std::size_t>> copies_; // indexed by the shapes of patches: nodes
   std::vector<int> depths_;
 };
 

@@ -12,8 +12,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 constexpr int part_feature_count = 68;
 
-// The features that tell whether a node of a part tree is a part, node by node.
-// \param quarter_turns about up, from the given frame, with which the shape faces +z
+// The features from which the probability that a node of a part tree is a part is computed: one row for each node.
+// \param quarter_turns turns about y after which the shape, in the frame of `surface`, faces +z
 Byte_rows part_features(const Surface_patches& surface, const std::vector<Part_node>& nodes, int quarter_turns);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -27,7 +27,7 @@ struct Placed_part
   Eigen::Array3d low, high; // corners in the unit box
   Eigen::Matrix3d spread;   // root of the covariance, of Frobenius norm 1
   Eigen::Array3d lengths;   // roots of the principal variances, the least first
-  double area;              // share of all parts'
+  double area;              // share of the area of all parts
 
   Eigen::Array3d middle() const { return (low + high) / 2; }
 };
@@ -75,7 +75,7 @@ double rank_in_height(const Placed_part& part, const std::vector<Placed_part>& p
   return rank / double(parts.size());
 }
 
-// A row of features.
+// Writes the features of a part as bytes.
 class Feature_row
 {
 public:

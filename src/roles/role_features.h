@@ -52,12 +52,12 @@ enum Role_feature : int {
   TO_FRONT_OF_NEIGHBOUR, // distance from the middle of the largest part that it touches
   SHARE_WITH_NEIGHBOUR,  // share of its area in that of the two
   SHAPE_WIDTH,
-  SHAPE_DEPTH, // w / (w + height), of the shape's box in the common frame
+  SHAPE_DEPTH, // width / (width + height) of the shape's box in the common frame; the same with its depth
   ROLE_FEATURE_COUNT
 };
 
-// One row per part, by its index in the structural graph. A feature is a byte, 0 … 254 for 0 … 1, or for -1 … 1 if it
-// is signed, so that rounding by a motion of the shape does not show.
+// One row for each part, by its index in the structural graph. A feature is a byte, 0 … 254 for 0 … 1, or for -1 … 1 if
+// it is signed, so that rounding by a motion of the shape does not show.
 using Role_features = Eigen::Array<std::uint8_t, Eigen::Dynamic, ROLE_FEATURE_COUNT, Eigen::RowMajor>;
 
 // \param shape the graph, aligned so that it faces +z
@@ -66,7 +66,7 @@ Role_features role_features(const Structural_graph& graph, const Aligned_shape& 
 // Side of the middle plane.
 enum class Side { RIGHT = -1, NEITHER, LEFT };
 
-// The side of the centre of every part's box, by index in the structural graph.
+// The side on which the centre of each part's box is, by index in the structural graph.
 std::vector<Side> part_sides(const Aligned_shape& shape);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -18,8 +18,8 @@ double distance_of_nearest_category(const Structural_graph& graph, const Role_mo
 struct Up_by_roles
 {
   std::size_t axis = 1;
-  bool is_nearer = false; ///< than with any other axis, by `Role_options::clearly_better`
-  bool is_clear = false;  ///< the same by `Role_options::category_ratio`
+  bool is_nearer = false; ///< whether nearer than with any other axis by the share `Role_options::clearly_better`
+  bool is_clear = false;  ///< whether nearer by the ratio `Role_options::category_ratio`
 };
 
 /// \param frames of the shape with x, y or z up

@@ -76,8 +76,7 @@ void Welded_triangles::collect(const Segmented_shape& shape, const Eigen::Matrix
 
 void Welded_triangles::weld()
 {
-  constexpr std::size_t most_compared =
-      8; // points of a cell that are compared; all points of a cell are welded in any case
+  constexpr std::size_t most_compared = 8; // points compared in a cell, which are all welded in any case
   Disjoint_sets sets(std::size_t(points.cols()));
   const Point_grid grid(points, welding_distance / 2);
   grid.for_each_cell([&](const Numbers& of_cell) {

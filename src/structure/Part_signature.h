@@ -20,8 +20,8 @@ namespace symmetry {
 constexpr int sheet_samples = 16; ///< number along each side of a sheet
 constexpr int curve_samples = 64;
 /// Limits for congruent parts.
-constexpr double area_ratio = 1.35;
-constexpr double volume_ratio = 1.5;   ///< ratio of volumes, which are uncertain for open meshes
+constexpr double area_ratio = 1.35;    ///< largest ratio of areas
+constexpr double volume_ratio = 1.5;   ///< largest ratio of volumes, which are uncertain for open meshes
 constexpr double largest_factor = 2.5; ///< largest deviation, over the allowed mean deviation
 
 /// Directions of support functions: lattice points on a cube, which reflections in coordinate planes permute.
@@ -161,7 +161,7 @@ inline bool have_same_size(const Part_signature& a, const Part_signature& b, dou
          ratio_within(a.area, b.area, area_ratio) && ratio_within(a.volume, b.volume, volume_ratio);
 }
 
-/// Ratios of the widths of two bodies in all directions, ascending; `noise` is added to every width.
+/// Ratios, at least 1, of the widths of two bodies in all directions, ascending; `noise` is added to every width.
 inline std::vector<double> width_ratios(const Eigen::VectorXd& support_a, const Eigen::VectorXd& support_b,
                                         double noise)
 {
@@ -192,7 +192,8 @@ inline Eigen::VectorXd moved_support(const Part_signature& part, const Eigen::Ma
   return support(support_directions().vectors() * map, part.extremes);
 }
 
-/// Whether points are on others: up to tolerance + spacing in the mean, 95 % up to `largest_factor` times that.
+/// Whether the distances of points from others are at most tolerance + spacing on average, and 95 % of them at most
+/// `largest_factor` times that.
 inline bool lie_on(const Points& points, const Points& others, double tolerance, double spacing)
 {
   Eigen::ArrayXd distances(points.cols());

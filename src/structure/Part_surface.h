@@ -86,7 +86,7 @@ public:
     return odd >= 2;
   }
 
-  /// About `n` samples of the marked triangles inside `region`; if these are few, also clipped corners, with area 0.
+  /// About `n` samples of the marked triangles clipped to `region`; then their corners, with area 0, if at most `n`.
   Surface_samples sample(const std::vector<char>& marked, const Box& region, int n) const
   {
     std::vector<Sampled_triangle> pieces;
@@ -141,7 +141,7 @@ struct Near_pair
 {
   std::array<std::size_t, 2> parts;
   double distance;
-  std::size_t region; ///< index into the caller's list of places
+  std::size_t region; ///< index into the caller's list of contact points
 };
 
 inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Near_pair& pair, double diagonal)

@@ -20,12 +20,12 @@
 
 namespace CGAL::Shape_correspondence::internal::symmetry {
 
-constexpr double least_position_tolerance = 0.01; ///< tolerance for small parts, over the shape's height
-constexpr double hull_noise = 0.003;              ///< mean deviation of hulls due to noise, over the diagonal
-constexpr double least_elongation = 1.5;          ///< length over width of a shape with two different ends
-constexpr double plane_tolerance = 0.02;          ///< distance of a pair's centre from a mirror plane, over the height
-constexpr double main_plane_support = 0.4;        ///< least mirrored share of the surface for the main plane
-constexpr double other_plane_support = 0.7;       ///< least mirrored share of the surface for the other plane
+constexpr double least_position_tolerance = 0.01; ///< tolerance of positions of small parts, over the shape's height
+constexpr double hull_noise = 0.003;              ///< mean deviation of hulls due to noise, over the shape's diagonal
+constexpr double least_elongation = 1.5;          ///< least length over width of a shape with two different ends
+constexpr double plane_tolerance = 0.02; ///< greatest offset of a pair's midpoint from a mirror plane, over the height
+constexpr double main_plane_support = 0.4;  ///< least mirrored share of the surface for the main plane
+constexpr double other_plane_support = 0.7; ///< least mirrored share of the surface for the other plane
 
 /// The linear maps that every pair of parts is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
@@ -104,8 +104,8 @@ public:
     return false;
   }
 
-  /// Whether two parts are displaced along the normal of a mirror plane only. Parts that cross each other in one place
-  /// count, too, if they mirror each other but not themselves.
+  /// Whether two parts are displaced along the normal of a mirror plane only. Parts that cross,
+  /// with centres at one place, count, too, if they are not mirror images of themselves.
   bool displaced_along(std::size_t i, std::size_t j, Basic_map mirror) const
   {
     Point d = parts_[i].centre - parts_[j].centre;
@@ -121,7 +121,7 @@ public:
   Basic_map main_mirror() const { return main_mirror_; }
   Basic_map other_mirror() const { return main_mirror_ == MIRRORED_X ? MIRRORED_Z : MIRRORED_X; }
 
-  /// The offset d of the mirror plane x = d or z = d of most surface; none if its support is too small.
+  /// The offset d of the plane x = d or z = d that mirrors the largest share of the surface; none if that is too small.
   const std::optional<double>& plane(Basic_map map) const { return planes_[map]; }
 
   /// Whether two parts are at different ends of an elongated shape, such as a bed's head and foot or a bicycle's front
@@ -199,7 +199,9 @@ private:
     double offset = 0;
   };
 
-  /// Takes votes from every mirrored pair and self-symmetric part. \return the plane with most surface
+  /// The plane that mirrors the most surface: each mirrored pair, and each part that mirrors itself, votes for an
+  /// offset.
+  /// \param wanted the offset, if it is known
   Supported_plane best_plane(Basic_map map, const std::optional<double>& wanted) const
   {
     const int axis = axis_of(map);
@@ -275,11 +277,11 @@ private:
 };
 
 /// Limits for copies, which are stricter than for congruent parts.
-constexpr double copy_tolerance = 0.4; ///< largest mean deviation, over the tolerance
-constexpr double copy_maximum = 1.75;  ///< largest deviation, over the allowed mean deviation
-constexpr double copy_area_ratio = 1.25;
-constexpr double copy_width_ratio = 1.27; ///< ratio of widths, in any direction
-constexpr double copy_most_widths = 1.14; ///< ratio of widths in nine directions of ten, since noise is uneven
+constexpr double copy_tolerance = 0.4;    ///< largest mean deviation, over the tolerance
+constexpr double copy_maximum = 1.75;     ///< largest deviation, over the allowed mean deviation
+constexpr double copy_area_ratio = 1.25;  ///< largest ratio of areas
+constexpr double copy_width_ratio = 1.27; ///< largest ratio of widths, in any direction
+constexpr double copy_most_widths = 1.14; ///< largest ratio of widths in 90 % of the directions, since noise is uneven
 
 /// Kinds of symmetry, in the order of preference among candidates with equally many members.
 enum class Preference {
@@ -316,7 +318,7 @@ struct Symmetry_candidate
 
 inline bool operator<(const Symmetry_candidate& a, const Symmetry_candidate& b) { return a.rank() < b.rank(); }
 
-/// The candidates that have most members of all that were added, but for those that were rejected.
+/// Keeps the largest of the candidates that are added, unless they were rejected before.
 class Largest_candidates
 {
 public:

@@ -40,7 +40,7 @@ struct Aligned_shape
   std::vector<Eigen::AlignedBox3d> boxes; ///< bounding boxes of the samples, by group
   std::vector<Sampled_part> parts;
   std::vector<std::size_t> original; ///< index in the structural graph, by part
-  std::vector<double> prominence;    ///< volume or an estimate of it, by part
+  std::vector<double> prominence;    ///< volume of each part, or an estimate of it
   std::vector<std::size_t> group_of; ///< vertex of the graph, by part
   std::vector<Contact> contacts;     ///< includes contacts within a group, which have no edge
 

@@ -174,7 +174,7 @@ Part_abstraction outline(const Shape_part& part)
   return result;
 }
 
-/// The shape without contacts.
+/// The structure of a shape whose parts are abstracted by `outline()`, without contacts.
 Shape_structure outlines(const Segmented_shape& shape, const Shape_frame& frame)
 {
   Shape_structure result;

@@ -23,10 +23,10 @@ using namespace internal::contacts;
 
 namespace {
 
-/// Factor of the tolerance, so that a gap of exactly the tolerance is a contact in every pose.
+/// Factor by which the tolerance is enlarged, so that a gap of exactly the tolerance is a contact in every pose.
 constexpr double slack = 1 + 1e-9;
 constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
-constexpr double region_gap = 1.0 / 6;  ///< distance between regions, over the diagonal of all near samples
+constexpr double region_gap = 1.0 / 6;  ///< least distance between two regions, over the diagonal of all near samples
 constexpr int region_samples = 64;      ///< samples of either surface for finding the regions of a contact
 constexpr int abstraction_samples = 16; ///< samples of a curve, or along each side of a sheet
 
@@ -58,7 +58,7 @@ void add_near_samples(const Part_surface& from, const std::vector<char>& marked,
   }
 }
 
-/// Samples within `limit` of the other surface, after the two closest points.
+/// The two closest points, then samples of both surfaces within `limit` of the other one.
 Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Closest_pair& closest, double limit)
 {
   const std::vector<char> near_a = a.tree().near_triangles(b.tree(), limit * limit);
@@ -70,7 +70,7 @@ Near_samples near_samples(const Part_surface& a, const Part_surface& b, const Cl
   return result;
 }
 
-/// Single-linkage clusters of the points.
+/// Single-linkage clusters of points: those within the tolerance or `region_gap` are linked.
 Disjoint_sets linked(const std::vector<Point>& points, double tolerance)
 {
   Box box;
@@ -233,7 +233,7 @@ private:
   const std::vector<Part_abstraction>& parts_;
   const Shape_frame& frame_;
   std::vector<Part_surface> surfaces_;
-  std::vector<Closest_pair> closest_; ///< closest points by `Near_pair::region`
+  std::vector<Closest_pair> closest_; ///< indexed by `Near_pair::region`
   bool closest_points_;
   double diagonal_;
   double tolerance_;
@@ -251,7 +251,7 @@ double area(const Sheet& sheet)
   return sum;
 }
 
-/// Radius of a rod, or half the thickness of a plate, if even; 0 if unknown.
+/// Radius of a round rod, or half the thickness of an even plate, with the part's volume; 0 if unknown.
 double half_thickness(const Part_abstraction& part)
 {
   const double extent = part.is_sheet() ? 2 * area(std::get<Sheet>(part.geometry))

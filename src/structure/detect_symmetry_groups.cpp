@@ -24,8 +24,8 @@ using namespace internal::symmetry;
 
 namespace {
 
-constexpr double uneven_spacing = 0.3; ///< deviation of a step of a row from the mean step, over the mean
-constexpr double crookedness = 0.1;    ///< distance of a member from the row's line, over the length of the row
+constexpr double uneven_spacing = 0.3; ///< largest deviation of a step of a row from the mean step, over the mean
+constexpr double crookedness = 0.1; ///< greatest distance of a member from the row's line, over the length of the row
 
 /// Parts of which each is a translated copy of another one, and the tree of their centres.
 struct Copies
@@ -47,7 +47,7 @@ private:
   }
 };
 
-/// The parts of `free` by what they are copies of, where there are three or more.
+/// The sets of three or more translated copies among the parts `free`.
 std::list<Copies> translated_copies(const Part_relations& parts, const std::vector<std::size_t>& free)
 {
   Disjoint_sets sets(parts.size());
@@ -72,7 +72,7 @@ std::optional<std::size_t> next_in_row(const Part_relations& parts, std::size_t 
   const Eigen::Index nearest = copies.centres.nearest_within(place, largest);
   if (nearest < 0) return std::nullopt;
   if (const std::size_t k = copies.members[std::size_t(nearest)]; parts.related(last, k, TRANSLATED)) return k;
-  std::optional<std::size_t> best; // the nearest copy that is alike by way of other parts only
+  std::optional<std::size_t> best; // the nearest of those related to `last` directly, not only by way of others
   double least = largest;
   for (std::size_t k : copies.members) {
     const double distance = (parts[k].centre - place).norm();
@@ -229,7 +229,7 @@ private:
   std::vector<std::size_t> free_; ///< ascending
   std::vector<Symmetry_candidate> groups_;
   Largest_candidates found_;
-  std::size_t row_beginnings_ = 0; ///< pairs of copies that rows were followed from
+  std::size_t row_beginnings_ = 0; ///< number of pairs of copies from which rows were followed
 };
 
 /// An order of the parts that does not depend on the file: by rounded position of the centre along a direction, size

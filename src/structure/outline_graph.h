@@ -12,10 +12,10 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A structural graph for uses that need only the surfaces of parts, such as roles, since abstraction takes most of the
-/// time: every part is a group, abstracted by the diagonal of its bounding box.
+/// A structural graph for uses that need only the surfaces of parts, such as roles. It saves abstraction, which takes
+/// most time: every part is a group, abstracted by the diagonal of its bounding box.
 Structural_graph outline_graph(const Segmented_shape& shape);
-/// \param shape with surfaces that are canonical \param touching the parts that are in contact
+/// \param shape with canonical surfaces \param touching pairs of parts that are in contact
 Structural_graph outline_graph(const Segmented_shape& shape, const Shape_frame& frame,
                                const std::set<std::array<std::size_t, 2>>& touching);
 

@@ -14,9 +14,11 @@
 
 namespace CGAL::Shape_correspondence::internal::symmetry {
 
-/// Least sine of the angles between a turned pair's difference and the mirror plane and its normal.
+/// For a pair related by a half turn: least sine of the angles of the line between the centres with the mirror plane
+/// and with its normal.
 constexpr double least_oblique_sine = 0.2;
-/// Distance of a pair's centre from a mirror plane, over the distance of the two parts along its normal.
+/// Greatest offset of a mirrored pair's midpoint from the mirror plane, over the distance between its parts along the
+/// normal.
 constexpr double plane_share = 0.1;
 
 inline Symmetry mirror(const Point& point, const Point& normal)
@@ -38,13 +40,13 @@ inline Point upward(const Point& direction)
   return keep ? direction : Point(-direction);
 }
 
-/// Distance between a parallel of a mirror plane through a point and the shape's mirror plane; 1 if there is none.
+/// Distance of a point from a mirror plane of the shape; 1 if the shape has none.
 inline double plane_distance(const Part_relations& parts, Basic_map map, const Point& middle)
 {
   return parts.plane(map) ? std::abs(middle[axis_of(map)] - *parts.plane(map)) : 1;
 }
 
-/// Completes an orbit under two mirror planes: a corner i, its image j in the main plane and k in the other one.
+/// Adds the orbits under two mirror planes of a part i with its image j in the main plane and k in the other one.
 inline void add_four(const Part_relations& parts, std::size_t i, std::size_t j, std::size_t k,
                      const std::vector<std::size_t>& free, Largest_candidates& result)
 {
@@ -170,7 +172,7 @@ inline void add_pair_mirrored_anyhow(const Part_relations& parts, std::size_t i,
   result.add(pair);
 }
 
-/// The symmetry of a part that is in no group with others: reflection in its own mirror plane, if it has one.
+/// The symmetry of a part that is a group alone: reflection in its own mirror plane, if it has one.
 inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
 {
   for (const Basic_map map : {parts.main_mirror(), parts.other_mirror()}) {
@@ -186,7 +188,7 @@ inline Symmetry self_symmetry(Part_relations& parts, std::size_t i)
 }
 
 constexpr auto full_turn = double(2 * EIGEN_PI);
-constexpr double uneven_angle = 0.15; ///< deviation of an angle between neighbours from the mean angle, over the mean
+constexpr double uneven_angle = 0.15; ///< largest deviation of an angle between neighbours from the mean, over the mean
 constexpr double star_core = 0.4;     ///< largest ratio of inner and outer radius of a star's members
 constexpr double horizontal_limit = 0.1; ///< largest vertical component of an axis that counts as horizontal
 /// Number of members from which on parts around a horizontal axis count as a ring. Fewer do only if they form a star:
@@ -331,8 +333,8 @@ inline std::array<std::vector<std::size_t>, 2> split_at_gap(const Part_relations
   return {{{set.begin(), set.begin() + cut}, {set.begin() + cut, set.end()}}};
 }
 
-/// Adds rings of parts of one size: about the vertical axis and a horizontal axis through their mean; if there are
-/// none, those in the two subsets on either side of the widest gap.
+/// Adds rings of parts of one size about the vertical axis and a horizontal axis through their mean; if there are none,
+/// splits the parts at the widest gap, up to `splits` times, and looks for rings on either side.
 inline void add_rings_among(const Part_relations& parts, const std::vector<std::size_t>& set, int splits,
                             Largest_candidates& result)
 {
