@@ -106,7 +106,7 @@ void Solid_abstractor::try_to_run()
 
 double Solid_abstractor::share_in_part(const Points& points, const Part_mesh& solid) const
 {
-  // Distance from the solid that counts as inside: a bent plate deviates less from its sheet
+  // Greatest distance from the solid that counts as inside: a bent plate deviates less from its sheet
   const double near = 2.5 * edge_length_;
   const Inside_test is_inside(solid);
   const Nearest_points surface(solid.points);

@@ -88,7 +88,7 @@ inline double quadrilateral_area(const Planar_points& outline, const Outline_cor
   return 0.5 * std::abs(cross(outline[c[2]] - outline[c[0]], outline[c[3]] - outline[c[1]]));
 }
 
-/// The largest quadrilateral of vertices of an outline, found by its first diagonal.
+/// The largest quadrilateral of an outline's vertices: for each first diagonal, the farthest vertices on either side.
 inline Outline_corners largest_quadrilateral(const Planar_points& outline)
 {
   // On a smooth outline, every n-th vertex suffices.

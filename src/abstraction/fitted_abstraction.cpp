@@ -290,7 +290,7 @@ class Fitter : public Solid_abstractor
       use_axis(revolution->curve(mesh().points, options().curve_points));
       return;
     }
-    // These are flat as a whole, though not by the medial axis: a disc on a long axle, a flat carcass
+    // Parts that are flat as a whole, though their medial axes are not: discs on long axles, and flat carcasses
     const bool is_disc = revolution && !has_handle && measured != Intrinsic_kind::FLAT;
     const bool is_flat_carcass =
         measured == Intrinsic_kind::COMPACT && is_carcass(layout, thickness) && is_flat(box.extents);

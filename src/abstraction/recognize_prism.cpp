@@ -18,8 +18,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Limits of a prism's volume over that of the extrusion of its outline. Edges may be rounded; the 2 % that may
-/// be missing bound the offset of the axis from the middle, over the thickness.
+/// Limits of a prism's volume over that of the extrusion of its outline. Edges may be rounded; the 2 % that may be
+/// missing bound the offset of the axis from the middle, over the thickness.
 constexpr double least_filled = 0.98, most_filled = 1.001;
 
 /// Normal of each triangle, of length twice its area.

@@ -34,7 +34,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
 
 /// Remeshes to triangles of uniform size, as the flow needs them: a leg of eight vertices would collapse to a point.
 /// Splits and collapses edges and spreads vertices over the surface (Botsch and Kobbelt 2004, without edge flips).
-/// Remeshing takes most of the time, and CGAL's `isotropic_remeshing()` three times as many instructions.
+/// Remeshing takes most of the time, and CGAL's `isotropic_remeshing()` would take three times as many instructions.
 /// \pre `solid` is a closed manifold
 /// \throw Flow_failure
 Part_mesh remeshed(const Part_mesh& solid, double edge_length, const Deadline& deadline);

@@ -100,7 +100,7 @@ std::atomic<int> working_threads{std::max(1, int(std::thread::hardware_concurren
 constexpr std::size_t most_taken = 1024;           // limit of the threads that one loop starts
 constexpr bool is_caller_alone() { return false; } // a loop that finds no idle thread starts none
 
-/// \return the number of threads taken, at most `most`
+/// Takes idle threads for a loop. \return their number, at most `most`
 int take_idle_threads(int most)
 {
   int idle = idle_threads, taken = 0;
@@ -110,7 +110,7 @@ int take_idle_threads(int most)
   return taken;
 }
 
-/// The caller works as well, so that a nested loop proceeds even if no thread is idle.
+/// Works in idle threads and in the calling one, so that a nested loop proceeds even if no thread is idle.
 template <typename Work>
 void run_in_parallel(std::size_t n, const Work& work)
 {

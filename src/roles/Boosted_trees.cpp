@@ -16,8 +16,8 @@ namespace {
 
 constexpr double ridge = 1;               // added to the sum of curvatures of a leaf (regularization)
 constexpr double logit_unit = 1. / 4096;  // unit of logits in a file
-constexpr double largest_logit = 7.9;     // bound of the logit of a leaf, either way
-constexpr std::size_t most_nodes = 65535; // nodes of a tree, as numbered in a file
+constexpr double largest_logit = 7.9;     // limit of the absolute logit of a leaf
+constexpr std::size_t most_nodes = 65535; // limit of the offset of a child, which has 16 bits
 
 double logistic(double logit) { return 1 / (1 + std::exp(-logit)); }
 

@@ -32,7 +32,7 @@ class Boosted_trees
 {
 public:
   Boosted_trees() = default;
-  // \param targets probabilities \param weights of the examples
+  // Learns from examples. \param targets probabilities to predict \param weights of the examples
   Boosted_trees(const Byte_rows& rows, const std::vector<double>& targets, const std::vector<double>& weights,
                 const Boosting_options& options);
 
@@ -41,7 +41,7 @@ public:
   bool is_empty() const { return nodes_.empty(); }
 
   void write(std::ostream& out) const;
-  // \return false if the bytes are not those of trees for `features` features
+  // Reads what `write()` has written. \return false if the bytes are not trees for this number of features
   bool read(Stored_bytes& bytes, int features);
 
 private:

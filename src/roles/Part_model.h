@@ -37,7 +37,7 @@ struct Part_model
   bool is_empty() const { return affinity.is_empty(); }
 
   void write(std::ostream& out) const;
-  // \return false if the bytes are not those of a model
+  // Reads what `write()` has written. \return false if the bytes are not those of a model
   bool read(Stored_bytes& bytes);
 };
 

@@ -41,7 +41,7 @@ private:
   {
     int feature = -1;
     int value = 0;
-    double purity = -1; // sum over both sides of the squared weights of roles over the weight
+    double purity = -1; // Σ (weight of a role)² / weight of all, summed over both sides
   };
 
   const Role_example& example(std::uint32_t index) const { return examples_[index]; }
@@ -80,7 +80,7 @@ private:
     return purity(left_) + purity(right_);
   }
 
-  // The best of a few features that differ among the examples, each at a random threshold; none if none differs.
+  // The best split by a few features that differ among the examples, each at a random threshold; none if none differs.
   Split best_split(Iterator begin, Iterator end)
   {
     std::array<int, ROLE_FEATURE_COUNT> features;

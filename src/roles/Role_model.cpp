@@ -170,7 +170,7 @@ public:
     throw Invalid_input(name_ + ": it is not a whole role model of this version; train it again, or get it again");
   }
 
-  // \param most the largest value that it may have
+  // Reads a number; fails if it is more than `most`.
   std::uint32_t number(std::uint32_t most)
   {
     const std::uint8_t* const bytes = take(4);

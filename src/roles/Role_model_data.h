@@ -37,7 +37,7 @@ struct Match_weights
 {
   Pair_weights weights = usual_pair_weights();
   Confidence_weights confidence = usual_confidence_weights();
-  // The same for pairs matched by geometry alone because this category is the nearest, but not clearly.
+  // Calibrates confidences of pairs matched by geometry alone because this category is the nearest, but not clearly.
   Confidence_weights geometric_confidence = usual_confidence_weights();
 };
 
@@ -58,7 +58,7 @@ struct Role_model_data
 {
   std::vector<Category_roles> categories; // sorted by name
   int trees = 0;                          // number of trees of every forest
-  // The same as in `Match_weights`, where the nearest category has no weights of its own.
+  // Calibrates confidences of pairs matched by geometry alone if the nearest category has no weights of its own.
   Confidence_weights geometric_confidence = usual_confidence_weights();
   std::shared_ptr<const Part_model> parts; // null: nothing was learned about dividing models into parts
 

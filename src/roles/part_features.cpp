@@ -26,7 +26,7 @@ constexpr double least_divisor = 1e-9;
 
 double quotient(double a, double b) { return b > least_divisor ? a / b : 0; }
 
-// The rows of all nodes of a tree.
+// Makes the rows of features of all nodes of a tree.
 class Part_rows
 {
 public:

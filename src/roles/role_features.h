@@ -21,17 +21,17 @@ enum Role_feature : int {
   LOWEST_HEIGHT,
   HIGHEST_HEIGHT,
   MIDDLE_HEIGHT,
-  EXTENT_UP, // along y
+  EXTENT_UP, // extent of its box along y
   LOWEST_DEPTH,
   HIGHEST_DEPTH,
   MIDDLE_DEPTH,
-  EXTENT_DEPTH,        // along z
-  EXTENT_SIDEWAYS,     // along x
+  EXTENT_DEPTH,        // extent along z
+  EXTENT_SIDEWAYS,     // extent along x
   OFF_MIDDLE,          // distance of the middle of its box from the middle plane, over half the width of the shape
-  FARTHEST_OFF_MIDDLE, // the same for the side of its box farthest off the plane
+  FARTHEST_OFF_MIDDLE, // distance of the farthest side of its box from that plane, over half the width
   SPANS_MIDDLE,        // 1 or 0: reaches over both sides of the middle plane
-  DIAGONAL,            // that of its box, over that of the shape's, in the common frame
-  HEIGHT,              // that of its box, over the diagonal of the shape's, in the common frame
+  DIAGONAL,            // diagonal of its box over that of the shape's box, in the common frame
+  HEIGHT,              // height of its box over the diagonal of the shape's box, in the common frame
   AREA,                // share of the surface of all parts
   SECOND_SIDE,
   THIRD_SIDE, // the sides of its box, over the longest one, in the common frame
@@ -39,18 +39,18 @@ enum Role_feature : int {
   THIRD_LENGTH, // root of a principal variance, over the largest, in the common frame
   SPREAD_SIDEWAYS,
   SPREAD_UP,
-  SPREAD_DEPTH, // diagonal of the root of the covariance, of Frobenius norm 1
+  SPREAD_DEPTH, // diagonal of the root of the covariance matrix, scaled to Frobenius norm 1
   TILT_SIDEWAYS,
   TILT_TO_FRONT,
-  TILT_LEVEL,     // elements off the diagonal: xy, yz, xz
+  TILT_LEVEL,     // elements off the diagonal of that matrix: xy, yz, xz
   RANK_IN_HEIGHT, // share of the parts whose middle is lower, ties count half
   SIDEWAYS_OF_LARGEST,
   UP_OF_LARGEST,
-  TO_FRONT_OF_LARGEST, // distance from the middle of the part of most area
+  TO_FRONT_OF_LARGEST, // offsets of its middle from that of the part of most area
   SIDEWAYS_OF_NEIGHBOUR,
   UP_OF_NEIGHBOUR,
-  TO_FRONT_OF_NEIGHBOUR, // distance from the middle of the largest part that it touches
-  SHARE_WITH_NEIGHBOUR,  // share of its area in that of the two
+  TO_FRONT_OF_NEIGHBOUR, // offsets of its middle from that of the largest part that it touches
+  SHARE_WITH_NEIGHBOUR,  // its area over the sum of both areas
   SHAPE_WIDTH,
   SHAPE_DEPTH, // width / (width + height) of the shape's box in the common frame; the same with its depth
   ROLE_FEATURE_COUNT

@@ -22,7 +22,7 @@ struct Up_by_roles
   bool is_clear = false;  ///< whether nearer by the ratio `Role_options::category_ratio`
 };
 
-/// \param frames of the shape with x, y or z up
+/// Compares the three axes. \param frames of the shape with x, y or z up
 Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_frame, 3>& frames,
                         const Role_model& model, const Role_options& options = {});
 

@@ -74,7 +74,8 @@ public:
 
   const std::vector<Point>& points() const { return sorted_.points; }
   const std::vector<Corners>& triangles() const { return sorted_.triangles; }
-  const Point& area_vector(int triangle) const { return area_vectors_[std::size_t(triangle)]; } ///< twice the area
+  /// Normal of a triangle, of length twice its area.
+  const Point& area_vector(int triangle) const { return area_vectors_[std::size_t(triangle)]; }
 
   /// The triangle that continues the surface across the side that begins at a corner, see `join_sides()`; -1: none.
   int neighbour(int corner) const { return neighbours_[std::size_t(corner)]; }
@@ -114,7 +115,7 @@ private:
 
   double tolerance_;
   Sorted_triangles sorted_;
-  std::vector<Point> area_vectors_;     ///< indexed by triangle, as long as twice its area
+  std::vector<Point> area_vectors_;     ///< indexed by triangle, see `area_vector()`
   std::vector<Side_of_triangle> sides_; ///< sorted by edge
   std::vector<int> neighbours_;         ///< indexed by corner, see `neighbour()`
   std::vector<int> exact_;

@@ -122,7 +122,7 @@ private:
   Mirror_plane scored(Mirror_plane plane, double limit = std::numeric_limits<double>::infinity()) const
   {
     constexpr Eigen::Index few = 50;
-    constexpr double hopeless = 1.5; // a plane is rejected if few queries have this mean, over the limit
+    constexpr double hopeless = 1.5; // mean distance of `few` queries, over the limit, that rejects a plane
     const Eigen::Index n = queries_.size() / few;
     plane.residual = std::numeric_limits<double>::infinity();
     if (n > 1 && mean_distance(plane, n, hopeless * limit) >= hopeless * limit) return plane;

@@ -24,7 +24,7 @@ constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below whic
 constexpr std::size_t many_sheets = 150, many_patches = 120; // if there are as many, larger ones join, too
 constexpr std::size_t most_triangles_at_edge = 64;           // at an edge with more, no triangles are paired
 constexpr double turn_around = 2 * double(EIGEN_PI);         // full turn, in radians
-constexpr double same_angle = 0.002; // angle, in radians, of triangles at an edge that lie on each other
+constexpr double same_angle = 0.002; // largest angle, in radians, of triangles at an edge that lie on each other
 
 class Patch_finder
 {

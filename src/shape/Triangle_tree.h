@@ -334,7 +334,7 @@ private:
     return result;
   }
 
-  /// \pre no coordinate of the direction is 0
+  /// Whether a ray meets a box. \pre no coordinate of the direction is 0
   static bool is_crossed(const Box& box, const Point& from, const Point& direction)
   {
     const Eigen::Array3d a = (box.min() - from).array() / direction.array();

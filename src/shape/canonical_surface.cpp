@@ -153,7 +153,7 @@ private:
     return ends[0] == before ? ends[1] : ends[0];
   }
 
-  /// The vertices from one that is kept to the next one that is, by way of `v`; a cycle begins and ends with `v`.
+  /// The chain of vertices through `v`, from a kept vertex to the next kept one; a cycle begins and ends with `v`.
   std::vector<int> chain_around(int v) const
   {
     std::vector<int> result{v};

@@ -23,7 +23,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Makes the hull's traits, and so the triangulation inside the hull algorithm, types of our own.
+/// Gives the hull, and so the triangulation within CGAL's algorithm, types of our own, which `std::less` can order.
 struct Hull_mesh_tag;
 
 using Hull_traits = CGAL::Convex_hull_traits_3<Mesh_kernel, Hull_mesh_tag, CGAL::Tag_true>;
@@ -137,8 +137,8 @@ Oriented_box thinnest_box(const Points& points)
   return box_along(points, eigen_system(scatter_matrix(centred)).vectors);
 }
 
-/// A number of twice the digits of a double (Dekker 1971): the sum high + low, with |low| at most half a
-/// unit in the last place of high.
+/// A number of twice the digits of a double (Dekker 1971): the sum high + low, with |low| at most half a unit
+/// in the last place of high.
 struct Double_double
 {
   double high = 0, low = 0;
@@ -148,7 +148,7 @@ struct Double_double
     const double high = a + b, part = high - a;
     return {high, (a - (high - part)) + (b - part)};
   }
-  /// Without `std::fma()`, which rounds twice on some systems.
+  /// The exact product, without `std::fma()`, which rounds twice on some systems.
   static Double_double product(double a, double b)
   {
     const auto half = [](double x) { return 0x8000001p0 * x - (0x8000001p0 * x - x); }; // its first 26 digits
@@ -218,7 +218,7 @@ Convex_hull measured_hull(const Halfedge_mesh& mesh)
 
 constexpr double flat = 1e-6; // thickness over width below which the volume of a hull is rounding noise
 
-/// The points, and copies of them to both sides in every direction in which they are thinner than `thickness`.
+/// The points, replaced in every direction in which they have no extent by two copies, `thickness` apart.
 Points thickened(const Points& points, double thickness)
 {
   const Point middle = points.rowwise().mean();

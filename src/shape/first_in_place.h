@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// For each point, the first one in the same place, which joins triangles that share no points.
+/// For each point, the index of the first point at the same place, so that triangles that share no point are connected.
 inline std::vector<int> first_in_place(const Eigen::Ref<const Points>& points)
 {
   const auto place = [&](int i) { return std::tuple(points(0, i), points(1, i), points(2, i)); };

@@ -37,10 +37,10 @@ Part_mesh joined(const std::vector<const Part_mesh*>& meshes);
 /// \param changed if not null, set to whether points were merged, triangles left out or vertices doubled
 Halfedge_mesh manifold_surface(const Part_mesh& mesh, bool* changed = nullptr);
 
-/// \pre `mesh` has no garbage, that is no elements marked as removed
+/// The triangles of a mesh. \pre `mesh` has no garbage, that is no elements marked as removed
 Part_mesh to_part_mesh(const Halfedge_mesh& mesh);
 
-/// \pre the triangles make a manifold, consistently oriented
+/// The mesh of triangles. \pre they make a manifold, consistently oriented
 Halfedge_mesh to_halfedge_mesh(const Part_mesh& mesh);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -169,7 +169,7 @@ private:
     }
   }
 
-  /// Patches that lie in the box of another one may be merged with it.
+  /// Lets patches be merged with one whose box holds them.
   void find_in_boxes()
   {
     if (surface_.patches.size() > most_patches_in_boxes) return;
@@ -201,7 +201,8 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return quantized(sizes[a][0]) > quantized(sizes[b][0]); });
-    constexpr double same_length = 0.004, same_share = 0.04, same_area = 0.015; // the shares: of the root of the area
+    // Tolerances of lengths, as a length plus a share of the root of the area; and of that root, as a share of it
+    constexpr double same_length = 0.004, same_share = 0.04, same_area = 0.015;
     std::vector<bool> is_known(sizes.size(), false);
     std::size_t number = 0;
     for (std::size_t i : order) {

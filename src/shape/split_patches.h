@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// The same as `surface_patches()` in the frame of the objects.
+/// The `surface_patches()` of objects, in the objects' own frame.
 Surface_patches patches_of_objects(const Segmented_shape& objects, const std::vector<std::vector<int>>& materials);
 
 /// Makes a part of each node of a cut. Patches take the place of loose pieces in objects where a part ends within one.

@@ -85,8 +85,8 @@ public:
 
   bool related(std::size_t i, std::size_t j, Basic_map map) const { return related_[map][i * size() + j] != 0; }
 
-  /// Root mean square deviation of the hull of part i after the map from that of part j, in heights; infinite if they
-  /// are not congruent.
+  /// Root mean square deviation of the hull of part i after the map from that of part j, over the height; infinite if
+  /// they are not congruent.
   double deviation(std::size_t i, std::size_t j, const Eigen::Matrix3d& map) const
   {
     if (!same_size(i, j)) return std::numeric_limits<double>::infinity();
@@ -104,8 +104,8 @@ public:
     return false;
   }
 
-  /// Whether two parts are displaced along the normal of a mirror plane only. Parts that cross,
-  /// with centres at one place, count, too, if they are not mirror images of themselves.
+  /// Whether two parts are displaced along the normal of a mirror plane only. Parts that cross, with centres at
+  /// one place, count, too, if they are not mirror images of themselves.
   bool displaced_along(std::size_t i, std::size_t j, Basic_map mirror) const
   {
     Point d = parts_[i].centre - parts_[j].centre;
@@ -199,8 +199,7 @@ private:
     double offset = 0;
   };
 
-  /// The plane that mirrors the most surface: each mirrored pair, and each part that mirrors itself, votes for an
-  /// offset.
+  /// The plane that mirrors the most surface. Mirrored pairs, and parts that mirror themselves, vote for offsets.
   /// \param wanted the offset, if it is known
   Supported_plane best_plane(Basic_map map, const std::optional<double>& wanted) const
   {
@@ -248,8 +247,7 @@ private:
   /// Finds the mirror planes. Of two planes with equal support, the one across the length is the main one.
   void find_planes()
   {
-    constexpr double clearly =
-        0.01; // least difference between the supports of two planes, or between relative extents, that decides
+    constexpr double clearly = 0.01; // least difference of supports, or of relative extents, that decides
     const std::optional<double> at_origin = 0.0, anywhere;
     std::array<Supported_plane, 3> found;
     for (Basic_map map : {MIRRORED_X, MIRRORED_Z})

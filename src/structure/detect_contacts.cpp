@@ -25,12 +25,12 @@ namespace {
 
 /// Factor by which the tolerance is enlarged, so that a gap of exactly the tolerance is a contact in every pose.
 constexpr double slack = 1 + 1e-9;
-constexpr double near_band = 0.5;       ///< width of the band of near points behind the closest one, over the tolerance
+constexpr double near_band = 0.5; ///< how much farther than the gap samples of a contact may be, over the tolerance
 constexpr double region_gap = 1.0 / 6;  ///< least distance between two regions, over the diagonal of all near samples
 constexpr int region_samples = 64;      ///< samples of either surface for finding the regions of a contact
 constexpr int abstraction_samples = 16; ///< samples of a curve, or along each side of a sheet
 
-/// Samples of two surfaces near the respective other surface.
+/// Samples of two surfaces, each near the other surface.
 struct Near_samples
 {
   std::vector<Point> points;
