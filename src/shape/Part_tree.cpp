@@ -17,8 +17,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Relative to the diagonal of the model: the length that sides of a box have at least, and the distance along each
-// axis at which one part counts as the mirror image of another.
+// Relative to the diagonal of the model: the length that sides of a box have at least, and the distance along each axis
+// below which a part counts as the mirror image of another.
 constexpr double least_thickness_of_box = 0.004;
 constexpr double mirror_distance = 0.015;
 constexpr double smallest_divisor = 1e-9;

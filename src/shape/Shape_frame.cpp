@@ -274,7 +274,7 @@ Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
   return result;
 }
 
-/// Of a direction and its opposite, the x axis with which the front (z axis) points to +z or, if that is 0, to +x.
+/// Of a direction and its opposite, the x axis with which the front (z axis) points to +z or, if across to it, to +x.
 Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
 {
   const double clearly = 0.01; // more than the error of a mirror plane's normal
