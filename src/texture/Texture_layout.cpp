@@ -79,7 +79,7 @@ private:
   Flat_triangle projected(std::size_t t) const
   {
     const int axis = directions_[t] / 2;
-    const bool is_mirrored = directions_[t] % 2 == 1; // so that left and right are those seen from outside
+    const bool is_mirrored = directions_[t] % 2 == 1; // so that the chart shows the surface from outside
     Flat_triangle result;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point p = points_.col(triangles_(Eigen::Index(k), Eigen::Index(t)));
@@ -123,7 +123,7 @@ private:
   std::vector<int> without_overlap(const std::vector<int>& triangles) const
   {
     constexpr int size = 256;
-    constexpr std::size_t few = 2; // number of shared pixels, on edges
+    constexpr std::size_t few = 2; // limit for pixels that a triangle shares with earlier ones, on edges
     const Eigen::AlignedBox2d box = bounds(triangles);
     const double extent = box.sizes().maxCoeff();
     if (!(extent > 0) || triangles.size() == 1) return triangles;

@@ -47,7 +47,7 @@ auto columns(const std::vector<Vector>& values)
   return Eigen::Map<const Columns>(values.data()->data(), Vector::RowsAtCompileTime, Eigen::Index(values.size()));
 }
 
-constexpr int fade_steps = 5; // number of intermediate colours in an animation
+constexpr int fade_steps = 5; // number of steps in which a part changes its colour in an animation
 
 class Material_painter : public Blend_painter
 {
@@ -97,7 +97,7 @@ private:
   struct Looks
   {
     Part_appearance appearance;
-    std::optional<Fade> fade; ///< defined if the parts at both ends have a single colour
+    std::optional<Fade> fade; ///< defined if both parts have a single colour, and these differ
   };
 
   std::optional<Fade> fade_of(const Blend_task& task) const

@@ -152,7 +152,7 @@ public:
   Transferred_appearance result() { return std::move(result_); }
 
 private:
-  /// Whether a part has a material of another one, or no appearance of its own to keep.
+  /// Whether a part may take the appearance of another one: they share a material, or it has no own appearance to keep.
   bool may_look_like(std::size_t part, std::size_t other) const
   {
     if (!target_sampler_.is_known(part)) return true;

@@ -16,10 +16,10 @@ namespace CGAL::Shape_correspondence::IO {
 class Parts_sheet
 {
 public:
-  /// \param models that are going to be added
+  /// \param models number of models that are going to be added
   explicit Parts_sheet(std::size_t models);
 
-  /// \param title of the model \param objects its objects, for their names \param summary is said above its parts
+  /// \param title of the model \param objects its objects, for their names \param summary is shown above its parts
   /// \param roles of the parts, or none if they are not known
   void add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
            const std::vector<std::string>& roles, const std::string& summary);

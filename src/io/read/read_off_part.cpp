@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-// This reader is used since CGAL's trusts the counts in the file.
+// CGAL's reader is not used, since it trusts the counts in a damaged file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {

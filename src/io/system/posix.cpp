@@ -57,7 +57,7 @@ void remove_temporaries_at_signals()
 #endif
 }
 
-/// Lets the allocator keep freed memory: requesting it again takes 3 to 10 % of the time of a `graph`.
+/// Lets the allocator keep freed memory: requesting it again takes 3 to 10 % of the time of the command `graph`.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__

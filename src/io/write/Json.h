@@ -73,7 +73,7 @@ private:
   void append_to(std::string& line) const;
 
   Type type_ = Type::NONE;
-  std::string text_;              ///< the text, or the notation of a scalar
+  std::string text_;              ///< the characters of a text, or the JSON notation of a scalar
   std::vector<std::string> keys_; ///< keys of an object's elements
   std::vector<Json> elements_;
 };

@@ -180,7 +180,7 @@ Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
     for (int k = 0; k < 3; ++k) {
       const int v = triangles(k, t);
       const Point normal = smooth_normal(faces[v], static_cast<int>(t), normals);
-      // A point with nearly the same normal is one vertex
+      // Corners at one point with nearly the same normal share a vertex
       const auto copy = std::find_if(copies[v].begin(), copies[v].end(),
                                      [&](int i) { return mesh.normals.col(i).dot(normal) > 1 - 1e-6; });
       mesh.triangles(k, t) = copy == copies[v].end() ? used : *copy;
@@ -209,7 +209,7 @@ Drawn_mesh open_tube(const Points& polyline, bool closed, double radius, int sid
     const int after = closed ? (i + 1) % n : std::min(i + 1, n - 1);
     const Point along = unit(centres.col(after) - centres.col(before));
     const Point projected = across - across.dot(along) * along;
-    // Carried along the curve to avoid twist
+    // The previous direction across the tube, projected, so that the tube does not twist
     across = projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal();
     for (int k = 0; k < sides; ++k) {
       const double angle = two_pi * k / sides;
