@@ -31,18 +31,18 @@ struct Common_options
 {
   std::string json, glb, html; ///< files to write; empty: none
   std::string cache;           ///< folder of cached graphs; empty: none
-  bool keeps_reading = true;   ///< whether the parts and upright axes found for models are in it, too
+  bool keeps_reading = true;   ///< whether the cache keeps the parts and upright axes found for models, too
   std::string up;              ///< x, -x, +x etc., or auto; empty: the axis in the file, or an estimate that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;
-  std::string features;   ///< `Of_input::features` of the input
+  std::string features;   ///< like `Of_input::features`, set by `of_input()`
   std::string parts_from; ///< a file that assigns pieces to parts, or has labels of faces; empty: none
   IO::Reading_options reading;
   Structure_options structure;
   struct Of_input
   {
     std::string up, parts_from; ///< empty: the value for all inputs
-    std::string features;       ///< array of features of its faces or vertices; empty: none
+    std::string features;       ///< file with features of its faces or vertices; empty: none
   };
   std::array<Of_input, 2> of_pair; ///< options of the source and of the target
   /// Role model to find the upright axes of models that do not give one; null: by stability alone.
@@ -96,7 +96,7 @@ extern const std::vector<std::pair<const char*, Search_method>> search_methods;
 /// The options of the search as given on the command line.
 struct Match_options
 {
-  Search_options search;               ///< members that options set directly
+  Search_options search;               ///< its members that options set directly
   std::optional<Search_method> method; ///< empty: selected by other options
   std::string front = "likely";        ///< given, likely or auto
   std::optional<int> alignments;       ///< empty: depends on `front`
@@ -105,7 +105,7 @@ struct Match_options
   std::string examples;       ///< a folder; empty: none
   std::string source_parts, target_parts;
   std::array<std::string, 2> features;        ///< files for the source and the target; empty: none
-  std::vector<std::string> pinned, forbidden; ///< A=B
+  std::vector<std::string> pinned, forbidden; ///< pairs of parts, A=B
 };
 
 void add_match_options(Option_table& table, Match_options& match);

@@ -18,7 +18,7 @@ const std::vector<std::pair<const char*, Search_method>> search_methods{
 
 namespace {
 
-/// Energy of a contact of an unmatched group, about that of a badly deformed contact.
+/// Default energy of each contact of an unmatched group: about that of a badly deformed contact.
 constexpr double default_unmatched_cost = 0.5;
 
 /// Parses the entire text as a number; the error names the option.
@@ -44,7 +44,7 @@ Text_field number_of_alignments(std::optional<int>& number)
 
 std::string name_of(Search_method method) { return choice(method, search_methods).get(); }
 
-/// The field of a method; an empty value selects the method by other options.
+/// The field of --search; without a value, other options select the method.
 Text_field method_or_auto(std::optional<Search_method>& method)
 {
   std::vector<std::pair<const char*, std::optional<Search_method>>> words{{"auto", std::nullopt}};

@@ -40,7 +40,7 @@ struct Text_field
   bool is_repeated = false;            ///< whether `set` is called for each of several values
 };
 
-/// A field set to one of several words. \param get may be empty
+/// A field set to one of several words. \param get returns its word; may be empty
 Text_field word_field(const std::vector<std::string>& known, const std::function<std::string()>& get,
                       const std::function<void(const std::string&)>& set);
 
@@ -93,7 +93,7 @@ struct Option
   Option& usual() { return is_rare = false, *this; }
 
   bool is_switch() const { return value_name.empty(); }
-  /// The value as text; numbers with four digits.
+  /// The value as text; numbers with four significant digits.
   std::string text() const;
   /// Whether the help shows the default.
   bool has_default() const;

@@ -160,7 +160,7 @@ std::string frame_name(const Blend_output& output, int frame)
   return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
 }
 
-/// The shape at time t; if `solid`, its wrap, one closed surface.
+/// The shape at time t; if `solid`, one closed surface around it (alpha wrapping).
 Segmented_shape shape_at(const Shape_blend& blend, double t, bool solid)
 {
   if (!solid) return blend(t);
@@ -396,7 +396,7 @@ private:
 
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings)
 {
-  constexpr double most = 2; // larger ratios of heights mostly come from different units
+  constexpr double most = 2; // limit for the ratio of heights; larger ones mostly come from different units
   const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
   if (std::max(from, to) <= most * std::min(from, to)) return Blend_size::BLEND;
   warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +

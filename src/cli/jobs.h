@@ -79,7 +79,7 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
 /// The default size of the frames; `SAME`, with a warning, for shapes that seem to have different units.
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
 
-/// Tells which parts are exchanged for their counterparts, and why they do not morph.
+/// Adds a warning of the parts that are exchanged for their counterparts, with the reasons why they do not morph.
 void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings);
 
@@ -95,7 +95,7 @@ struct Transfer_request
 struct Transferred_looks
 {
   Transferred_appearance result;
-  std::vector<std::string> labels; ///< names; empty: the appearance was transferred
+  std::vector<std::string> labels; ///< names of the labels; empty: the appearance was transferred
   std::vector<std::string> warnings;
 };
 

@@ -60,7 +60,7 @@ Loaded_shape read_graph(const std::string& path, const Common_options& common)
   return shape;
 }
 
-/// \throw Invalid_input if the model has too few or too many parts
+/// \throw Invalid_input if the model has fewer than two parts
 void check_has_parts(const Part_split& split, const Common_options& common)
 {
   if (split.shape.parts().size() > 1) return;
@@ -186,7 +186,7 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
     warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
   });
   if (common.features.empty()) return shape;
-  structure(shape.graph).features = with_path(common.features, [&] { // not cached either
+  structure(shape.graph).features = with_path(common.features, [&] { // the features are not cached either
     return IO::features_of_parts(IO::read_features(common.features), path, shape.split, shape.reading);
   });
   return shape;

@@ -93,7 +93,7 @@ void add_row(const std::vector<Lines>& cells, Rows& rows)
   }
 }
 
-/// The width for each of two columns of names next to other columns of these widths, so that the table fits a line.
+/// The width for each of two columns of names, so that they fit a line together with columns of the widths `others`.
 std::size_t width_of_names(const std::vector<std::size_t>& others)
 {
   std::size_t taken = 2 * (others.size() + 2);
