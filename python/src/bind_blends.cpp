@@ -48,7 +48,7 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     for (const std::string& unlikely :
          SC::cli::remove_unlikely(pairs, options.min_confidence, source.shape, target.shape))
       warnings.push_back(unlikely);
-    options.min_confidence = 0; // unlikely pairs are out already
+    options.min_confidence = 0; // unlikely pairs were removed above
     if (!has_size) options.size = SC::cli::likely_size(source.shape, target.shape, warnings);
     const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model, pairs,
                                 options);

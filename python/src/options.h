@@ -17,7 +17,7 @@ namespace shape_correspondence_python {
 namespace py = pybind11;
 namespace SC = CGAL::Shape_correspondence;
 
-/// Options from keyword arguments, of which None is none. \throw TypeError of a name that `options_of()` does not list
+/// Options from keyword arguments; None leaves a default. \throw TypeError for a name that `options_of()` does not list
 SC::Search_options search_options(const py::dict& values, bool is_for_pair = true);
 SC::cli::Common_options model_options(const py::dict& values);
 /// \param has_size gets whether a size is asked for
