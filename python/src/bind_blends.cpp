@@ -23,7 +23,7 @@ namespace shape_correspondence_python {
 
 namespace {
 
-/// The graph with the surfaces that its file names, if it has none. \throw Invalid_input
+/// The graph; if it has no surfaces, with those of the meshes that its file names. \throw Invalid_input
 Graph with_surfaces(Graph graph)
 {
   SC::cli::complete_surfaces(graph.shape);

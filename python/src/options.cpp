@@ -23,7 +23,7 @@ namespace {
 using SC::cli::Option;
 using SC::cli::Option_table;
 
-/// The options of the program that a function has, and those of its own.
+/// The keyword arguments of a function: options of the program, and further ones.
 struct Keywords
 {
   Option_table table;

@@ -24,14 +24,14 @@ namespace py = pybind11;
 class Work
 {
 public:
-  /// Ends work that has no other way to stop.
+  /// Thrown to end work that has no other way to stop.
   struct Stopped
   {};
 
-  /// For work: reports progress. \throw Stopped if the caller was interrupted
+  /// For the working thread: reports progress. \throw Stopped if the calling thread was interrupted
   void report(const std::string& what, std::size_t done, std::size_t total);
-  /// For work: the same with a share; waits for the answer. \return whether to go on: searches that are ended keep what
-  /// they have found
+  /// For the working thread: reports progress as a share in [0, 1], and waits for the answer. \return whether to go on;
+  /// a search that is ended keeps what it has found
   bool report_share(const std::string& what, double share);
 
   /// Runs `work(*this)`.

@@ -26,7 +26,7 @@ public:
   virtual ~Command() = default;
 
   const Option_table& options() const { return table; }
-  /// \param all whether to include rare options
+  /// Writes the help of this command. \param all whether to include rare options
   void write_help(std::ostream& out, bool all) const;
 
   /// Parses the arguments, checks them and does the work. \throw Usage_error, Invalid_input

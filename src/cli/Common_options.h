@@ -75,13 +75,13 @@ constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
 constexpr const char* abstraction_option = "abstraction";
 
-/// The options of all commands.
+/// Adds the options of all commands.
 void add_common_options(Option_table& table, Common_options& options);
-/// The options for reading model files: upright axis and parts.
+/// Adds the options for reading model files: upright axis and parts.
 void add_reading_options(Option_table& table, Common_options& options);
-/// The options for reading models, abstracting their parts and building their structural graphs.
+/// Adds the options for reading models, abstracting their parts and building their structural graphs.
 void add_model_options(Option_table& table, Common_options& options);
-/// The options that apply to the source or to the target only.
+/// Adds the options that apply to the source or to the target only.
 void add_pair_options(Option_table& table, Common_options& options);
 
 } // namespace CGAL::Shape_correspondence
@@ -90,7 +90,7 @@ namespace CGAL::Shape_correspondence::cli {
 
 constexpr const char* match_group = "Options of match";
 
-/// The names of methods on the command line.
+/// The search methods with their names on the command line.
 extern const std::vector<std::pair<const char*, Search_method>> search_methods;
 
 /// The options of the search as given on the command line.

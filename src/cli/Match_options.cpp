@@ -73,7 +73,7 @@ bool has_roles(const Match_options& match, Search_method method)
   return method == Search_method::PARTS || match.search.energy.weights.roles > 0;
 }
 
-/// \throw Usage_error if an option is given that changes nothing
+/// Refuses given options that change nothing with this method. \throw Usage_error
 void refuse_options_without_effect(const Match_options& match, const Option_table& given, Search_method method)
 {
   const std::string on_search = "on --search " + name_of(method),

@@ -24,7 +24,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws `Usage_error`: an option has no effect. \param why ends the sentence "… has no effect"
+/// Throws `Usage_error` for an option without effect. \param why ends the sentence "… has no effect"
 [[noreturn]] void refuse_option(const std::string& name, const std::string& why);
 
 /// Throws `Usage_error` if `value` is none of `known`. \param label names the option
@@ -99,7 +99,7 @@ struct Option
   bool has_default() const;
   /// Sets a `Text_field`. \param label name of the option \throw Usage_error
   void set_text(const std::string& label, const std::string& text);
-  /// \throw Usage_error if the value is not allowed, empty, or out of range
+  /// Checks the value. \throw Usage_error if it is not allowed, empty, or out of range
   void check(const std::string& label) const;
 };
 
@@ -122,9 +122,9 @@ public:
     std::string title;
     bool is_rare;
 
-    /// \param name long name, or `name,n` with one letter \param value name of the value
+    /// Adds an option. \param name long name, or `name,n` with one letter \param value name of the value
     Option& operator()(const std::string& name, const std::string& value, Option::Field field, const std::string& help);
-    /// A switch.
+    /// Adds a switch.
     Option& operator()(const std::string& name, Option::Field field, const std::string& help)
     {
       return (*this)(name, "", std::move(field), help);
@@ -136,7 +136,7 @@ public:
 
   const std::deque<Option>& options() const { return options_; }
   std::deque<Option>& options() { return options_; }
-  /// \pre an option of this name exists
+  /// The option with a name, which must exist.
   const Option& operator[](const std::string& name) const;
   bool is_given(const std::string& name) const { return (*this)[name].is_given; }
 

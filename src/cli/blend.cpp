@@ -53,7 +53,7 @@ std::string ending_of(const std::string& path) { return std::filesystem::path(pa
 
 bool is_glb(const std::string& path) { return ending_of(path) == ".glb"; }
 
-/// \throw Usage_error if the name of a folder looks like a file that blend does not write
+/// Refuses a name for a folder that looks like a file which `blend` does not write. \throw Usage_error
 void check_is_no_other_file(const std::string& folder)
 {
   const std::string ending = ending_of(folder);

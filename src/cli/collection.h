@@ -120,7 +120,8 @@ void add_collection_options(Option_table& table, Common_options& common, Collect
 class Row_store
 {
 public:
-  /// \param folder created if missing; empty: in memory \throw Invalid_input if it cannot be used
+  /// A store in a folder, which is created if missing; in memory if `folder` is empty.
+  /// \throw Invalid_input if the folder cannot be used
   explicit Row_store(std::string folder);
 
   std::string find(const std::string& name) const; ///< empty: missing or damaged

@@ -62,13 +62,14 @@ struct Blend_output
 
 void add_output_options(Option_table::Group& add, Blend_output& output);
 
-/// \throw Usage_error if the name of the output contradicts other options
+/// Checks the name of the output. \throw Usage_error if it contradicts other options
 void check_output(const Blend_output& output);
 
 Blend_options blend_options(const Blend_output& output);
 
 /// Writes the blend. \param appearance appearance of the models; null: corresponding parts have one colour
-/// \param finish writes related files: after a file, or before a folder gets its name, which makes all appear at once
+/// \param finish writes related files; called after a file is written, or before a folder gets its final name, so that
+/// all files appear at once
 void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
                  const IO::Blend_appearance* appearance, const std::function<void()>& finish);
 
@@ -91,7 +92,6 @@ struct Transfer_request
   Transfer_options options;
 };
 
-/// The result of a transfer.
 struct Transferred_looks
 {
   Transferred_appearance result;

@@ -60,7 +60,7 @@ Loaded_shape read_graph(const std::string& path, const Common_options& common)
   return shape;
 }
 
-/// \throw Invalid_input if the model has fewer than two parts
+/// Checks the number of parts. \throw Invalid_input if there are fewer than two
 void check_has_parts(const Part_split& split, const Common_options& common)
 {
   if (split.shape.parts().size() > 1) return;
@@ -195,7 +195,7 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   std::vector<Loaded_shape> shapes(paths.size());
-  // Reading them takes less time than starting threads
+  // Graph files are read in sequence, which takes less time than starting threads
   const bool are_graphs = std::all_of(paths.begin(), paths.end(), is_graph_file);
   internal::for_each_index(paths.size(), !are_graphs,
                            [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });

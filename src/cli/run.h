@@ -43,7 +43,7 @@ std::shared_ptr<void> limit_threads(int threads);
 class Progress_bar
 {
 public:
-  /// \param unit name of the counted items
+  /// \param label name of the work \param unit name of the counted items
   Progress_bar(const Common_options& options, std::string label, std::string unit = "part");
   ~Progress_bar();
   Progress_bar(const Progress_bar&) = delete;
@@ -67,7 +67,7 @@ constexpr std::size_t line_width = 80; ///< characters in a line of output
 /// Words wrapped to lines of at most `width` characters; a longer word is broken after a separator, if it has one.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes one note in each line, or unless `all` only the number of several.
+/// Writes notes, one in each line; of several, only their number unless `all`.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
 
 /// A number with four significant digits.

@@ -60,10 +60,10 @@ Transform transform_of(const aiNode& node)
 class Scene_reader
 {
 public:
-  /// \param bytes size of the file, or the number of triangles of its meshes if greater
+  /// \param bytes size for the limit of repeated triangles: of the file, or the number of triangles of all meshes
   Scene_reader(const aiScene& scene, std::uint64_t bytes) : scene_(scene), bytes_(bytes) {}
 
-  /// \param are_linear whether colours are in linear light rather than sRGB
+  /// Reads the scene. \param are_linear whether colours are in linear light rather than sRGB
   Model_content read(bool are_linear)
   {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i)

@@ -14,9 +14,9 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Share of the covered pixels that may be covered twice, along the edges of triangles
+// Limit for the share of an image's covered pixels that several triangles cover, as along their edges
 constexpr double most_overlap = 0.01;
-// Share of the surface's area that may have no area in the image
+// Limit for the share of the surface's area that has no area in the image
 constexpr double most_collapsed = 0.01;
 // Least cosine of a face's angle to its chart; its texture is stretched by up to 1 / cosine
 constexpr double steepest = 0.4;

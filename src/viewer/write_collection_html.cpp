@@ -36,7 +36,7 @@ public:
         unclustered_(labels)
   {}
 
-  /// \param model may be null: then curves and sheets are shown \param labels the cluster of each part
+  /// Adds a shape. \param model null: curves and sheets are shown \param labels the cluster of each part; -1: none
   void add(const Structural_graph& graph, const Segmented_shape* model, const std::vector<int>& labels)
   {
     std::optional<Segmented_shape> simplified;

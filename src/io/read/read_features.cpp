@@ -21,7 +21,7 @@ constexpr const char* convert = "write it again with numpy.save(file, array.asty
 constexpr std::string_view npy_mark = "\x93NUMPY", zip_mark = "PK\x03\x04";
 constexpr std::size_t longest_header = 1 << 16; // limit in bytes; that of NumPy is 10000
 
-/// Reads a file in NumPy's format.
+/// Reads a file in NumPy's format .npy.
 class Npy_reader
 {
 public:

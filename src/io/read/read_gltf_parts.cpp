@@ -134,7 +134,7 @@ private:
     place.transform = place_of_texture(transform);
   }
 
-  /// The index of a texture's image; without one, of that by an extension, whose format may be unknown here.
+  /// The index of a texture's image, or else of the image that an extension names, of which the format may be unknown.
   std::optional<std::size_t> image_of(const Json_field& texture)
   {
     std::optional<std::size_t> image = document_.index_at(texture, "source", "images");

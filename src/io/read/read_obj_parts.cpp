@@ -116,7 +116,7 @@ private:
       libraries_.emplace_back(trimmed(statement));
   }
 
-  /// Coordinates, optionally followed by a weight, a colour, or a colour and its opacity.
+  /// Reads a vertex: coordinates, optionally followed by a weight, a colour, or a colour and its opacity.
   void read_vertex(std::string_view statement)
   {
     points_.push_back(lines_.vertex(statement));
@@ -130,7 +130,7 @@ private:
     if (colour.maxCoeff() > brightest) white_ = 255;
   }
 
-  /// ZBrush writes the colours of vertices in comments: mask, red, green and blue in hexadecimal for each vertex.
+  /// Reads colours of vertices from a comment of ZBrush: mask, red, green and blue in hexadecimal for each vertex.
   void read_painted_vertices(std::string_view digits)
   {
     constexpr std::size_t digits_of_vertex = 8;
@@ -148,7 +148,7 @@ private:
     if (std::size_t(material_) == materials_.size()) materials_.push_back(name);
   }
 
-  /// An unreadable number counts as 0, so that a damaged appearance does not prevent reading the model.
+  /// Reads texture coordinates. Unreadable numbers count as 0, since a damaged appearance shall not make a model fail.
   void read_texture_coordinates(std::string_view statement)
   {
     Eigen::Vector2f at(0, 0);

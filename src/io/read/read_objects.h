@@ -63,7 +63,7 @@ struct Part_files
 /// name files in its folder `objs`. None if there is neither file.
 std::optional<std::string> hierarchy_in(const std::string& folder);
 
-/// The parts of such a hierarchy: every node becomes a part of the files listed in the node itself.
+/// The parts of a PartNet hierarchy: every node becomes a part of the files listed in the node itself.
 /// \throw Invalid_input
 std::vector<Part_files> parts_of_hierarchy(const std::string& hierarchy);
 

@@ -65,7 +65,7 @@ private:
     lines_.fail("it cannot be read as an OFF model: it " + what, remedy);
   }
 
-  /// The next line with more than blanks and a comment.
+  /// The next line that has words, without its comment.
   std::string_view next_line_of_words()
   {
     while (!lines_.rest().empty()) {

@@ -45,7 +45,7 @@ using internal::Part_model;
 using internal::Part_node;
 using internal::Surface_patches;
 
-/// The parts alone, for their roles: canonical surfaces, and which of them touch.
+/// The parts of a cut, for predicting their roles: a graph with their surfaces, and which of them touch.
 Structural_graph graph_of_cut(const Surface_patches& surface, const std::vector<Part_node>& nodes,
                               const std::vector<std::size_t>& cut)
 {

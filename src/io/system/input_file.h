@@ -48,7 +48,7 @@ inline std::string with_remedy(const std::string& message, const char* remedy)
   return has_remedy(message) ? message : message + "; " + remedy;
 }
 
-/// \throw Invalid_input
+/// Throws `Invalid_input` with the message and, unless it already has one, the remedy.
 [[noreturn]] inline void refuse(const std::string& message, const char* remedy)
 {
   throw Invalid_input(with_remedy(message, remedy));

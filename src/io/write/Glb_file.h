@@ -51,7 +51,8 @@ public:
   /// Adds bytes to the buffer. \return their buffer view
   int add_bytes(const std::string& bytes);
 
-  /// \param colour linear red, green, blue in [0, 1] \param alpha opacity in [0, 1] \param texture its index; -1: none
+  /// Adds a material. \param colour linear red, green, blue in [0, 1] \param alpha opacity in [0, 1]
+  /// \param texture index of its texture; -1: none
   int add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha = 1, int texture = -1);
 
   /// Adds a node with meshes; empty ones are left out. \param name may be empty

@@ -19,7 +19,7 @@ class Json
 {
 public:
   Json() = default; ///< null
-  /// \throw Invalid_input if the number is not finite, which means that the input exceeded the range of the computation
+  /// A number. \throw Invalid_input if it is not finite: then the input exceeded the range of the computation
   template <typename Number, typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
   Json(Number number) : type_(Type::SCALAR), text_(text_of(number))
   {}
