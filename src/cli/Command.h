@@ -106,7 +106,7 @@ protected:
   std::string result; ///< result file of `match --json`; empty: the correspondence is computed
   Search_options search;
   std::vector<Loaded_shape> shapes;
-  std::vector<std::string> warnings; ///< about the shapes and examples
+  std::vector<std::string> warnings; ///< warnings about the shapes and examples
 };
 
 } // namespace CGAL::Shape_correspondence::cli

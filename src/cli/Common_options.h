@@ -50,7 +50,7 @@ struct Common_options
   /// Called, instead of a progress bar, with the name of the work, the amount done and the total. May throw to end it.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false, verbose = false, help = false, help_all = false;
-  int threads = 0; ///< 0: as many as the machine has
+  int threads = 0; ///< number of threads; 0: as many as the machine has
 
   Common_options of_input(std::size_t index) const;
   /// The options for reading model files, including the labels of faces that define parts.
@@ -99,7 +99,7 @@ struct Match_options
   Search_options search;               ///< its members that options set directly
   std::optional<Search_method> method; ///< empty: selected by other options
   std::string front = "likely";        ///< given, likely or auto
-  std::optional<int> alignments;       ///< empty: depends on `front`
+  std::optional<int> alignments;       ///< number of alignments; empty: depends on `front`
   bool paper = false;
   std::string roles = "auto"; ///< auto, none or a file
   std::string examples;       ///< a folder; empty: none

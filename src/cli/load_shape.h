@@ -48,7 +48,7 @@ std::vector<Read_model> read_pair(const std::vector<std::string>& paths, Common_
 /// An input of a command: its structural graph, its model if it is one, and the seconds taken.
 struct Loaded_shape
 {
-  std::string path; ///< names it in messages
+  std::string path; ///< names the input in messages
   Structural_graph graph;
   std::optional<Segmented_shape> model;
   Part_split split;                 ///< how the model was split; empty for a graph file
@@ -83,7 +83,7 @@ auto with_path(const std::string& path, const Read& read)
 /// \throw Invalid_input, naming `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
-/// Builds the structural graph of a model that was read. \param path names it in messages
+/// Builds the structural graph of a model that was read. \param path names the model in messages
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& options);
 
 /// Loads several inputs, each with its own options; graphs are built in parallel.

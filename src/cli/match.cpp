@@ -49,7 +49,7 @@ using Rows = std::vector<std::vector<std::string>>;
 using Parts = std::vector<std::size_t>;
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t narrowest_names = 16; // width of a column of part names, in characters
+constexpr std::size_t narrowest_names = 16; // least width of a column of part names, in characters
 constexpr std::size_t folded_lines = 4;     // largest number of lines of a cell if not all parts are listed
 
 /// The labels of a shape's parts, for readers.

@@ -56,7 +56,7 @@ private:
   bool shown_ = false;
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress_;
   std::string label_, unit_;
-  double begin_, last_shown_ = 0; // seconds
+  double begin_, last_shown_ = 0; // times in seconds, see `now()`
 };
 
 /// Writes rows with aligned columns; the first row is the heading.

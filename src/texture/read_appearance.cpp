@@ -18,7 +18,7 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // limit for a library or a texture, in bytes
-constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // limit for all of a model's such files
+constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // limit for all such files of a model, in bytes
 constexpr float largest_coordinate_of_texture =
     1e4f; // number of repetitions of a texture beyond which single precision is too coarse
 

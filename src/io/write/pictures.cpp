@@ -17,7 +17,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double cosine_of_smooth_edge = 0.82; // 35°
+constexpr double cosine_of_smooth_edge = 0.82; // of 35°, the largest angle of faces at a smooth edge
 constexpr int tube_sides = 12;
 constexpr double two_pi = 6.283185307179586;
 
@@ -102,7 +102,7 @@ void append(const Drawn_mesh& more, Drawn_mesh& all)
   all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + static_cast<int>(points);
 }
 
-constexpr std::size_t fewest_triangles = 24; // least number for a part: that of two boxes
+constexpr std::size_t fewest_triangles = 24; // least number of triangles for a part: that of two boxes
 constexpr double margin = 0.05; // width around the triangles at an edge, over the diagonal of their bounding box
 
 /// The placement of Lindstrom and Turk, or the midpoint of the edge where that is far away, as on thin pieces, where
