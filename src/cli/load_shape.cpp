@@ -180,7 +180,7 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
     shape.split = std::move(model.split);
     shape.model = shape.split.shape;
     shape.graph = graph_of(*shape.model, common, options, shape);
-    // This is not cached, since the same parts may have been found in other ways
+    // Not from the cached graph, since the same parts may have been found in another way
     structure(shape.graph).automatic_parts = shape.split.by_segments;
     std::vector<std::string>& warnings = structure(shape.graph).warnings;
     warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());

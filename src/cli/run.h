@@ -43,7 +43,7 @@ std::shared_ptr<void> limit_threads(int threads);
 class Progress_bar
 {
 public:
-  /// \param label name of the work \param unit name of the counted items
+  /// \param label name of the work or of its input \param unit name of the counted items
   Progress_bar(const Common_options& options, std::string label, std::string unit = "part");
   ~Progress_bar();
   Progress_bar(const Progress_bar&) = delete;

@@ -123,7 +123,7 @@ private:
   std::vector<int> without_overlap(const std::vector<int>& triangles) const
   {
     constexpr int size = 256;
-    constexpr std::size_t few = 2; // limit for pixels that a triangle shares with earlier ones, on edges
+    constexpr std::size_t few = 2; // number of pixels that any triangle may share with earlier ones, on edges
     const Eigen::AlignedBox2d box = bounds(triangles);
     const double extent = box.sizes().maxCoeff();
     if (!(extent > 0) || triangles.size() == 1) return triangles;

@@ -22,14 +22,14 @@ constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // limit for a
 constexpr float largest_coordinate_of_texture =
     1e4f; // number of repetitions of a texture beyond which single precision is too coarse
 
-/// A material of a library: its colour, and its texture before it is loaded; without a name: no texture.
+/// A material of a library: its colour, and its texture, which is not loaded yet and has no name if there is none.
 struct Library_material
 {
   Eigen::Vector4d colour = Eigen::Vector4d::Ones();
   Texture texture;
 };
 
-/// Reads the texture of a material. \return whether it has a name, which may contain blanks and follows options
+/// Reads the texture of a material: options, and a file name that may contain blanks. \return whether there is a name
 bool read_texture(std::string_view line, Texture& result)
 {
   Texture texture;

@@ -74,7 +74,8 @@ public:
   const Point_map& map() const { return map_; }
   std::vector<Transferred_part>& parts() { return result_.parts; }
 
-  /// Takes the appearance of the largest source part that has one; of several about as large, of the highest.
+  /// Gives target parts the appearance of their largest source part that has one; of several about as large, of the one
+  /// that reaches highest.
   void take_from_sources(const Segmented_shape& source, const Shape_frame& frame, const Appearance_sampler& looks)
   {
     constexpr double about_as_large = 0.8;

@@ -74,7 +74,7 @@ public:
   std::optional<Eigen::MatrixXd> attribute(const Json_field& primitive, const std::string& name,
                                            std::initializer_list<const char*> types);
 
-  /// The vertex indices of a primitive; none if missing. \throw Needs_import if no codec decompresses them
+  /// The vertex indices of a primitive; none if missing. \throw Needs_import if compressed, without codecs
   std::optional<Eigen::VectorXd> indices(const Json_field& primitive);
 
   /// The bytes of a buffer view, decompressed.
