@@ -1,9 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Included before all else where Emscripten compiles for browsers. Eigen adds numbers in pairs where it has SSE2. Here it has
-// Emscripten's emulation of it, so that sums have the order, and results the digits, that they have on x86. Only Eigen may
-// know: CGAL would use commands of x86, as Eigen does for compilers as old as clang says that it is.
+// Included first in every source that Emscripten compiles for browsers. With SSE2, Eigen adds numbers in pairs. Here it
+// uses Emscripten's emulation of SSE2, so that sums have the same order, and results the same digits, as on x86. The
+// macros are set for Eigen only: CGAL would use instructions of x86, as would Eigen for the old GCC that clang claims
+// to be.
 
 #pragma once
 
@@ -17,7 +18,7 @@
 #include <Eigen/src/Core/util/Macros.h>
 #undef EIGEN_COMP_GNUC
 #define EIGEN_COMP_GNUC 63
-// By these, Eigen chooses how to multiply and invert matrices
+// By these values of x86, Eigen chooses how to multiply and invert matrices
 #define EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS 16
 #define EIGEN_DEFAULT_L1_CACHE_SIZE (48 * 1024) // bytes
 #define EIGEN_DEFAULT_L2_CACHE_SIZE (2 * 1024 * 1024)

@@ -1,5 +1,5 @@
-# The libraries for browsers and Windows: only headers of the system that do not depend on the machine. They are linked to from a
-# folder of their own, since its others, beside them, are of the system's C library.
+# The libraries for browsers and Windows: those headers of the system that do not depend on the machine, by symbolic links in a
+# separate folder, since the headers beside them belong to the system's C library.
 set(headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
 foreach(name CGAL boost nlohmann nanoflann.hpp)
@@ -33,8 +33,8 @@ if(EMSCRIPTEN)
   add_compile_options(-fwasm-exceptions -Xclang -fno-pch-timestamp -sINLINING_LIMIT=0)
   add_link_options(-fwasm-exceptions)
 else()
-  target_compile_options(CGAL::CGAL INTERFACE -frounding-math) # as CGAL's own target has it
+  target_compile_options(CGAL::CGAL INTERFACE -frounding-math) # as in CGAL's own target
   # The stack of a thread on Windows is aligned for vectors of 16 bytes only: gcc.gnu.org/PR54412
   add_compile_options(-Wa,-muse-unaligned-vector-move)
-  add_link_options(-static -Wl,--stack,8388608) # a program that needs no libraries; the room for calls that Linux gives
+  add_link_options(-static -Wl,--stack,8388608) # a program that needs no libraries; a stack of 8 MB as on Linux
 endif()

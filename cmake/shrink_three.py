@@ -36,7 +36,7 @@ def tokens_of(text, replaced):
 
 
 def owners_of(text):
-    """The names that a statement defines, or of what it adds something to, and the name of what it adds"""
+    """The names that a statement defines or adds a member to, and the name of this member or None"""
     if text.startswith(("var ", "let ", "const ")):
         count = 1
         while count:

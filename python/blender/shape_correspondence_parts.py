@@ -21,7 +21,7 @@ bl_info = {
 }
 
 GREY = (0.6, 0.6, 0.6, 1)
-last_match = {}  # the last match, by what it was found from
+last_match = {}  # the last match, by the inputs that it was found from
 
 
 def core():
@@ -49,7 +49,7 @@ def core():
 
 
 def to_module(points):
-    """Blender has z up, the module y."""
+    """Points of Blender, where z is up, in the axes of the module, where y is up."""
     return points[:, [0, 2, 1]] * [1, 1, -1]
 
 
@@ -93,7 +93,7 @@ def new_collection(name, context):
 
 
 def divide(thing, context):
-    """The collection of the parts of a single mesh, which is hidden."""
+    """Divides a mesh into parts, the objects of a new collection, and hides the mesh."""
     name, vertices, faces = part_of(thing, context)
     mesh = type("Mesh", (), {"vertices": vertices, "faces": faces})
     collection = new_collection(f"{name} parts", context)
@@ -190,7 +190,7 @@ def select_pair(settings, context):
 
 
 class Operator(bpy.types.Operator):
-    """Base: errors are shown as messages."""
+    """Base of operators that shows errors as messages."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -281,7 +281,7 @@ class PARTS_OT_blend(Operator):
 
 
 def add_materials(thing, parts, colours):
-    """Faces have the colours of the blocks."""
+    """Gives every face the colour of its part's block."""
     slots = {}
     of_faces = []
     for part in parts:

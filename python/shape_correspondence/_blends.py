@@ -114,7 +114,7 @@ def blend(
     """Prepares the blend of two shapes, also of different topology.
 
     :param source: the source shape; ignored where `correspondence` is a `Match`
-    :param target: the target shape; the same
+    :param target: the target shape; likewise
     :param correspondence: a `Match`, a file of ``match --json``, or None: it is searched for
     :param cache: see `build_graph()`
     :param threads: see `build_graph()`

@@ -37,7 +37,7 @@ class Medoid(Record):
     """The shape that represents a collection."""
 
     shape: str  #: its name
-    mean_distance: float  #: to the other shapes
+    mean_distance: float  #: mean of the distances to the other shapes
 
 
 @dataclass
@@ -104,7 +104,7 @@ class Collection(Record):
     bridges: List[Bridge]  #: the 100 of these with the largest gain
     co_analysis: CoAnalysis  #: how many pairs of parts were clustered
     clusters: List[Cluster]  #: parts that correspond over the whole set
-    energies: Optional[np.ndarray] = None  #: distances, source × target; 0 on the diagonal; None for over 1000 shapes
+    energies: Optional[np.ndarray] = None  #: energies, source × target; 0 on the diagonal; None for over 1000 shapes
     matches: Optional[List[PairMatch]] = None  #: of ordered pairs of shapes, if they were asked for
     warnings: List[str] = field(default_factory=list)  #: what was approximated, in whole sentences
     _page: Optional[str] = field(default=None, repr=False, compare=False)

@@ -20,7 +20,7 @@ from ._records import Record
 from ._shapes import Features, Graph, Input, Path, Progress, _graphs
 from .roles import RoleModel, _model_of
 
-_MOST_ROWS, _MOST_NAMES = 30, 6  # of a table in a notebook
+_MOST_ROWS, _MOST_NAMES = 30, 6  # limits of a table in a notebook: rows, and names in a cell
 
 Names = Sequence[Union[str, int]]
 Pairs = Sequence[Tuple[Union[str, int], Union[str, int]]]
@@ -166,7 +166,7 @@ class Match(Record, Page):
 
     @property
     def colours(self) -> Dict[str, Dict[str, str]]:
-        """The same for its colour on pages, #rrggbb: one for each role."""
+        """By side and name of a part: its colour on pages, #rrggbb; one for each role."""
         return self._looks(1)
 
     def _looks(self, which: int) -> Dict[str, Dict[str, str]]:

@@ -35,7 +35,7 @@ def _pairs(value: Any) -> List[Any]:
     return [tuple(pair.split("=", 1)) if isinstance(pair, str) else pair for pair in every]
 
 
-# The options that have another name in the program, or another value: what they are here
+# Options that have another name or other values in the program: functions that convert their values for the module
 _OF_PROGRAM: Dict[str, Callable[[Any], Dict[str, Any]]] = {
     "search": lambda value: {} if value == "auto" else {"search_method": value},
     "roles": lambda value: {"roles": None if isinstance(value, str) and value == "none" else value},

@@ -9,11 +9,11 @@ from typing import List, Sequence, Tuple
 
 import numpy as np
 
-MOST_TRIANGLES = 1500  # of a shape that is drawn
+MOST_TRIANGLES = 1500  # limit for the triangles of a drawn shape
 
-_YAW, _PITCH = 0.5, 0.3  # radians, of the camera
+_YAW, _PITCH = 0.5, 0.3  # angles of the camera, in radians
 _SAMPLES_A_PIXEL = 6.0
-_FINER = 2  # times as many pixels along a side are drawn as are kept
+_FINER = 2  # drawn pixels along a side of each pixel of the result
 _LIGHT = np.array([0.35, 0.6, 0.72])  # direction, in the camera's frame
 
 Parts = Sequence[Tuple[np.ndarray, str]]  #: by part: the corners of its triangles (3n, 3), and its colour as #rrggbb

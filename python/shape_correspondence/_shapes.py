@@ -291,7 +291,7 @@ def _feature_array(features: Any) -> np.ndarray:
     if array.ndim != 2 or array.dtype.kind not in "fiu" or 0 in array.shape:
         raise _core.InvalidInput(f"features are an array of {array.dtype} of shape {array.shape}; give an (n, d) array of "
                                  "numbers with a row for each face or vertex")
-    with np.errstate(over="ignore"):  # what is too large is told as not finite
+    with np.errstate(over="ignore"):  # too large numbers become infinite, and are reported as not finite
         return np.ascontiguousarray(array, np.float32)
 
 

@@ -23,7 +23,7 @@ namespace shape_correspondence_python {
 
 namespace {
 
-/// The graph with the surfaces that its file names, if it has none. \throw Invalid_input
+/// The graph; if it has no surfaces, with those of the meshes that its file names. \throw Invalid_input
 Graph with_surfaces(Graph graph)
 {
   SC::cli::complete_surfaces(graph.shape);
@@ -48,7 +48,7 @@ std::shared_ptr<Blend> blend(const std::shared_ptr<Match>& match, int threads, c
     for (const std::string& unlikely :
          SC::cli::remove_unlikely(pairs, options.min_confidence, source.shape, target.shape))
       warnings.push_back(unlikely);
-    options.min_confidence = 0; // unlikely pairs are out already
+    options.min_confidence = 0; // unlikely pairs were removed above
     if (!has_size) options.size = SC::cli::likely_size(source.shape, target.shape, warnings);
     const SC::Shape_blend blend(source.shape.graph, *source.shape.model, target.shape.graph, *target.shape.model, pairs,
                                 options);

@@ -47,7 +47,7 @@ SC::Energy_matrix_options matching_options(const std::optional<Role_model>& role
   return options;
 }
 
-/// What distinguishes the finished work of some options in a store.
+/// The key of finished work in a store: the options that it depends on.
 std::string key_of(const py::dict& search, const SC::Energy_matrix_options& matching)
 {
   std::map<std::string, std::string> values;
@@ -59,7 +59,7 @@ std::string key_of(const py::dict& search, const SC::Energy_matrix_options& matc
   return SC::cli::key_of(text, matching.search, matching.unmatched_energy);
 }
 
-/// The JSON of a collection. \param page where its page goes; empty: nowhere
+/// The JSON of a collection. \param page file for its web page; empty: none
 std::string collection(const Graphs& graphs, const std::optional<Role_model>& roles, int threads,
                        const py::dict& search, const py::dict& values, const std::string& page,
                        const py::object& progress)

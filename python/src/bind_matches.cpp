@@ -30,7 +30,7 @@ namespace shape_correspondence_python {
 
 namespace {
 
-/// What is to be said of the shapes of a match, in the order in which the program says it.
+/// The warnings about the shapes of a match, in the order in which the program prints them.
 std::vector<std::string> warnings_of(const Graph& source, const Graph& target, bool is_flow_wanted)
 {
   std::vector<std::string> result = source.warnings_of_up;
@@ -63,7 +63,7 @@ std::shared_ptr<Match> match(const std::shared_ptr<Graph>& source, const std::sh
   });
 }
 
-/// The match that a file holds.
+/// The match in a file of `match --json`.
 std::shared_ptr<Match> read_match(const std::string& path, const std::shared_ptr<Graph>& source,
                                   const std::shared_ptr<Graph>& target)
 {

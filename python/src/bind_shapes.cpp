@@ -43,14 +43,14 @@ using Faces = py::array_t<std::int64_t, py::array::c_style>;
 using Named_mesh = std::tuple<std::string, Vertices, Faces>;
 using Features = py::array_t<float, py::array::c_style>;
 
-/// \pre both have three columns
+/// The mesh with these rows. \pre both arrays have three columns
 SC::Part_mesh mesh_of(const Vertices& vertices, const Faces& faces)
 {
   SC::Part_mesh mesh;
   mesh.points = Eigen::Map<const SC::Points>(vertices.data(), 3, vertices.shape(0));
   constexpr std::int64_t least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
   const Eigen::Map<const Eigen::Matrix<std::int64_t, 3, Eigen::Dynamic>> indices(faces.data(), 3, faces.shape(0));
-  mesh.triangles = indices.cwiseMax(least).cwiseMin(most).cast<int>(); // what is beyond has no vertex either
+  mesh.triangles = indices.cwiseMax(least).cwiseMin(most).cast<int>(); // indices beyond are those of no vertex, either
   return mesh;
 }
 
@@ -79,7 +79,7 @@ SC::Segmented_shape shape_of(const std::vector<Named_mesh>& parts, const std::st
   return shape;
 }
 
-/// A shape of arrays. \param up a vector, or none to find it \param whole the mesh that the parts are of; empty: none
+/// A shape of arrays. \param up empty: estimated \param whole the undivided mesh; empty if parts are separate meshes
 Shape make_shape(const std::vector<Named_mesh>& parts, const std::string& name,
                  const std::optional<std::array<double, 3>>& up, const std::vector<Named_mesh>& whole)
 {
@@ -152,7 +152,7 @@ void add_features(Graph& graph, const Shape* given, const Features& features)
                                         : SC::IO::features_of_parts(values, shape.path, shape.split, shape.reading);
 }
 
-/// Graphs of files, several at once. Of two whose upright axes nothing says, these are found together if `is_pair`.
+/// Graphs of files, several at once. If `is_pair`, upright axes that nothing gives are estimated together.
 std::vector<std::shared_ptr<Graph>> load_graphs(const std::vector<std::string>& paths, bool is_pair,
                                                 const py::dict& options, const py::object& progress)
 {

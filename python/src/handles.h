@@ -21,9 +21,9 @@ namespace SC = CGAL::Shape_correspondence;
 /// A shape that is read or given by arrays.
 struct Shape
 {
-  std::string file; ///< that it was read from; else its name
+  std::string file; ///< file that it was read from, or else its name
   SC::cli::Read_model model;
-  SC::IO::Reading_options reading = {}; ///< with which the file was read
+  SC::IO::Reading_options reading = {}; ///< options with which the file was read
 
   const SC::Segmented_shape& segmented() const { return model.split.shape; }
 };
@@ -33,7 +33,7 @@ struct Graph
 {
   std::string file;
   SC::cli::Loaded_shape shape;
-  std::vector<std::string> warnings_of_up = {}; ///< of the pair that it was loaded with
+  std::vector<std::string> warnings_of_up = {}; ///< warnings about the estimated axes of the pair that it was loaded in
 };
 
 /// Correspondences of two graphs, the best first.
@@ -50,7 +50,7 @@ struct Blend
   std::shared_ptr<const Match> match;
   SC::Correspondence pairs; ///< pairs of the match without the unlikely ones
   SC::Shape_blend blend;
-  std::vector<std::string> warnings; ///< of the shapes, the match and the blend
+  std::vector<std::string> warnings; ///< warnings about the shapes, the match and the blend
 };
 
 struct Role_model
@@ -58,7 +58,7 @@ struct Role_model
   std::shared_ptr<const SC::Role_model> model;
 };
 
-/// What `write` writes.
+/// The text that `write` writes to a stream.
 template <typename Write>
 std::string text(const Write& write)
 {

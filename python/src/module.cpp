@@ -13,7 +13,7 @@ namespace shape_correspondence_python {
 
 namespace {
 
-/// Errors of the library as Python's: with the messages that the program prints.
+/// Makes errors of the library exceptions of Python, with the messages that the program prints.
 void register_errors(py::module_& module)
 {
   static py::exception<SC::Invalid_input> invalid_input(module, "InvalidInput", PyExc_ValueError);

@@ -23,7 +23,7 @@ namespace {
 using SC::cli::Option;
 using SC::cli::Option_table;
 
-/// The options of the program that a function has, and those of its own.
+/// The keyword arguments of a function: options of the program, and further ones.
 struct Keywords
 {
   Option_table table;
@@ -38,11 +38,11 @@ struct Keywords
     table.group("Python")(name, "VALUE", &field, help).in_python();
   }
 
-  /// \throw TypeError of another name
+  /// Sets the options named in `values`. \throw TypeError for a name that is no option
   void read(const py::dict& values)
   {
     for (const auto& [key, value] : values)
-      if (!value.is_none() && !value.equal(py::str(""))) // texts that are none
+      if (!value.is_none() && !value.equal(py::str(""))) // an empty text, like None, leaves the default
         read(key.cast<std::string>(), py::reinterpret_borrow<py::object>(value));
   }
 
@@ -50,7 +50,7 @@ private:
   void read(const std::string& name, const py::object& value);
 };
 
-/// The value of an option. Texts that are empty are none.
+/// The value of an option; None for an empty text.
 py::object value_of(const Option& option)
 {
   return std::visit(
@@ -73,7 +73,7 @@ std::string text_of(const py::object& value)
   return py::module_::import("os").attr("fspath")(value).cast<std::string>();
 }
 
-/// \throw cast_error if the value is of another type
+/// Sets an option. \throw cast_error if the value is of another type
 void set(const std::string& name, const py::object& value, Option& option)
 {
   std::visit(
@@ -100,7 +100,7 @@ void Keywords::read(const std::string& name, const py::object& value)
     names.push_back(option.keyword);
     if (option.keyword != name) continue;
     try {
-      if (value.equal(value_of(option))) return; // also where the default stands for none
+      if (value.equal(value_of(option))) return; // the default, also where it is None
       set(name, value, option);
       option.is_given = true;
     } catch (const py::cast_error&) {

@@ -17,10 +17,10 @@ namespace shape_correspondence_python {
 namespace py = pybind11;
 namespace SC = CGAL::Shape_correspondence;
 
-/// Options from keyword arguments, of which None is none. \throw TypeError of a name that `options_of()` does not list
+/// Options from keyword arguments; None leaves a default. \throw TypeError for a name that `options_of()` does not list
 SC::Search_options search_options(const py::dict& values, bool is_for_pair = true);
 SC::cli::Common_options model_options(const py::dict& values);
-/// \param has_size gets whether a size is asked for
+/// Options of a blend from keyword arguments. \param has_size receives whether a size is among them
 SC::Blend_options blend_options(const py::dict& values, bool& has_size);
 SC::cli::Collection_options collection_options(const py::dict& values);
 

@@ -10,7 +10,7 @@ namespace shape_correspondence_python {
 
 namespace {
 
-constexpr std::chrono::milliseconds signal_interval{50}; // a moment for who presses Ctrl-C
+constexpr std::chrono::milliseconds signal_interval{50}; // time between checks for Ctrl-C
 
 } // namespace
 
@@ -39,7 +39,7 @@ void Work::set_report(const std::string& what, double share)
 void Work::answer()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  answered_ = !report_; // there may be another one by now
+  answered_ = !report_; // a further report may have come meanwhile
   changed_.notify_all();
 }
 

@@ -24,14 +24,14 @@ namespace py = pybind11;
 class Work
 {
 public:
-  /// Ends work that has no other way to stop.
+  /// Thrown to end work that has no other way to stop.
   struct Stopped
   {};
 
-  /// For work: reports progress. \throw Stopped if the caller wants no more
+  /// For the working thread: reports progress. \throw Stopped if the calling thread was interrupted
   void report(const std::string& what, std::size_t done, std::size_t total);
-  /// For work: the same with a share; waits for the answer. \return whether to go on: searches that are ended keep what
-  /// they have found
+  /// For the working thread: reports progress as a share in [0, 1], and waits for the answer. \return whether to go on;
+  /// a search that is ended keeps what it has found
   bool report_share(const std::string& what, double share);
 
   /// Runs `work(*this)`.
@@ -71,14 +71,14 @@ private:
   void finish();
   /// Waits until work has finished. \return what Python raised meanwhile
   std::exception_ptr wait(const py::object& progress);
-  /// The last report, when there is one or some time is over; whether work goes on.
+  /// Waits for a report, for `signal_interval` at most. \return the report, if there is one, and whether work goes on
   std::pair<std::optional<Report>, bool> next_report();
 
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<Report> report_;
   bool answered_ = true, finished_ = false;
-  std::atomic<bool> ended_{false}, stopped_{false}; // a search, everything
+  std::atomic<bool> ended_{false}, stopped_{false}; // whether a search, or all work, is to end
 };
 
 } // namespace shape_correspondence_python

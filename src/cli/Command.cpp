@@ -88,7 +88,7 @@ std::string reflowed(const std::string& text)
   return result;
 }
 
-/// The values of options marked as input or as output files.
+/// The values of the options that have a mark: `Option::is_input` or `Option::is_output`.
 std::vector<std::string> files_of(const Option_table& table, bool Option::*mark)
 {
   std::vector<std::string> result;
@@ -173,7 +173,7 @@ struct Named_parts
   }
 };
 
-/// The pair named by A=B, where names may contain `=`.
+/// The pair of parts named by the text A=B, where names may contain `=`.
 Part_pair pair_of(const std::string& text, const Named_parts& source, const Named_parts& target,
                   const std::string& option)
 {

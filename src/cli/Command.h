@@ -14,7 +14,7 @@
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// Limit of inputs for a command that takes any number.
+/// Greatest number of inputs of a command that takes any number.
 constexpr std::size_t any_number = std::size_t(-1);
 
 /// A command of the program, constructed for one run: its help, its options, and its work.
@@ -26,10 +26,10 @@ public:
   virtual ~Command() = default;
 
   const Option_table& options() const { return table; }
-  /// \param all whether to include rare options
+  /// Writes the help of this command. \param all whether to include rare options
   void write_help(std::ostream& out, bool all) const;
 
-  /// \throw Usage_error, Invalid_input
+  /// Parses the arguments, checks them and does the work. \throw Usage_error, Invalid_input
   void run(const std::vector<std::string>& arguments);
 
 protected:
@@ -55,7 +55,7 @@ private:
 
 struct Command_entry
 {
-  std::string name, summary; ///< one line
+  std::string name, summary; ///< name, and description in one line
   std::unique_ptr<Command> (*make)();
 };
 
@@ -96,7 +96,7 @@ protected:
 
   /// Loads the shapes, and resolves the parts named by options.
   void load();
-  /// The correspondence, read or computed.
+  /// The correspondence: read from `result`, or computed.
   Correspondence correspondence() const;
 
   const Loaded_shape& source() const { return shapes[0]; }
@@ -106,7 +106,7 @@ protected:
   std::string result; ///< result file of `match --json`; empty: the correspondence is computed
   Search_options search;
   std::vector<Loaded_shape> shapes;
-  std::vector<std::string> warnings; ///< about the shapes and examples
+  std::vector<std::string> warnings; ///< warnings about the shapes and examples
 };
 
 } // namespace CGAL::Shape_correspondence::cli

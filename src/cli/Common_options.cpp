@@ -13,8 +13,8 @@ namespace CGAL::Shape_correspondence::cli {
 
 namespace {
 
-constexpr int most_threads = 4096; // each needs its own memory
-// More than any shape needs, at little memory
+constexpr int most_threads = 4096; // limit: each thread needs its own memory
+// Limits for samples of a curve and of a sheet: more than any shape needs, at little memory
 constexpr int most_curve_points = 1000;
 constexpr int most_sheet_points = 200; // number along each side
 

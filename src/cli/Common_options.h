@@ -31,18 +31,18 @@ struct Common_options
 {
   std::string json, glb, html; ///< files to write; empty: none
   std::string cache;           ///< folder of cached graphs; empty: none
-  bool keeps_reading = true;   ///< whether the parts and upright axes found for models are in it, too
+  bool keeps_reading = true;   ///< whether the cache keeps the parts and upright axes found for models, too
   std::string up;              ///< x, -x, +x etc., or auto; empty: the axis in the file, or an estimate that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;
-  std::string features;   ///< `Of_input::features` of the input
+  std::string features;   ///< like `Of_input::features`, set by `of_input()`
   std::string parts_from; ///< a file that assigns pieces to parts, or has labels of faces; empty: none
   IO::Reading_options reading;
   Structure_options structure;
   struct Of_input
   {
     std::string up, parts_from; ///< empty: the value for all inputs
-    std::string features;       ///< array of features of its faces or vertices; empty: none
+    std::string features;       ///< file with features of its faces or vertices; empty: none
   };
   std::array<Of_input, 2> of_pair; ///< options of the source and of the target
   /// Role model to find the upright axes of models that do not give one; null: by stability alone.
@@ -50,7 +50,7 @@ struct Common_options
   /// Called, instead of a progress bar, with the name of the work, the amount done and the total. May throw to end it.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false, verbose = false, help = false, help_all = false;
-  int threads = 0; ///< 0: as many as the machine has
+  int threads = 0; ///< number of threads; 0: as many as the machine has
 
   Common_options of_input(std::size_t index) const;
   /// The options for reading model files, including the labels of faces that define parts.
@@ -75,13 +75,13 @@ constexpr const char* reading_group = "Options on model files";
 constexpr const char* abstraction_group = "Options on part abstraction";
 constexpr const char* abstraction_option = "abstraction";
 
-/// The options of all commands.
+/// Adds the options of all commands.
 void add_common_options(Option_table& table, Common_options& options);
-/// The options for reading model files: upright axis and parts.
+/// Adds the options for reading model files: upright axis and parts.
 void add_reading_options(Option_table& table, Common_options& options);
-/// The options for reading models, abstracting their parts and building their structural graphs.
+/// Adds the options for reading models, abstracting their parts and building their structural graphs.
 void add_model_options(Option_table& table, Common_options& options);
-/// The options that apply to the source or to the target only.
+/// Adds the options that apply to the source or to the target only.
 void add_pair_options(Option_table& table, Common_options& options);
 
 } // namespace CGAL::Shape_correspondence
@@ -90,22 +90,22 @@ namespace CGAL::Shape_correspondence::cli {
 
 constexpr const char* match_group = "Options of match";
 
-/// The names of methods on the command line.
+/// The search methods with their names on the command line.
 extern const std::vector<std::pair<const char*, Search_method>> search_methods;
 
 /// The options of the search as given on the command line.
 struct Match_options
 {
-  Search_options search;               ///< members that options set directly
+  Search_options search;               ///< its members that options set directly
   std::optional<Search_method> method; ///< empty: selected by other options
   std::string front = "likely";        ///< given, likely or auto
-  std::optional<int> alignments;       ///< empty: depends on `front`
+  std::optional<int> alignments;       ///< number of alignments; empty: depends on `front`
   bool paper = false;
   std::string roles = "auto"; ///< auto, none or a file
   std::string examples;       ///< a folder; empty: none
   std::string source_parts, target_parts;
   std::array<std::string, 2> features;        ///< files for the source and the target; empty: none
-  std::vector<std::string> pinned, forbidden; ///< A=B
+  std::vector<std::string> pinned, forbidden; ///< pairs of parts, A=B
 };
 
 void add_match_options(Option_table& table, Match_options& match);

@@ -18,7 +18,7 @@ const std::vector<std::pair<const char*, Search_method>> search_methods{
 
 namespace {
 
-/// Energy of a contact of an unmatched group, about that of a badly deformed contact.
+/// Default energy of each contact of an unmatched group: about that of a badly deformed contact.
 constexpr double default_unmatched_cost = 0.5;
 
 /// Parses the entire text as a number; the error names the option.
@@ -44,7 +44,7 @@ Text_field number_of_alignments(std::optional<int>& number)
 
 std::string name_of(Search_method method) { return choice(method, search_methods).get(); }
 
-/// The field of a method; an empty value selects the method by other options.
+/// The field of --search; without a value, other options select the method.
 Text_field method_or_auto(std::optional<Search_method>& method)
 {
   std::vector<std::pair<const char*, std::optional<Search_method>>> words{{"auto", std::nullopt}};
@@ -73,7 +73,7 @@ bool has_roles(const Match_options& match, Search_method method)
   return method == Search_method::PARTS || match.search.energy.weights.roles > 0;
 }
 
-/// \throw Usage_error if an option is given that changes nothing
+/// Refuses given options that change nothing with this method. \throw Usage_error
 void refuse_options_without_effect(const Match_options& match, const Option_table& given, Search_method method)
 {
   const std::string on_search = "on --search " + name_of(method),

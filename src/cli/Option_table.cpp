@@ -25,7 +25,7 @@ constexpr bool is_number = std::is_same_v<Value, int> || std::is_same_v<Value, s
 template <typename Field>
 using Value_of = std::remove_pointer_t<std::decay_t<Field>>;
 
-/// \throw Usage_error if the number is out of the option's range
+/// Checks a number. \throw Usage_error if it is out of the option's range
 void check_range(const Option& option, const std::string& label, double number, bool is_whole)
 {
   const auto [least, greatest, excludes_ends] = std::tuple(option.least, option.greatest, option.excludes_ends);

@@ -24,7 +24,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws `Usage_error`: an option has no effect. \param why ends the sentence "… has no effect"
+/// Throws `Usage_error` for an option without effect. \param why ends the sentence "… has no effect"
 [[noreturn]] void refuse_option(const std::string& name, const std::string& why);
 
 /// Throws `Usage_error` if `value` is none of `known`. \param label names the option
@@ -40,7 +40,7 @@ struct Text_field
   bool is_repeated = false;            ///< whether `set` is called for each of several values
 };
 
-/// A field set to one of several words. \param get may be empty
+/// A field set to one of several words. \param get returns its word; may be empty
 Text_field word_field(const std::vector<std::string>& known, const std::function<std::string()>& get,
                       const std::function<void(const std::string&)>& set);
 
@@ -93,13 +93,13 @@ struct Option
   Option& usual() { return is_rare = false, *this; }
 
   bool is_switch() const { return value_name.empty(); }
-  /// The value as text; numbers with four digits.
+  /// The value as text; numbers with four significant digits.
   std::string text() const;
   /// Whether the help shows the default.
   bool has_default() const;
   /// Sets a `Text_field`. \param label name of the option \throw Usage_error
   void set_text(const std::string& label, const std::string& text);
-  /// \throw Usage_error if the value is not allowed, empty, or out of range
+  /// Checks the value. \throw Usage_error if it is not allowed, empty, or out of range
   void check(const std::string& label) const;
 };
 
@@ -122,9 +122,9 @@ public:
     std::string title;
     bool is_rare;
 
-    /// \param name long name, or `name,n` with one letter \param value name of the value
+    /// Adds an option. \param name long name, or `name,n` with one letter \param value name of the value
     Option& operator()(const std::string& name, const std::string& value, Option::Field field, const std::string& help);
-    /// A switch.
+    /// Adds a switch.
     Option& operator()(const std::string& name, Option::Field field, const std::string& help)
     {
       return (*this)(name, "", std::move(field), help);
@@ -136,7 +136,7 @@ public:
 
   const std::deque<Option>& options() const { return options_; }
   std::deque<Option>& options() { return options_; }
-  /// \pre an option of this name exists
+  /// The option with a name, which must exist.
   const Option& operator[](const std::string& name) const;
   bool is_given(const std::string& name) const { return (*this)[name].is_given; }
 

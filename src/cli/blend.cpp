@@ -53,7 +53,7 @@ std::string ending_of(const std::string& path) { return std::filesystem::path(pa
 
 bool is_glb(const std::string& path) { return ending_of(path) == ".glb"; }
 
-/// \throw Usage_error if the name of a folder looks like a file that blend does not write
+/// Refuses a name for a folder that looks like a file which `blend` does not write. \throw Usage_error
 void check_is_no_other_file(const std::string& folder)
 {
   const std::string ending = ending_of(folder);
@@ -160,7 +160,7 @@ std::string frame_name(const Blend_output& output, int frame)
   return "frame_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number + '.' + output.format;
 }
 
-/// The shape at time t; if `solid`, its wrap, one closed surface.
+/// The shape at time t; if `solid`, one closed surface around it (alpha wrapping).
 Segmented_shape shape_at(const Shape_blend& blend, double t, bool solid)
 {
   if (!solid) return blend(t);
@@ -396,7 +396,7 @@ private:
 
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings)
 {
-  constexpr double most = 2; // larger ratios of heights mostly come from different units
+  constexpr double most = 2; // limit for the ratio of heights; larger ones mostly come from different units
   const double from = structure(source.graph).frame.height, to = structure(target.graph).frame.height;
   if (std::max(from, to) <= most * std::min(from, to)) return Blend_size::BLEND;
   warnings.push_back("one shape is " + short_number(std::max(from, to) / std::min(from, to)) +

@@ -134,7 +134,7 @@ private:
     return result;
   }
 
-  /// The path of a folder in the store; empty: in memory.
+  /// The path of a folder in the store; empty if there is no store.
   std::string stored(const char* name) const
   {
     return options_.store.empty() ? "" : (fs::path(options_.store) / name).string();
@@ -154,7 +154,7 @@ private:
          add_examples(match_.examples, common, matching_.search.roles, matching_.search.category))
       if (team.is_first()) warn(common, left_out);
     common.roles = matching_.search.roles;
-    common.keeps_reading = !common.cache.empty(); // what is read of many shapes would fill the store
+    common.keeps_reading = !common.cache.empty(); // a cache in the store keeps graphs only, or it would grow too large
     if (common.cache.empty()) common.cache = stored("cache");
     const Collection_shapes shapes(paths_, stored("graphs"), options_.skip_bad, common, team);
     if (!options_.nearest.empty()) {

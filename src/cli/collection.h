@@ -68,7 +68,7 @@ struct Collection_shape
 std::vector<std::string> collection_paths(const std::vector<std::string>& inputs,
                                           std::vector<std::string>* left_out = nullptr);
 
-/// Whether a folder contains shapes: folders of part meshes, or model files of several objects, which parts are not.
+/// Whether a folder contains shapes: folders of part meshes, or model files that have several objects each.
 bool is_folder_of_shapes(const std::string& path);
 
 /// The shapes in a folder, sorted by path. \param left_out receives the names of the other entries; may be null
@@ -79,8 +79,8 @@ class Collection_shapes
 {
 public:
   /// Builds the missing graphs, distributed over the processes of the team.
-  /// \param folder for graphs; empty: in memory \param skip_bad whether to leave out unusable inputs
-  /// \throw Invalid_input if an input is unusable; names all such inputs
+  /// \param folder for graphs; empty: they are kept in memory \param skip_bad whether to leave out unusable inputs
+  /// \throw Invalid_input, naming all unusable inputs, if there are any
   Collection_shapes(const std::vector<std::string>& paths, const std::string& folder, bool skip_bad,
                     const Common_options& options, Team& team);
 
@@ -104,10 +104,10 @@ private:
 
 struct Collection_options
 {
-  std::string npy, csv, store, nearest, labels_from, labels_to; ///< empty: none
+  std::string npy, csv, store, nearest, labels_from, labels_to; ///< files and folders; empty: none
   bool skip_bad = false, matches = false, agreeing = false;
   std::size_t nearest_count = 5;
-  std::size_t neighbours = 0; ///< 0: chosen by the number of shapes
+  std::size_t neighbours = 0; ///< nearest shapes of each whose maps are clustered; 0: by the number of shapes
   double unmatched_energy = Energy_matrix_options().unmatched_energy;
   Co_analysis_options co_analysis;
 };
@@ -115,12 +115,13 @@ struct Collection_options
 /// Adds the options of `collection` and those for output files to the table.
 void add_collection_options(Option_table& table, Common_options& common, Collection_options& options);
 
-/// Finished rows by name, as bytes, in a folder or in memory. In a folder a row exists completely or not at all, even
-/// if the program is killed, and several processes may share it. A damaged row counts as missing.
+/// Finished rows of `Collection_work` as bytes, by name, in a folder or in memory. In a folder a row exists completely
+/// or not at all, even if the program is killed, and several processes may share it. A damaged row counts as missing.
 class Row_store
 {
 public:
-  /// \param folder created if missing; empty: in memory \throw Invalid_input if it cannot be used
+  /// A store in a folder, which is created if missing; in memory if `folder` is empty.
+  /// \throw Invalid_input if the folder cannot be used
   explicit Row_store(std::string folder);
 
   std::string find(const std::string& name) const; ///< empty: missing or damaged
@@ -158,7 +159,7 @@ private:
   const std::string& content(std::size_t shape) const { return shapes_.shapes()[shape].content; }
   /// The shapes after `row` whose pairs are not in the row's bytes.
   std::vector<std::size_t> missing(std::size_t row, const std::string& bytes) const;
-  /// The prepared shapes, of which those of the last calls are kept.
+  /// The shapes, prepared for matching; those of the last calls are kept in memory.
   std::vector<Prepared_shape> prepared(const std::vector<std::size_t>& shapes);
   /// Matches and stores the missing pairs of some rows. \param progress called with the number of pairs matched so far
   void match(const std::vector<std::size_t>& rows, const std::function<void(std::size_t)>& progress);
@@ -187,8 +188,9 @@ struct Analysis
   std::vector<Shape_pair_map> maps;
 };
 
-/// Reads all pairs twice: first the energies, then the maps that are clustered or on bridges. Memory for n shapes: 16
-/// n² bytes for energies and distances, some hundred bytes for each of at most 64 n maps, and that of `co_analysis()`.
+/// Analyses a collection in two passes over all pairs: the first takes the energies, the second the maps of pairs that
+/// are clustered or in bridges (chains of matches). Memory for n shapes: 16 n² bytes for energies and distances, some
+/// hundred bytes for each of at most 64 n maps (by default), and that of `co_analysis()`.
 Analysis analysed(const Collection_shapes& shapes, const Collection_options& options, Collection_work& work);
 
 /// The shapes nearest to a query. \param file name of the query in the result

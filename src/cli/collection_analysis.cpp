@@ -17,17 +17,17 @@ namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 constexpr std::size_t largest_clustered_whole = 100; // number of shapes up to which all maps are clustered by default
-constexpr std::size_t usual_neighbours = 32;         // default for larger collections
-constexpr std::size_t largest_bridged = 1000;        // number of shapes; finding bridges takes cubic time
+constexpr std::size_t usual_neighbours = 32;         // default of `Collection_options::neighbours` for more
+constexpr std::size_t largest_bridged = 1000;        // number of shapes up to which bridges are found, in cubic time
 constexpr std::size_t listed_bridges = 100;
 
-/// Symmetric; accessed by columns.
+/// A symmetric matrix of the distances between shapes, accessed by columns.
 using Distances = Eigen::Ref<const Eigen::MatrixXd>;
 
 /// Ordered pairs of shapes.
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
-/// The ordered pairs of near shapes, in both orders, whose maps are clustered.
+/// The pairs of a shape and one of its nearest `neighbours`, in both orders, whose maps are clustered.
 Pairs clustered_pairs(const Distances& distances, std::size_t neighbours)
 {
   const auto n = std::size_t(distances.rows());
@@ -47,7 +47,7 @@ Pairs clustered_pairs(const Distances& distances, std::size_t neighbours)
   return pairs;
 }
 
-/// The ordered pairs with a chain of less energy than the direct match, the largest gain first.
+/// The ordered pairs with a chain of matches of less energy than the direct match, the largest gain first.
 std::vector<IO::Collection::Bridge> bridges_of(const Eigen::MatrixXd& energies, const std::vector<Shape_pair>& tree)
 {
   std::vector<IO::Collection::Bridge> result;

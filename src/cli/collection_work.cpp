@@ -29,20 +29,20 @@ constexpr int matching_version = 9;
 
 // Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t most_kept_shapes = 512; // prepared ones in memory, some .2 MB each
-constexpr std::size_t blocks_of_process = 8;  // pairs of a small collection for each process
+constexpr std::size_t most_kept_shapes = 512; // limit for prepared shapes in memory, some .2 MB each
+constexpr std::size_t blocks_of_process = 8;  // number of blocks for each process in a small collection
 
 constexpr const char* extension = ".row";
 constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";
 
-using Small = std::uint16_t; // holds indices of at most 2000 parts, sizes and confidences
-constexpr double largest_confidence = 65535;
+using Small = std::uint16_t;                 // holds indices of at most 2000 parts, sizes and confidences
+constexpr double largest_confidence = 65535; // stored value of confidence 1
 
 /// Thrown if a row ends too early.
 struct Damaged_row
 {};
 
-/// Extracts a number from the front.
+/// Removes a number from the front of `bytes` and returns it.
 template <typename Number>
 Number read(std::string_view& bytes)
 {
@@ -82,10 +82,10 @@ Rated_map decoded(std::string_view bytes)
   return rated;
 }
 
-/// The pairs from the row's shape to another, and back.
+/// The encoded matches from a row's shape to another shape, and back.
 using Both_ways = std::array<std::string_view, 2>;
 
-/// The pairs in the bytes of a row, by the content of the other shape; empty if they are damaged.
+/// The matches in the bytes of a row, by the digest of the other shape; empty if the row is damaged.
 std::map<std::string_view, Both_ways> pairs_in(std::string_view bytes)
 {
   std::map<std::string_view, Both_ways> result;

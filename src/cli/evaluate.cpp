@@ -70,8 +70,8 @@ std::vector<std::string> result_files(const std::vector<std::string>& inputs)
   return files;
 }
 
-/// The labelled shape named by the last component of the path that is a name of one. Of several shapes with this name,
-/// the one whose parent folders match the path.
+/// The labelled shape named by the last component of the path that is the name of a labelled shape. Of several shapes
+/// with this name, the one whose parent folders match the path.
 const IO::Labelled_shape& shape_of(const std::string& path, const std::vector<IO::Labelled_shape>& shapes,
                                    const std::string& result_file)
 {

@@ -37,7 +37,7 @@ private:
 
 std::string names_of_commands() { return boost::algorithm::join(mapped(commands(), &Command_entry::name), " "); }
 
-/// The inputs of a command that come from a list of words.
+/// The words that a command takes as inputs; empty if it takes files.
 std::string words_of_inputs(const std::string& command)
 {
   return command == "help" ? names_of_commands() : command == "completion" ? "bash" : command == "roles" ? "train" : "";

@@ -62,13 +62,14 @@ struct Blend_output
 
 void add_output_options(Option_table::Group& add, Blend_output& output);
 
-/// \throw Usage_error if the name of the output contradicts other options
+/// Checks the name of the output. \throw Usage_error if it contradicts other options
 void check_output(const Blend_output& output);
 
 Blend_options blend_options(const Blend_output& output);
 
 /// Writes the blend. \param appearance appearance of the models; null: corresponding parts have one colour
-/// \param finish writes related files: after a file, or before a folder gets its name, which makes all appear at once
+/// \param finish writes related files; called after a file is written, or before a folder gets its final name, so that
+/// all files appear at once
 void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
                  const IO::Blend_appearance* appearance, const std::function<void()>& finish);
 
@@ -79,7 +80,7 @@ std::vector<std::string> remove_unlikely(Correspondence& correspondence, double 
 /// The default size of the frames; `SAME`, with a warning, for shapes that seem to have different units.
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings);
 
-/// Tells which parts are exchanged for their counterparts, and why they do not morph.
+/// Adds a warning of the parts that are exchanged for their counterparts, with the reasons why they do not morph.
 void warn_of_obstacles(const Shape_blend& blend, const Loaded_shape& source, const Loaded_shape& target,
                        std::vector<std::string>& warnings);
 
@@ -91,11 +92,10 @@ struct Transfer_request
   Transfer_options options;
 };
 
-/// The result of a transfer.
 struct Transferred_looks
 {
   Transferred_appearance result;
-  std::vector<std::string> labels; ///< names; empty: the appearance was transferred
+  std::vector<std::string> labels; ///< names of the labels; empty: the appearance was transferred
   std::vector<std::string> warnings;
 };
 

@@ -65,7 +65,7 @@ void find_unlabelled(const fs::path& folder, int depth, std::vector<std::string>
       find_unlabelled(entry.path(), depth + 1, shapes);
 }
 
-/// A note with the number of unlabelled shapes in folders and the first of them; empty: none.
+/// A note with the number of unlabelled shapes in folders, and the first of these; empty if there are none.
 std::string unlabelled_shapes(const std::vector<std::string>& folders)
 {
   std::vector<std::string> shapes;

@@ -31,7 +31,7 @@ struct Labelled_model
 std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>& folders,
                                                  const Common_options& options);
 
-/// The same of generated shapes, which only features of parts are wanted of.
+/// Loads generated shapes likewise, but without curves, sheets and symmetries, as only features of parts are needed.
 std::vector<Labelled_model> load_generated_models(const std::vector<std::string>& folders,
                                                   const Common_options& options);
 
@@ -41,7 +41,7 @@ std::shared_ptr<const Role_model> role_model_of(const std::string& file);
 /// Adds the labelled shapes of a folder, if one is given, to a role model, see `extend_role_model()`: those of
 /// categories in the model, and those of new categories with at least three examples. If all are of one category, and
 /// none is given, that category is selected.
-/// \param model null: none so far \param always_new whether a new category needs no minimum number of examples
+/// \param model null: no model so far \param always_new whether a new category needs no minimum number of examples
 /// \return warnings about shapes that are left out
 std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,
                                       std::shared_ptr<const Role_model>& model, std::string& category,

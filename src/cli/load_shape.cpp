@@ -60,7 +60,7 @@ Loaded_shape read_graph(const std::string& path, const Common_options& common)
   return shape;
 }
 
-/// \throw Invalid_input if the model has too few or too many parts
+/// Checks the number of parts. \throw Invalid_input if there are fewer than two
 void check_has_parts(const Part_split& split, const Common_options& common)
 {
   if (split.shape.parts().size() > 1) return;
@@ -180,13 +180,13 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
     shape.split = std::move(model.split);
     shape.model = shape.split.shape;
     shape.graph = graph_of(*shape.model, common, options, shape);
-    // This is not cached, since the same parts may have been found in other ways
+    // Not from the cached graph, since the same parts may have been found in another way
     structure(shape.graph).automatic_parts = shape.split.by_segments;
     std::vector<std::string>& warnings = structure(shape.graph).warnings;
     warnings.insert(warnings.begin(), model.warnings.begin(), model.warnings.end());
   });
   if (common.features.empty()) return shape;
-  structure(shape.graph).features = with_path(common.features, [&] { // not cached either
+  structure(shape.graph).features = with_path(common.features, [&] { // the features are not cached either
     return IO::features_of_parts(IO::read_features(common.features), path, shape.split, shape.reading);
   });
   return shape;
@@ -195,7 +195,7 @@ Loaded_shape load_shape(const std::string& path, Read_model model, const Common_
 std::vector<Loaded_shape> load_shapes(const std::vector<std::string>& paths, const Common_options& options)
 {
   std::vector<Loaded_shape> shapes(paths.size());
-  // Reading them takes less time than starting threads
+  // Graph files are read in sequence, which takes less time than starting threads
   const bool are_graphs = std::all_of(paths.begin(), paths.end(), is_graph_file);
   internal::for_each_index(paths.size(), !are_graphs,
                            [&](std::size_t i) { shapes[i] = load_shape(paths[i], options.of_input(i)); });

@@ -33,14 +33,14 @@ struct Read_model
 std::string axis_name(const Point& axis);
 
 /// Finds the upright axis of the objects and splits them into parts, according to the options. With `options.roles`, an
-/// axis that nothing says is corrected by the roles of the parts, if they are clear. \throw Invalid_input
+/// axis that was estimated is corrected by the roles of the parts, if they are clear. \throw Invalid_input
 Read_model model_of_objects(const std::string& path, IO::Model_objects objects, const Common_options& options);
 
 /// Reads a model, finds its upright axis and splits it into parts, according to the options. In mode `auto` the files
 /// of a folder of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
-/// Reads two models whose upright axes nothing says, which are then estimated together; empty if that is not so.
+/// Reads two models, and estimates together the axes that neither options nor files give; empty if there are none.
 /// \param options receives the estimated axes \param warnings receives the warnings about them
 std::vector<Read_model> read_pair(const std::vector<std::string>& paths, Common_options& options,
                                   std::vector<std::string>& warnings);
@@ -48,7 +48,7 @@ std::vector<Read_model> read_pair(const std::vector<std::string>& paths, Common_
 /// An input of a command: its structural graph, its model if it is one, and the seconds taken.
 struct Loaded_shape
 {
-  std::string path; ///< names it in messages
+  std::string path; ///< names the input in messages
   Structural_graph graph;
   std::optional<Segmented_shape> model;
   Part_split split;                 ///< how the model was split; empty for a graph file
@@ -61,11 +61,11 @@ struct Loaded_shape
   const Segmented_shape* model_pointer() const { return model ? &*model : nullptr; }
 };
 
-/// The message, prefixed with the path unless it starts with it.
+/// The message, prefixed with the path unless it already starts with it.
 std::string message_about(const std::string& path, const std::string& message);
 
-/// Rethrows the current exception as an `Invalid_input` that names the path, unless it says what it is about. Includes
-/// exceptions of libraries, which may fail on any surface.
+/// Rethrows the current exception, also one of a library, which may fail on any surface, as an `Invalid_input` whose
+/// message starts with the path; a `Usage_error` or an error of the file system as it is.
 [[noreturn]] void rethrow_about(const std::string& path);
 
 /// The result of `read`; its errors name `path`.
@@ -80,10 +80,10 @@ auto with_path(const std::string& path, const Read& read)
 }
 
 /// Reads a model and builds its structural graph, or reads the graph from a file that ends in `.json`.
-/// \throw Invalid_input; the message names `path`
+/// \throw Invalid_input, naming `path`
 Loaded_shape load_shape(const std::string& path, const Common_options& options);
 
-/// Builds the structural graph of a model that was read. \param path names it in messages
+/// Builds the structural graph of a model that was read. \param path names the model in messages
 Loaded_shape load_shape(const std::string& path, Read_model model, const Common_options& options);
 
 /// Loads several inputs, each with its own options; graphs are built in parallel.

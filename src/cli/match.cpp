@@ -49,7 +49,7 @@ using Rows = std::vector<std::vector<std::string>>;
 using Parts = std::vector<std::size_t>;
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t narrowest_names = 16; // width of a column of part names, in characters
+constexpr std::size_t narrowest_names = 16; // least width of a column of part names, in characters
 constexpr std::size_t folded_lines = 4;     // largest number of lines of a cell if not all parts are listed
 
 /// The labels of a shape's parts, for readers.
@@ -93,7 +93,7 @@ void add_row(const std::vector<Lines>& cells, Rows& rows)
   }
 }
 
-/// The width for each of two columns of names next to other columns of these widths, so that the table fits a line.
+/// The width for each of two columns of names, so that they fit a line together with columns of the widths `others`.
 std::size_t width_of_names(const std::vector<std::size_t>& others)
 {
   std::size_t taken = 2 * (others.size() + 2);

@@ -46,7 +46,7 @@ bool says_up(const std::string& path)
   return std::find(formats.begin(), formats.end(), IO::lower_extension(path)) != formats.end();
 }
 
-/// The result of some work, or what the cache keeps of it. \param question tells the work from all others
+/// The result of `work`, from the cache if it is there. \param question identifies the work and its input
 template <typename Work>
 auto answer_to(const std::string& question, const Common_options& options, const Work& work)
 {
@@ -55,7 +55,7 @@ auto answer_to(const std::string& question, const Common_options& options, const
   return IO::kept_answer<Answer>(options.cache, question, work, [&](const std::string& text) { warn(options, text); });
 }
 
-/// A digest of what the choice of parts knows of roles. \param roles may be null
+/// A digest of the role model by which parts are chosen. \param roles may be null
 std::string content_of(const std::shared_ptr<const Role_model>& roles)
 {
   static std::mutex mutex;
@@ -163,7 +163,7 @@ std::optional<Point> up_by_roles(const Read_model& model, const Common_options& 
   return up.empty() ? std::nullopt : std::optional(up[0]);
 }
 
-/// Replaces an estimated upright axis, and the warning about it, by what the roles of the parts say.
+/// Replaces an estimated upright axis, and the warning about it, by the axis that the roles of the parts give, if any.
 void turn_by_roles(const Common_options& options, Read_model& model)
 {
   if (!model.is_up_estimated) return;
@@ -209,11 +209,11 @@ void split_objects(const std::string& path, const IO::Model_objects& objects, co
                              std::to_string(model.split.pieces_kept_whole) + "; repair their triangles.");
 }
 
-/// The upright axes of two inputs that are estimated together, by input.
+/// What is known of the upright axes of two inputs that are estimated together, indexed by input.
 struct Pair_axes
 {
   std::array<bool, 2> is_unknown{};
-  std::array<std::optional<Point>, 2> by_roles; ///< estimated by roles; empty: not estimated so
+  std::array<std::optional<Point>, 2> by_roles; ///< axis estimated by roles; empty: roles give none
 };
 
 /// The axes to estimate together: if both inputs are models, and no option concerns the axis of only one of them, those
@@ -229,7 +229,7 @@ Pair_axes unknown_axes(const std::vector<std::string>& paths, const Common_optio
   return result;
 }
 
-/// Estimates these axes and sets them in the shapes and in `options.of_pair`. \return warnings
+/// Estimates the unknown axes and sets them in the shapes and in `options.of_pair`. \return warnings
 std::vector<std::string> find_up_of_pair(const std::vector<std::string>& paths, const Pair_axes& axes,
                                          const std::array<Segmented_shape*, 2>& shapes, Common_options& options)
 {

@@ -225,7 +225,7 @@ std::string listed(const std::vector<std::string>& words)
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known)
 {
-  std::size_t nearest = 1 + (word.size() + 1) / 3; // a third of the letters may be wrong
+  std::size_t nearest = 1 + (word.size() + 1) / 3; // so that a third of the letters may be wrong
   std::string result;
   for (const std::string& candidate : known) {
     const bool begins_so = word.size() > 2 && candidate.rfind(word, 0) == 0;

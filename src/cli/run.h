@@ -20,13 +20,13 @@ namespace CGAL::Shape_correspondence::cli {
 void start_outputs();
 
 /// Writes an output file atomically; does nothing if `file` is empty.
-/// \throw Invalid_input on failure; names the outputs that were written before
+/// \throw Invalid_input, naming the outputs that were written before, on failure
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write);
 
 /// Records an output that was written in another way.
 void output_is_whole(const std::string& file);
 
-/// A message of the library in which options and functions are named by switches and commands of the program.
+/// A message of the library with switches and commands in place of the names of C++ options and functions.
 std::string in_program_words(std::string message);
 
 /// Prints a warning to standard error unless the options are quiet.
@@ -35,7 +35,7 @@ void warn(const Common_options& options, const std::string& message);
 /// Wall-clock time in seconds since an arbitrary moment.
 double now();
 
-/// Limits the number of working threads as long as the result lives; 0: no limit.
+/// Limits the number of working threads as long as the result lives. \param threads 0: no limit
 std::shared_ptr<void> limit_threads(int threads);
 
 /// A progress bar on standard error that shows the estimated remaining time after two seconds, and is erased at the
@@ -43,7 +43,7 @@ std::shared_ptr<void> limit_threads(int threads);
 class Progress_bar
 {
 public:
-  /// \param unit name of the counted items
+  /// \param label name of the work or of its input \param unit name of the counted items
   Progress_bar(const Common_options& options, std::string label, std::string unit = "part");
   ~Progress_bar();
   Progress_bar(const Progress_bar&) = delete;
@@ -56,18 +56,18 @@ private:
   bool shown_ = false;
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress_;
   std::string label_, unit_;
-  double begin_, last_shown_ = 0; // seconds
+  double begin_, last_shown_ = 0; // times in seconds, see `now()`
 };
 
 /// Writes rows with aligned columns; the first row is the heading.
 void write_table(std::ostream& out, std::vector<std::vector<std::string>> rows);
 
-constexpr std::size_t line_width = 80; ///< characters
+constexpr std::size_t line_width = 80; ///< characters in a line of output
 
 /// Words wrapped to lines of at most `width` characters; a longer word is broken after a separator, if it has one.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes one note in each line, or unless `all` only the number of several.
+/// Writes notes, one in each line; of several, only their number unless `all`.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
 
 /// A number with four significant digits.

@@ -42,7 +42,7 @@ void await_all(const mpi::communicator& world)
   }
 }
 
-/// The first process answers requests between its own work items.
+/// The part of the first process: it answers requests for numbers between its own work items.
 void lead(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   std::size_t next = 0;
@@ -63,7 +63,7 @@ void lead(const mpi::communicator& world, std::size_t n, const Work& work)
     serve(awaited(world, mpi::any_source, request));
 }
 
-/// The others request the next number before they start on one, so that they need not wait for it.
+/// The part of the other processes: they request the next number before they work on one, to find it ready afterwards.
 void follow(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   const auto received = [&] {

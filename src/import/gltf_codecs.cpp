@@ -16,12 +16,12 @@ namespace {
 
 #ifdef SHAPE_CORRESPONDENCE_WITH_DRACO
 
-/// The stored numbers, one column for each vertex; none if they cannot be read.
+/// The values of an attribute, one column for each vertex; an empty matrix if they cannot be read.
 Eigen::MatrixXd numbers_of(draco::PointAttribute& attribute, std::uint32_t points)
 {
   constexpr int most_components = 4;
   if (attribute.num_components() > most_components) return {};
-  attribute.set_normalized(false); // the document says whether the numbers are
+  attribute.set_normalized(false); // the glTF document, not Draco, says whether they are
   Eigen::MatrixXd result(attribute.num_components(), points);
   for (std::uint32_t point = 0; point < points; ++point)
     if (!attribute.ConvertValue<double>(attribute.mapped_index(draco::PointIndex(point)), result.col(point).data()))
@@ -29,7 +29,7 @@ Eigen::MatrixXd numbers_of(draco::PointAttribute& attribute, std::uint32_t point
   return result;
 }
 
-/// A damaged mesh has no attributes.
+/// Decodes a mesh; the result has no attributes if the data are damaged.
 Draco_mesh decoded_by_draco(std::string_view bytes)
 {
   draco::DecoderBuffer buffer;
@@ -50,7 +50,7 @@ Draco_mesh decoded_by_draco(std::string_view bytes)
 #endif
 #ifdef SHAPE_CORRESPONDENCE_WITH_MESHOPTIMIZER
 
-/// Sizes are checked first, since the library only asserts them. \return whether the data are valid
+/// Decompresses a view after checking its sizes, which the library only asserts. \return whether the data are valid
 bool decode_meshopt(const Meshopt_view& view, std::string& result)
 {
   const auto* const bytes = reinterpret_cast<const unsigned char*>(view.bytes.data());
@@ -65,7 +65,7 @@ bool decode_meshopt(const Meshopt_view& view, std::string& result)
          meshopt_decodeIndexSequence(result.data(), view.count, view.stride, bytes, view.bytes.size()) == 0;
 }
 
-/// \return whether the filter fits the data
+/// Inverts the filter that was applied before compression. \return whether the filter fits the data
 bool undo_filter(const Meshopt_view& view, std::string& result)
 {
   if (view.filter.empty() || view.filter == "NONE") return true;
@@ -80,7 +80,7 @@ bool undo_filter(const Meshopt_view& view, std::string& result)
   return true;
 }
 
-/// Empty if the data are damaged.
+/// The decompressed bytes of a view; empty if the data are damaged.
 std::string decoded_by_meshoptimizer(const Meshopt_view& view)
 {
   std::string result(view.count * view.stride, '\0');

@@ -32,7 +32,7 @@
 #include <sys/prctl.h>
 #endif
 
-// Sanitizers reserve terabytes of memory
+// Sanitizers reserve terabytes of memory, so that memory cannot be limited then
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SHAPE_CORRESPONDENCE_SHADOW_MEMORY
 #elif defined(__has_feature)
@@ -42,7 +42,7 @@
 #endif
 
 // The tree of nodes and their names are kept as in the file: assimp's steps that merge nodes or meshes would lose the
-// parts. COLLADA files give the upright axis; assimp's root node turns them to y up.
+// parts. COLLADA files give the upright axis; assimp's root node rotates them to y up.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -60,10 +60,10 @@ Transform transform_of(const aiNode& node)
 class Scene_reader
 {
 public:
-  /// \param bytes size of the file, or the number of triangles of its meshes if greater
+  /// \param bytes size for the limit of repeated triangles: of the file, or the number of triangles of all meshes
   Scene_reader(const aiScene& scene, std::uint64_t bytes) : scene_(scene), bytes_(bytes) {}
 
-  /// \param are_linear whether colours are in linear light rather than sRGB
+  /// Reads the scene. \param are_linear whether colours are in linear light rather than sRGB
   Model_content read(bool are_linear)
   {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
@@ -98,7 +98,7 @@ private:
       material.texture = add_texture(of_file, type, path);
       int channel = 0;
       if (of_file.Get(AI_MATKEY_UVWSRC(type, 0), channel) == AI_SUCCESS && channel > 0) channels_.back() = channel;
-      if (!is_linear) material.colour.head<3>().setOnes(); // modelling programs do the same
+      if (!is_linear) material.colour.head<3>().setOnes(); // the texture replaces the colour, as in modelling programs
       break;
     }
     content_.materials.push_back(material);
@@ -201,7 +201,7 @@ private:
   const aiScene& scene_;
   std::uint64_t bytes_, triangles_ = 0;
   Model_content content_;
-  std::vector<int> channels_; ///< index of each material's texture coordinates
+  std::vector<int> channels_; ///< for each material, the index of its set of texture coordinates
   std::vector<Tree_node> tree_;
   std::vector<int> node_of_part_;
   std::vector<std::string> meshes_; ///< names of the parts' meshes
@@ -236,7 +236,7 @@ private:
            (allows_outside_ || path == file_ || is_in_folder_of(file_, path));
   }
 
-  Assimp::DefaultIOSystem system_; // a member, since it is final in assimp 6
+  Assimp::DefaultIOSystem system_; // a member and not a base class, which assimp 6 declares final
   std::string file_, missing_;
   bool allows_outside_;
 };
@@ -256,7 +256,7 @@ std::string text_of(const std::string& file)
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The upright axis given by an FBX file; zero if it gives none, and assimp only has its default.
+/// The upright axis given by an FBX file; zero if it gives none and assimp only reports its default.
 Point up_of_fbx(const aiScene& scene, const std::string& file)
 {
   std::int32_t axis = 0, sign = 1;
@@ -289,7 +289,7 @@ Model_content read_scene(const std::string& file, bool allows_outside)
     if (why.find(std::bad_alloc().what()) != std::string::npos) throw std::bad_alloc();
     throw Invalid_input(not_readable);
   }
-  if (extension == ".fbx") scene->mRootNode->mTransformation = aiMatrix4x4(); // newer versions turn it to y up
+  if (extension == ".fbx") scene->mRootNode->mTransformation = aiMatrix4x4(); // newer assimp rotates it to y up
   Model_content content =
       Scene_reader(*scene, is_gltf ? triangles_of(*scene) : std::filesystem::file_size(file)).read(is_gltf);
   for (Model_part& part : content.parts)
@@ -300,13 +300,13 @@ Model_content read_scene(const std::string& file, bool allows_outside)
   return content;
 }
 
-/// The message without the name of the file, which the reader of the message knows.
+/// The message without the name of the file, which the program that reads the message puts before it.
 std::string without_file(const std::string& message, const std::string& file)
 {
   return begins_with(message, file + ": ") ? message.substr(file.size() + 2) : message;
 }
 
-/// Reads the content of a model file. \param allows_outside whether files that it names may be anywhere
+/// Reads the content of a model file. \param allows_outside whether files that it names may be outside its folder
 Model_content read_model(const std::string& file, bool allows_outside)
 {
   const std::string extension = lower_extension(file);
@@ -315,7 +315,7 @@ Model_content read_model(const std::string& file, bool allows_outside)
     const Gltf_codecs codecs = gltf_codecs();
     return read_gltf(text_of(file), file, Reading_options{allows_outside, {}}, &codecs);
   } catch (const Needs_import&) {
-    return read_scene(file, allows_outside); // version 1
+    return read_scene(file, allows_outside); // glTF 1.0
   } catch (const Invalid_input& error) {
     throw Invalid_input(without_file(error.what(), file));
   }

@@ -25,7 +25,7 @@ namespace {
 
 using Archive = std::remove_pointer_t<unzFile>;
 
-/// Moves to the document with the objects, found by its usual name or by its extension.
+/// Moves to the archive's document with the objects: 3D/3dmodel.model, or else the first file with this extension.
 bool go_to_model(Archive* archive)
 {
   constexpr int any_case = 2;

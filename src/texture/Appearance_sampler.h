@@ -32,7 +32,7 @@ public:
   /// Whether a part has an appearance.
   bool is_known(std::size_t part) const;
 
-  /// \param weights barycentric coordinates in the triangle
+  /// The colour of a point. \param weights its barycentric coordinates in the triangle
   Eigen::Vector3d operator()(std::size_t part, std::size_t triangle, const Eigen::Vector3d& weights) const;
 
 private:

@@ -14,9 +14,9 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Share of the covered pixels that may be covered twice, along the edges of triangles
+// Limit for the share of an image's covered pixels that several triangles cover, as along their edges
 constexpr double most_overlap = 0.01;
-// Share of the surface's area that may have no area in the image
+// Limit for the share of the surface's area that has no area in the image
 constexpr double most_collapsed = 0.01;
 // Least cosine of a face's angle to its chart; its texture is stretched by up to 1 / cosine
 constexpr double steepest = 0.4;
@@ -79,7 +79,7 @@ private:
   Flat_triangle projected(std::size_t t) const
   {
     const int axis = directions_[t] / 2;
-    const bool is_mirrored = directions_[t] % 2 == 1; // so that left and right are those seen from outside
+    const bool is_mirrored = directions_[t] % 2 == 1; // so that the chart shows the surface from outside
     Flat_triangle result;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point p = points_.col(triangles_(Eigen::Index(k), Eigen::Index(t)));
@@ -123,7 +123,7 @@ private:
   std::vector<int> without_overlap(const std::vector<int>& triangles) const
   {
     constexpr int size = 256;
-    constexpr std::size_t few = 2; // number of shared pixels, on edges
+    constexpr std::size_t few = 2; // number of pixels that any triangle may share with earlier ones, on edges
     const Eigen::AlignedBox2d box = bounds(triangles);
     const double extent = box.sizes().maxCoeff();
     if (!(extent > 0) || triangles.size() == 1) return triangles;

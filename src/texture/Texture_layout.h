@@ -82,7 +82,7 @@ inline std::vector<std::vector<int>> neighbours_of(const Part_mesh& mesh)
 }
 
 /// Sets the value of each triangle to the most frequent one of its neighbours, in three rounds.
-/// \param may_have whether a triangle may have a value
+/// \param may_have whether a triangle, given by index, may have a value
 template <typename May_have>
 void smooth(const std::vector<std::vector<int>>& neighbours, std::vector<int>& values, const May_have& may_have)
 {

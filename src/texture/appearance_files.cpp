@@ -23,7 +23,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Resolution of a mesh with vertex colours
+// Limits for the subdivision of a mesh whose texture is written as colours of vertices
 constexpr double edges_across = 100; // diagonal of the shape over the longest edge
 constexpr std::size_t most_triangles = 200000;
 

@@ -47,7 +47,7 @@ auto columns(const std::vector<Vector>& values)
   return Eigen::Map<const Columns>(values.data()->data(), Vector::RowsAtCompileTime, Eigen::Index(values.size()));
 }
 
-constexpr int fade_steps = 5; // number of intermediate colours in an animation
+constexpr int fade_steps = 5; // number of steps in which a part changes its colour in an animation
 
 class Material_painter : public Blend_painter
 {
@@ -97,7 +97,7 @@ private:
   struct Looks
   {
     Part_appearance appearance;
-    std::optional<Fade> fade; ///< defined if the parts at both ends have a single colour
+    std::optional<Fade> fade; ///< defined if both parts have a single colour, and these differ
   };
 
   std::optional<Fade> fade_of(const Blend_task& task) const
@@ -185,7 +185,7 @@ std::vector<Blend_painter::Painted_mesh> Glb_materials::dressed(const Eigen::Mat
   struct Collector
   {
     std::map<std::tuple<int, std::array<float, 2>, std::array<float, 3>>, int> known;
-    std::vector<int> points, corners, triangles; ///< for each point, one of its corners
+    std::vector<int> points, corners, triangles; ///< point and one corner of each vertex; vertices
   };
   const bool has_coordinates = !looks.coordinates.empty(), has_colours = !looks.colours.empty();
   std::map<int, Collector> by_material;

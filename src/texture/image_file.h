@@ -23,11 +23,11 @@ struct Image_budget
   /// Number of pixels times the number of scans of a progressive JPEG, each of which takes time.
   std::size_t scanned = std::size_t(1) << 30;
 
-  /// Subtracts an image. \throw Invalid_input if it is too large; the message ends a sentence
+  /// Subtracts an image. \throw Invalid_input, with the end of a sentence, if the rest is too small for it
   void take(std::size_t width, std::size_t height, std::size_t scans);
 };
 
-/// Decodes a PNG or JPEG of at most 8192 pixels in each direction. \throw Invalid_input; the message ends a sentence
+/// Decodes a PNG or JPEG of at most 8192 pixels in each direction. \throw Invalid_input with the end of a sentence
 Image decoded_image(const std::string& bytes, Image_budget& budget);
 
 std::string png_of(const Image& image);

@@ -17,19 +17,19 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // bytes of a library or a texture
-constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // bytes of all files of a model
+constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20; // limit for a library or a texture, in bytes
+constexpr std::uintmax_t most_bytes = std::uintmax_t(256) << 20;  // limit for all such files of a model, in bytes
 constexpr float largest_coordinate_of_texture =
-    1e4f; // number of repetitions beyond which single precision is too coarse
+    1e4f; // number of repetitions of a texture beyond which single precision is too coarse
 
-/// A material of a library: its colour, and its texture before it is loaded; without a name: no texture.
+/// A material of a library: its colour, and its texture, which is not loaded yet and has no name if there is none.
 struct Library_material
 {
   Eigen::Vector4d colour = Eigen::Vector4d::Ones();
   Texture texture;
 };
 
-/// Reads the texture of a material. \return whether it has a name, which may contain blanks and follows options
+/// Reads the texture of a material: options, and a file name that may contain blanks. \return whether there is a name
 bool read_texture(std::string_view line, Texture& result)
 {
   Texture texture;
@@ -87,7 +87,7 @@ read_libraries(const Named_files& files, const std::vector<std::string>& stateme
 {
   std::map<std::string, Library_material> result;
   for (const std::string& statement : statements) {
-    // A single name with blanks, or several names
+    // The statement is a single name with blanks, or else several names
     std::vector<std::pair<std::string, Named_file>> libraries{{statement, files.read(statement)}};
     if (!libraries[0].second.fault.empty()) {
       libraries.clear();

@@ -74,7 +74,8 @@ public:
   const Point_map& map() const { return map_; }
   std::vector<Transferred_part>& parts() { return result_.parts; }
 
-  /// Takes the appearance of the largest source part that has one; of several about as large, of the highest.
+  /// Gives target parts the appearance of their largest source part that has one; of several about as large, of the one
+  /// that reaches highest.
   void take_from_sources(const Segmented_shape& source, const Shape_frame& frame, const Appearance_sampler& looks)
   {
     constexpr double about_as_large = 0.8;
@@ -152,7 +153,7 @@ public:
   Transferred_appearance result() { return std::move(result_); }
 
 private:
-  /// Whether a part has a material of another one, or no appearance of its own to keep.
+  /// Whether a part may take the appearance of another one: they share a material, or it has no own appearance to keep.
   bool may_look_like(std::size_t part, std::size_t other) const
   {
     if (!target_sampler_.is_known(part)) return true;

@@ -36,7 +36,7 @@ std::string listed(const std::vector<std::size_t>& parts, const Labels& labels)
   return result;
 }
 
-/// A line for each block.
+/// The correspondence in words, with a line for each block.
 std::string summary_of(const Correspondence& correspondence, const Labels& source, const Labels& target)
 {
   std::string result;

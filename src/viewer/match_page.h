@@ -16,13 +16,13 @@ namespace CGAL::Shape_correspondence::IO {
 
 /// The page of a match: its JSON, and its GLB, in which large surfaces are simplified.
 /// \param ranked the best one first \param source_shape may be null \param target_shape may be null
-/// \param add_scenes further scenes of the GLB, as of materials
+/// \param add_scenes adds further scenes to the GLB, such as shapes with their materials; may be empty
 Page match_page(const std::vector<Correspondence>& ranked, const Structural_graph& source,
                 const Structural_graph& target, const Segmented_shape* source_shape,
                 const Segmented_shape* target_shape, const std::string& source_file, const std::string& target_file,
                 const Match_seconds& seconds, const Add_scenes& add_scenes = {});
 
-/// Makes the page of a match one of the blend by that match. \param json as `write_blend_json()` writes it
+/// Adds the blend of the matched shapes to the page of a match. \param json as `write_blend_json()` writes it
 void add_blend(Page& page, const std::string& json, const Shape_blend& blend, const Correspondence& correspondence,
                int frames);
 

@@ -34,7 +34,7 @@ std::string base64(std::string_view bytes)
   return result;
 }
 
-/// JSON has < in texts only, where it may be written as a code: so nothing ends the element that holds it.
+/// Writes < in JSON, which has it in texts only, as a code, so that no text ends the element that contains it.
 void write_documents(std::ostream& out, const Page& page)
 {
   for (const Page::Document& document : page.json) {

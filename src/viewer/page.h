@@ -23,7 +23,7 @@ struct Page
   std::string summary = {};   ///< lines of text that are shown where no scripts run
 };
 
-/// Writes one file that holds all it needs: no network, and no script but the viewer's, whatever names are in it.
+/// Writes a page as one file that needs no network and runs no script but the viewer's, whatever names it contains.
 /// \throw Invalid_input if the library was built without three.js
 void write_page(std::ostream& out, const Page& page);
 

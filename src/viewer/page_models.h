@@ -14,7 +14,7 @@ namespace CGAL::Shape_correspondence::IO {
 /// The most triangles of all surfaces of a page of one or two shapes; each takes about 60 bytes.
 constexpr std::size_t largest_page_triangles = 100000;
 
-/// The same for a page of a blend, whose surfaces move: each takes about 250 bytes.
+/// The most triangles of a page of a blend, whose surfaces move; each takes about 250 bytes.
 constexpr std::size_t largest_blend_page_triangles = 60000;
 
 /// The likeliest roles of a shape's parts by the model that comes with the package; none where the category is not
@@ -25,7 +25,7 @@ std::vector<std::string> likeliest_roles(const Structural_graph& graph);
 class Page_models
 {
 public:
-  /// \param models may be null
+  /// \param models null for shapes without surfaces \param most_triangles limit for all models together
   Page_models(const std::vector<const Segmented_shape*>& models, std::size_t most_triangles) : models_(models)
   {
     std::size_t all = 0;

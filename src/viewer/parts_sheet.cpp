@@ -21,9 +21,9 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr std::size_t sheet_triangles = 200000, fewest_of_model = 500;
-constexpr std::size_t most_drawn_pieces = 500; // of a model, each with a mesh of its own
+constexpr std::size_t most_drawn_pieces = 500; // limit for pieces of a model that are drawn each as a mesh
 
-/// Turns the upright axis to y.
+/// The rotation of the upright axis to y, and of a horizontal direction, the front, to z.
 Eigen::Matrix3d upright(const Point& up)
 {
   const Point front = std::abs(up.z()) > 0.5 ? Point(-up.z() * Point::UnitY()) : Point::UnitZ();

@@ -16,11 +16,11 @@ namespace CGAL::Shape_correspondence::IO {
 class Parts_sheet
 {
 public:
-  /// \param models that are going to be added
+  /// \param models number of models that are going to be added
   explicit Parts_sheet(std::size_t models);
 
-  /// \param title of the model \param objects its objects, for their names \param summary is said above its parts
-  /// \param roles of the parts, or none if they are not known
+  /// Adds a model. \param objects its objects, for their names \param roles roles of the parts; empty if they are not
+  /// known \param summary text that is shown above the parts
   void add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
            const std::vector<std::string>& roles, const std::string& summary);
   /// Adds a model that cannot be used.

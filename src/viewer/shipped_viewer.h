@@ -14,7 +14,7 @@ extern const std::size_t shipped_viewer_page_size, shipped_viewer_style_size, sh
 /// SHA-256 of the script.
 extern const unsigned char shipped_viewer_hash[];
 extern const std::size_t shipped_viewer_hash_size;
-/// Whether three.js is in it.
+/// Whether the script has three.js.
 extern const bool shipped_viewer_is_complete;
 
 } // namespace CGAL::Shape_correspondence::IO

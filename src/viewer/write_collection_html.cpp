@@ -24,9 +24,9 @@ namespace {
 using Models = std::function<std::optional<Segmented_shape>(std::size_t)>;
 
 constexpr std::size_t collection_triangles = 400000, fewest_of_shape = 400;
-constexpr std::size_t most_fine = 50; // shapes whose curves and sheets are drawn as in a picture of one pair
+constexpr std::size_t most_fine = 50; // shapes up to which curves and sheets are drawn as finely as for one pair
 
-/// The shapes, their surfaces or else curves and sheets simplified, parts in the colours of their clusters.
+/// The GLB of the shapes: simplified surfaces, or else curves and sheets; parts have the colours of their clusters.
 class Collection_models
 {
 public:
@@ -36,7 +36,7 @@ public:
         unclustered_(labels)
   {}
 
-  /// \param model may be null: curves and sheets are shown
+  /// Adds a shape. \param model null: curves and sheets are shown \param labels the cluster of each part; -1: none
   void add(const Structural_graph& graph, const Segmented_shape* model, const std::vector<int>& labels)
   {
     std::optional<Segmented_shape> simplified;
@@ -48,14 +48,14 @@ public:
                         : is_coarse_  ? drawn.coarse_abstraction(part)
                                       : drawn.abstraction(part);
       mesh.material = labels[part] == Co_analysis::none ? unclustered_ : labels[part];
-      mesh.layer.clear(); // names and layers are told once
+      mesh.layer.clear(); // the layer is an extra of the shape's node, and names are in the page's JSON
       nodes.push_back(glb_.add_node("", {std::move(mesh)}));
     }
     roots_.push_back(glb_.add_node(drawn.name(), nodes, Point::Zero()));
     glb_.set_node_extras(roots_.back(), {{"layer", drawn.model() ? surface_layer : abstraction_layer}});
   }
 
-  /// \param role_of_cluster a colour for each label
+  /// The bytes. \param role_of_cluster for each cluster, the role that its colour shows
   std::string text(const std::vector<std::string>& role_of_cluster)
   {
     int number = 0; // materials in the order of labels, which are known when all shapes are added
@@ -71,13 +71,13 @@ private:
   std::size_t triangles_of_shape_;
   bool is_coarse_;
   Glb_file glb_;
-  int unclustered_; // material
+  int unclustered_; // material of parts in no cluster
   std::vector<int> roots_;
 };
 
 double rounded(double energy) { return std::round(energy * 1e4) / 1e4; }
 
-/// The names of the operations by their numbers.
+/// The names of the operations, indexed by the values of `Operation`.
 std::vector<std::string> names_of_operations()
 {
   std::vector<std::string> result;
@@ -86,8 +86,8 @@ std::vector<std::string> names_of_operations()
   return result;
 }
 
-/// By "source,target", the smaller index first: the energies of both directions, and blocks of parts with the number of
-/// their operation and per cent.
+/// An object with, for each pair of shapes i < j, at the key "i,j": the energies of i to j and of j to i, and blocks of
+/// corresponding parts, each with its operation (as a number) and its confidence in per cent.
 Json maps_json(const Collection& collection, const std::vector<Shape_pair_map>& maps)
 {
   std::string result;
@@ -158,7 +158,7 @@ Collection part_of(const Collection& whole, const std::vector<std::size_t>& shap
   return result;
 }
 
-/// The maps between some of the shapes, by their places among these.
+/// The maps between the given shapes (sorted indices), whose indices become their positions in this list.
 std::vector<Shape_pair_map> maps_between(const std::vector<Shape_pair_map>& maps,
                                          const std::vector<std::size_t>& shapes)
 {
@@ -174,7 +174,7 @@ std::vector<Shape_pair_map> maps_between(const std::vector<Shape_pair_map>& maps
 
 using Roles = std::vector<std::string>;
 
-/// By cluster, the role of most of its parts; empty if it is not known.
+/// For each cluster, the most frequent role of its parts; empty if it is not known.
 Roles roles_of_clusters(const Co_analysis& clusters, const std::vector<Roles>& roles)
 {
   std::vector<std::map<std::string, int>> counts(std::size_t(clusters.number_of_labels));
@@ -191,7 +191,7 @@ Roles roles_of_clusters(const Co_analysis& clusters, const std::vector<Roles>& r
   return result;
 }
 
-/// By shape and part, the number of the cluster; -1: none.
+/// For each shape and part, the number of the cluster; -1: none.
 Json clusters_json(const Collection& collection)
 {
   Json result = Json::array();
@@ -200,7 +200,7 @@ Json clusters_json(const Collection& collection)
   return result;
 }
 
-/// The documents of the page, for a collection small enough for it. \param total shapes of the whole one
+/// The page of a collection of at most `largest_pictured` shapes. \param total number of shapes of the whole collection
 Page collection_page(const Collection& collection, std::size_t total,
                      const std::function<Structural_graph(std::size_t)>& graph, const Models& model,
                      const std::vector<Shape_pair_map>& maps)

@@ -31,16 +31,16 @@ namespace {
 constexpr int algorithms_version = 14;
 /// To be increased with every change that alters the parts or the upright axis of a model for the same options.
 constexpr int reading_version = 2;
-constexpr std::size_t most_kept = 20'000'000; // bytes of an answer
+constexpr std::size_t most_kept = 20'000'000; // limit for an answer in a cache, in bytes
 
-/// Writes values.
+/// Appends values, which writing does not change.
 template <typename... Values>
 void append_all(Value_bytes& bytes, const Values&... values)
 {
-  pass_all(bytes, const_cast<Values&>(values)...); // which do not change
+  pass_all(bytes, const_cast<Values&>(values)...);
 }
 
-/// Does not depend on the compiler for the abstractors of the package.
+/// The abstractor's name in keys of the cache; for abstractors of the package, independent of the compiler.
 std::string name_of_abstractor(const Abstraction_options& options)
 {
   const auto& abstractor = options.abstractor;
@@ -72,7 +72,7 @@ internal::Stored_bytes bytes_of(std::string_view text, std::shared_ptr<const voi
 
 } // namespace
 
-// What is kept of models
+// The bytes of what a cache keeps of a model
 
 template <typename Value>
 static void pass(Value_bytes& bytes, std::array<Value, 2>& pair)
@@ -185,7 +185,7 @@ Answer kept_answer(const std::string& cache, const std::string& question, const 
   try {
     make_folder(folder.string(), "a cache folder");
     if (made.bytes.size() < most_kept) write_checked_entry(file, kept_title, made.bytes);
-  } catch (const Invalid_input&) { // is told when the graph is to be kept
+  } catch (const Invalid_input&) { // reported when the graph is to be kept
   }
   return answer;
 }

@@ -116,7 +116,7 @@ constexpr std::size_t npy_alignment = 64;
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "files of doubles are written as they are in memory");
 
-constexpr Eigen::Index rows_at_a_time = 512; // number of entries of a column that fill a page of a file
+constexpr Eigen::Index rows_at_a_time = 512; // rows of a block: so many entries of a column fill a page of 4 kB
 
 /// Calls `take` with every row. Columns are contiguous, so that rows are read in blocks.
 template <typename Take>

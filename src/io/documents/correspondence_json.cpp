@@ -39,7 +39,7 @@ Json pairs(const Correspondence& correspondence, const Structural_graph& source,
   return result;
 }
 
-/// Confidences by pair; empty if the method computes none.
+/// The confidences of all pairs; empty if the method computes none.
 Json confidences(const Correspondence& correspondence)
 {
   Json result = Json::array();
@@ -50,7 +50,7 @@ Json confidences(const Correspondence& correspondence)
   return result;
 }
 
-/// Roles by names of parts.
+/// An object with the role of each part, by its name.
 Json roles(const std::vector<std::string>& roles, const Structural_graph& graph)
 {
   Json result = Json::object();
@@ -81,7 +81,7 @@ Json groups(const Correspondence& correspondence, const Structural_graph& source
                       {"energy", group.energy},
                       {"terms", {{"distortion", group.distortion}, {"connectedness", group.connectedness}}},
                       {"solidity_ratio", group.solidity_ratio}});
-    // NaN: not requested; infinity, which JSON lacks: there is no other match
+    // It is NaN unless requested, and infinite, which JSON cannot express, if the group has no other match
     if (std::isinf(group.min_marginal))
       result.back()["min_marginal"] = "infinite";
     else if (!std::isnan(group.min_marginal))
@@ -118,7 +118,7 @@ Json solutions(const std::vector<Correspondence>& ranked, const Structural_graph
   return result;
 }
 
-/// Roles by indices of parts; empty where unknown.
+/// For each part of a graph, its role from `roles`, which are by name; empty: unknown.
 std::vector<std::string> roles_of_parts(const std::map<std::string, std::string>& roles, const Structural_graph& graph)
 {
   std::vector<std::string> result;

@@ -13,9 +13,9 @@ namespace CGAL::Shape_correspondence::IO {
 
 using Tell = std::function<void(const std::string&)>;
 
-/// The parts or the upright axes found for a model by some work, or what a cache folder keeps of it.
+/// The result of `work` on a model (parts or upright axes): from the folder `cache`, or else computed and kept there.
 /// \tparam Answer `Part_split`, `Up_estimate`, `std::array<Up_estimate, 2>` or `std::vector<Point>`
-/// \param question tells the work from all others \param warn receives a warning if the kept answer is damaged
+/// \param question identifies model and work \param warn receives a warning if the kept answer is damaged
 template <typename Answer>
 Answer kept_answer(const std::string& cache, const std::string& question, const std::function<Answer()>& work,
                    const Tell& warn);

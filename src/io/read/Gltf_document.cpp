@@ -11,13 +11,13 @@
 
 #include <algorithm>
 
-// Instead of tinygltf, which reads wrong types as missing values, truncates large numbers, and overruns image buffers.
+// tinygltf is not used: it reads wrong types as missing values, truncates large numbers, and overruns image buffers.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr std::uint64_t most_numbers = 200'000'000; // enough for ten million triangles
-constexpr std::size_t most_zeros = 1'000'000;       // number of elements of an accessor without data
+constexpr std::uint64_t most_numbers = 200'000'000; // limit for a document: enough for ten million triangles
+constexpr std::size_t most_zeros = 1'000'000;       // limit for an accessor's elements that are not in the file
 constexpr const char* version_1 = "glTF 1.0";
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr const char* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
@@ -31,7 +31,7 @@ std::optional<std::string> from_base64(std::string_view text)
   std::string result;
   result.reserve(text.size() / 4 * 3 + 3);
   std::uint32_t bits = 0;
-  int number = 0; // number of remaining bits
+  int number = 0; // number of bits that are not in the result yet
   for (char c : text) {
     const std::size_t digit = digits.find(c);
     if (digit == std::string_view::npos) return std::nullopt;
@@ -82,7 +82,7 @@ Gltf_document::Gltf_document(std::string_view text, const std::string& file, con
                         " MB; save it as GLB, whose numbers are no text");
   root_ = parse_json(text_, file_);
   const Json_field number = (*root_)["asset"]["version"];
-  const std::string version = number.is_text() ? number.text() : "1.0"; // a number in old files
+  const std::string version = number.is_text() ? number.text() : "1.0"; // old files have a number
   if (begins_with(version, "1.")) throw Needs_import{version_1};
   if (!begins_with(version, "2."))
     throw Invalid_input(file_ + ": it is glTF of version " + cited(version) + "; save it as glTF 2.0");

@@ -35,7 +35,7 @@ struct Gltf_codecs
   std::function<std::string(const Meshopt_view&)> meshopt;
 };
 
-/// Thrown if a document can only be read by the program with codecs and assimp.
+/// Thrown if a document can only be read by the separate program (src/import), which has codecs and assimp.
 struct Needs_import
 {
   std::string what;
@@ -45,8 +45,8 @@ struct Needs_import
 class Gltf_document
 {
 public:
-  /// \param text content of a GLB or glTF file; must outlive this \param file name of the file \param codecs null: none
-  /// \throw Needs_import if it is of version 1
+  /// \param text content of a GLB or glTF file; must outlive this \param file its name \param codecs may be null
+  /// \throw Needs_import if the document is glTF 1.0
   Gltf_document(std::string_view text, const std::string& file, const Reading_options& options,
                 const Gltf_codecs* codecs);
 
@@ -62,7 +62,7 @@ public:
     return list(list_name)[index(list_name, reference)];
   }
 
-  /// The index, or the nonnegative number, at a key that may be missing.
+  /// The index at an optional key; none if it is missing. The nonnegative number at one; `otherwise` if it is missing.
   std::optional<std::size_t> index_at(const Json_field& field, const std::string& key, const std::string& list_name);
   static std::size_t number_at(const Json_field& field, const std::string& key, std::size_t otherwise);
 
@@ -74,7 +74,7 @@ public:
   std::optional<Eigen::MatrixXd> attribute(const Json_field& primitive, const std::string& name,
                                            std::initializer_list<const char*> types);
 
-  /// The indices of a primitive; none if missing. \throw Needs_import if it is compressed, and there are no codecs
+  /// The vertex indices of a primitive; none if missing. \throw Needs_import if compressed, without codecs
   std::optional<Eigen::VectorXd> indices(const Json_field& primitive);
 
   /// The bytes of a buffer view, decompressed.
@@ -86,10 +86,10 @@ public:
   /// The bytes in a data URI. \return none if the URI names a file
   static std::optional<std::string> data_of_uri(std::string_view uri);
 
-  /// Counts numbers that are read or generated, and limits them, since a small file may use a mesh many times.
+  /// Counts numbers that are read or generated; fails beyond a limit, since a small file may use a mesh many times.
   void count(const Json_field& place, std::uint64_t numbers);
 
-  /// Counts triangles and limits them, since nodes that share a mesh can make far more of them than there are bytes.
+  /// Counts triangles; fails beyond a limit, since nodes that share a mesh can make far more of them than bytes.
   void count_triangles(std::uint64_t triangles);
 
 private:
@@ -127,7 +127,7 @@ private:
   std::uint64_t counted_ = 0, triangles_ = 0;
 };
 
-/// Reads the content of a document. \throw Needs_import if it needs codecs that are not given, or is of version 1
+/// Reads the content of a document. \throw Needs_import if it needs codecs that are not given, or is glTF 1.0
 Model_content read_gltf(std::string_view text, const std::string& file, const Reading_options& options,
                         const Gltf_codecs* codecs);
 

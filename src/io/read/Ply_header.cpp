@@ -47,8 +47,8 @@ int use_of(const std::string& name)
   return -1;
 }
 
-/// Names of properties of faces or vertices that tell their parts, the finest first; in lower case, without underscores
-/// and without CloudCompare's prefix "scalar".
+/// Names of properties that assign faces or vertices to parts, the finest division first; in lower case, without
+/// underscores and without CloudCompare's prefix "scalar".
 constexpr const char* part_properties[] = {
     "part",         "partid",   "partlabel",  "segment",  "segmentid",  "segments", "segid",   "seg",
     "segmentation", "instance", "instanceid", "objectid", "label",      "labels",   "labelid", "facelabel",
@@ -68,7 +68,7 @@ public:
 
   Ply_header take()
   {
-    // If lines end with CR, the first byte of the binary data may equal LF
+    // If lines end with CR alone, an LF after the header is the first byte of the binary data
     const std::size_t end = text_.find_first_of("\r\n");
     const bool has_cr_alone = end != std::string_view::npos && text_[end] == '\r' && text_.substr(end, 2) != "\r\n";
     if (trimmed(next_line(text_)) != "ply")
@@ -99,7 +99,7 @@ private:
     refuse(file_ + ": " + what, remedy);
   }
 
-  /// Reads the name of a texture, or comments written by this program: the name for the number of a part or label.
+  /// Reads a comment: a texture's file name, or, as this program writes, the up direction or "part NUMBER NAME".
   void read_comment(std::string_view line)
   {
     if (const std::optional<Point> up = up_in_mark(trimmed(line))) result_.up = up;
@@ -112,7 +112,7 @@ private:
                           percent_decoded(std::string(trimmed(line))));
   }
 
-  /// Finds the property of faces, or else of vertices, that defines parts.
+  /// Finds the property of faces, or else of vertices, that assigns them to parts.
   void choose_part_property()
   {
     for (const char* wanted : {"face", "vertex"})

@@ -14,7 +14,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// A type of numbers with its two names.
+/// A number type with its two names, such as uchar and uint8.
 struct Ply_type
 {
   const char *name, *other_name;
@@ -44,19 +44,19 @@ struct Ply_element
 
 enum class Ply_encoding { ASCII, LITTLE_ENDIAN_BYTES, BIG_ENDIAN_BYTES };
 
-constexpr int most_ply_textures = 1000; ///< limit for a file
+constexpr int most_ply_textures = 1000; ///< limit for the textures of a file
 
 struct Ply_header
 {
   Ply_encoding encoding = Ply_encoding::ASCII;
   std::vector<Ply_element> elements;
   std::vector<std::string> textures;        ///< file names
-  std::string part_property;                ///< defines parts; empty: there is none
+  std::string part_property;                ///< name of the property that defines parts; empty: none
   bool vertices_are_labelled = false;       ///< whether that property belongs to vertices rather than faces
   std::optional<Point> up;                  ///< given only in files that were written by this program
   std::map<std::string, std::string> names; ///< names of parts and labels, by keyword and number
 
-  /// The least number of bytes for a number.
+  /// The least number of bytes that a number takes in the file.
   std::size_t least_size(const Ply_type& type) const { return encoding == Ply_encoding::ASCII ? 2 : type.size; }
 };
 

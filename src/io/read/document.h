@@ -19,13 +19,13 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-/// The entire content of a stream. \throw Invalid_input if it is larger than `largest_document`; names `file`
+/// The entire content of a stream. \throw Invalid_input, naming `file`, if it is larger than `largest_document`
 std::string read_document(std::istream& in, const std::string& file);
 
-/// Throws `Invalid_input` for nesting beyond `deepest_document`: parsers and their results' destructors recurse.
+/// Throws `Invalid_input` for nesting beyond `deepest_document`, since parsers and destructors recurse.
 void check_json_depth(std::string_view text, const std::string& file);
 
-/// Parses an XML document. \throw Invalid_input if it is invalid or nested too deeply; names `file`
+/// Parses an XML document. \throw Invalid_input, naming `file`, if it is invalid or nested too deeply
 boost::property_tree::ptree parse_xml(const std::string& text, const std::string& file);
 
 /// A value in a JSON document with its place, so that every error names the file and the place.
@@ -36,7 +36,7 @@ public:
   [[noreturn]] void fail(const std::string& what) const;
 
   bool has(const std::string& key) const;
-  /// Whether the field is an object with this text at this key.
+  /// Whether the field is an object that has the text `text` at `key`.
   bool has(const std::string& key, const std::string& text) const;
   Json_field operator[](const std::string& key) const; ///< fails if the key is missing
 
@@ -80,10 +80,10 @@ private:
   std::string place_;
 };
 
-/// Parses a JSON document. \throw Invalid_input if it is invalid or nested too deeply; names `file`
+/// Parses a JSON document. \throw Invalid_input, naming `file`, if it is invalid or nested too deeply
 Json_field parse_json(std::string_view text, const std::string& file);
 
-/// Reads a JSON document. \throw Invalid_input if it is invalid, too long or nested too deeply; names `file`
+/// Reads a JSON document. \throw Invalid_input, naming `file`, if it is invalid, too long or nested too deeply
 Json_field read_json(std::istream& in, const std::string& file);
 
 /// Reads a JSON document from a file. \throw Invalid_input if the file cannot be read or is invalid

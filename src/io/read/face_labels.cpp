@@ -66,7 +66,7 @@ private:
     throw Invalid_input(name_ + ", line " + std::to_string(line.number) + ": " + what + "; " + wanted());
   }
 
-  /// A hint at a line without a label.
+  /// The end of an error message: the first blank line between labels, if any.
   std::string blank_line() const
   {
     for (std::size_t i = 1; i < lines_.size(); ++i)
@@ -75,7 +75,7 @@ private:
     return "";
   }
 
-  /// Reads the comments that `parts` writes at the end: the name of the model, and names of numbers.
+  /// Reads a comment that the command `parts` writes after the labels: "faces of MODEL" or "part NUMBER NAME".
   void read_comment(std::string_view comment)
   {
     const std::string_view keyword = next_word(comment);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::seconds longest_import(120);
 
-/// A description of how the program failed.
+/// How the program that reads the model failed, as the predicate of a sentence; empty if it did not.
 std::string ending(const Program_run& run)
 {
   if (run.took_too_long) return "takes more than 120 seconds to read";

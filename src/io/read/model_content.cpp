@@ -22,7 +22,7 @@ std::string with_slashes(std::string name)
   return name;
 }
 
-/// Whether a name is a default for unnamed objects: a number, or one of these words with or without a number.
+/// Whether a name is a default for unnamed objects: a number, or a word from a list with or without a number.
 bool only_counts(const std::string& name)
 {
   std::string word;
@@ -113,7 +113,7 @@ void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<in
     ++parts_in[std::size_t(node)];
   for (std::size_t i = tree.size(); i-- > 0;)
     if (tree[i].parent >= 0) parts_in[std::size_t(tree[i].parent)] += parts_in[i];
-  // The nearest node, from the node itself upwards, with a name that is no default
+  // For each node, the nearest one, from itself upwards, with a name that is no default; -1: none
   std::vector<int> telling(tree.size());
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const int parent = tree[i].parent;

@@ -16,7 +16,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
-constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; ///< size of a file, in bytes
+constexpr std::uintmax_t largest_model = std::uintmax_t(2) << 30; ///< limit for the size of a file, in bytes
 
 /// A part as delivered by the readers of the formats: a name and the corners of its triangles, three for each.
 struct Model_part
@@ -43,7 +43,7 @@ struct Face_labels
 /// special characters in names, and which direction is up.
 std::string mark_of_parts(const Point& up);
 
-/// The upright direction in such a comment; none for other comments.
+/// The upright direction in a comment by `mark_of_parts()`; none for other comments.
 std::optional<Point> up_in_mark(std::string_view comment);
 
 struct Model_content
@@ -54,7 +54,7 @@ struct Model_content
   std::size_t number_of_vertices = 0; ///< number of vertices that `Model_part::vertices` refers to
   std::vector<Surface_material> materials = {};
   std::vector<Texture> textures = {};          ///< textures without bytes are files of that name
-  bool are_labelled = false;                   ///< whether the parts are labels of faces, or marked as parts
+  bool are_labelled = false;                   ///< whether labels of faces, or this program's mark, define the parts
   std::vector<std::string> without_faces = {}; ///< names of objects that were left out
   std::vector<std::string> warnings = {};      ///< about what was left out or replaced
   bool materials_are_names = false;            ///< whether materials are defined in libraries
@@ -63,7 +63,8 @@ struct Model_content
   Point up = Point::Zero(); ///< the up direction that the file gives; zero: none
 };
 
-/// Readers of the formats. They throw `Invalid_input` that names the file. Names may be empty, equal, and of any bytes.
+/// Readers of the formats. They throw `Invalid_input` naming the file. Part names may be empty, equal, and of any
+/// bytes.
 /// \param text content of the file \param file name of the file, for messages
 Model_content read_obj_parts(std::string_view text, const std::string& file);
 Model_content read_off_part(std::string_view text, const std::string& file);
@@ -89,11 +90,11 @@ Model_content import_parts(const std::string& file, const Reading_options& optio
 /// \throw Invalid_input
 Face_labels read_face_labels(std::string_view text, const std::string& name, std::size_t number_of_faces);
 
-/// Divides a model into one part for each label of its faces, unless there is only one, or more than parts are allowed.
+/// Divides a model into one part for each label of its faces, unless there is one label, or more than `most_parts`.
 void divide_by_labels(const Face_labels& labels, Model_content& content);
 
-/// Limit for triangles beyond one for each byte of the files, the maximum for strips. Nodes that use the same mesh take
-/// few bytes, but their triangles take as much memory and time as others.
+/// Limit for triangles in excess of one for each byte of the files, which is the most that strips can have: nodes that
+/// share a mesh take few bytes, but their triangles take as much memory and time as those of separate meshes.
 constexpr std::uint64_t most_repeated_triangles = 1'000'000;
 
 inline bool are_repeated_too_often(std::uint64_t triangles, std::uint64_t bytes)
@@ -116,7 +117,7 @@ struct Named_files
 {
   const std::string& model;
   const Reading_options& options;
-  std::uintmax_t largest; ///< size of a file, in bytes
+  std::uintmax_t largest; ///< limit for the size of a file, in bytes
   std::uintmax_t& rest;   ///< total size of files that may still be read for the model, in bytes
 
   Named_file read(const std::string& given) const;
@@ -134,17 +135,17 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
 /// \pre all coordinates are finite
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept = nullptr);
 
-/// Joins some parts of a shape to one mesh, with its appearance. \param appearance parts may be missing
+/// Joins some parts of a shape to one mesh, with its appearance. \param appearance may lack parts
 std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,
                                                    const std::vector<std::size_t>& parts);
 
 /// The appearance of a subset of the triangles of a part.
 Part_appearance appearance_of(const Part_appearance& all, const std::vector<std::size_t>& triangles);
 
-/// Appends the materials and textures of one file to those of others, and renumbers those of its parts.
+/// Appends the materials and textures of `from` to those of `to`; updates their indices in the parts of `from`.
 void append_appearance(Model_content& from, Model_content& to);
 
-/// Appends the appearance of further triangles; attributes present on only one side are filled with defaults.
+/// Appends the appearance of further triangles. An attribute that only one side has is completed by defaults.
 void add_appearance(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles,
                     Part_appearance& all);
 

@@ -15,7 +15,7 @@ namespace CGAL::Shape_correspondence::IO {
 
 constexpr std::string_view import_mark = "shape_correspondence import 5\n";
 constexpr char has_content = 'c', has_complaint = 'e';
-constexpr int out_of_memory_status = 3; ///< exit status of the program, which then writes nothing
+constexpr int out_of_memory_status = 3; ///< exit status if memory ran out; the program then writes nothing
 
 inline void pass(Value_bytes& bytes, Surface_material& material)
 {

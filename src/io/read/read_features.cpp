@@ -19,9 +19,9 @@ namespace {
 constexpr const char* write_again = "write the array again with numpy.save()";
 constexpr const char* convert = "write it again with numpy.save(file, array.astype('<f4'))";
 constexpr std::string_view npy_mark = "\x93NUMPY", zip_mark = "PK\x03\x04";
-constexpr std::size_t longest_header = 1 << 16; // NumPy itself reads 10000 bytes
+constexpr std::size_t longest_header = 1 << 16; // limit in bytes; that of NumPy is 10000
 
-/// Reads a file in NumPy's format.
+/// Reads a file in NumPy's format .npy.
 class Npy_reader
 {
 public:
@@ -42,7 +42,7 @@ public:
                std::to_string(rest_) + " bytes follow: it is cut off or damaged",
            write_again);
     Eigen::MatrixXf result{Eigen::Index(columns_), Eigen::Index(rows_)};
-    // What changes fastest in the file: the columns of the array, or its rows in Fortran order
+    // `inner` changes fastest in the file: the column of the array or, in Fortran order, its row
     for (std::size_t outer = 0; outer < (is_fortran_ ? columns_ : rows_); ++outer) {
       const std::size_t count = is_fortran_ ? rows_ : columns_;
       const std::string numbers = bytes(count * size);
@@ -132,7 +132,7 @@ private:
         ++digits;
       if (!parse(text_.substr(0, digits), number)) fail_in_header();
       text_.remove_prefix(digits);
-      take('L'); // Python 2
+      take('L'); // suffix of integers by Python 2
       take(',');
       shape.push_back(number);
     }
@@ -143,7 +143,7 @@ private:
     columns_ = shape[1];
   }
 
-  /// Whether the text begins with a character after blanks, which is then removed.
+  /// Removes blanks, and then the character `wanted` if it is next. \return whether it was
   bool take(char wanted)
   {
     text_ = trimmed(text_);
@@ -175,7 +175,7 @@ private:
 
   const std::string& file_;
   std::ifstream in_;
-  std::uintmax_t rest_ = 0; ///< number of bytes that were not read
+  std::uintmax_t rest_ = 0; ///< number of bytes of the file that are still unread
   std::string_view text_;   ///< unread part of the header
   bool is_double_ = false, is_fortran_ = false;
   std::size_t rows_ = 0, columns_ = 0;

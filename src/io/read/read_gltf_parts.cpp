@@ -134,7 +134,7 @@ private:
     place.transform = place_of_texture(transform);
   }
 
-  /// The image of a texture, or its alternative from an extension, which may have a format only other readers know.
+  /// The index of a texture's image, or else of the image that an extension names, of which the format may be unknown.
   std::optional<std::size_t> image_of(const Json_field& texture)
   {
     std::optional<std::size_t> image = document_.index_at(texture, "source", "images");
@@ -145,7 +145,7 @@ private:
     return image;
   }
 
-  /// \return -1 if there is no image
+  /// The index in `content_` of a texture of the file; -1 if it has no image.
   int texture(const Json_field& of_file)
   {
     const std::optional<std::size_t> image = image_of(of_file);
@@ -302,7 +302,7 @@ private:
 
   void add_primitive(const Json_field& primitive, const Transform& to_world, Model_part& part)
   {
-    // A primitive takes as much time as 100 numbers
+    // Reading a primitive takes about as long as reading 100 numbers, and counts as much towards the limit
     constexpr std::uint64_t numbers_of_primitive = 100, numbers_of_corner = 3;
     document_.count(primitive, numbers_of_primitive);
     const std::optional<Eigen::MatrixXd> positions = document_.attribute(primitive, "POSITION", {"VEC3"});

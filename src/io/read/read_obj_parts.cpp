@@ -25,15 +25,15 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-// Largest share of the surface in one piece. In 20 files of one object with several materials and known parts, dividing
-// by material was better above this share, and worse below; their shares were at most .70 or at least .93.
+// Share of an object's area in its largest loose piece beyond which materials divide it better than pieces. In 20 files
+// of one object with several materials and known parts, this share was at most .70 or at least .93.
 constexpr double mostly_one_piece = 0.8;
 
 /// A face as in the file.
 struct Obj_polygon
 {
   std::vector<std::size_t> vertices;
-  std::vector<int> coordinates; ///< texture coordinates of the corners, -1: none; empty if there are none at all
+  std::vector<int> coordinates; ///< for each corner, the index of its texture coordinates, -1: none; or empty
   int material = -1;            ///< index of the material's name
   std::size_t number = 0;       ///< index among the faces of the file
 };
@@ -116,7 +116,7 @@ private:
       libraries_.emplace_back(trimmed(statement));
   }
 
-  /// Coordinates, optionally followed by a weight, a colour, or a colour and its opacity.
+  /// Reads a vertex: coordinates, optionally followed by a weight, a colour, or a colour and its opacity.
   void read_vertex(std::string_view statement)
   {
     points_.push_back(lines_.vertex(statement));
@@ -130,7 +130,7 @@ private:
     if (colour.maxCoeff() > brightest) white_ = 255;
   }
 
-  /// ZBrush writes the colours of vertices in comments: mask, red, green and blue in hexadecimal for each vertex.
+  /// Reads colours of vertices from a comment of ZBrush: mask, red, green and blue in hexadecimal for each vertex.
   void read_painted_vertices(std::string_view digits)
   {
     constexpr std::size_t digits_of_vertex = 8;
@@ -148,7 +148,7 @@ private:
     if (std::size_t(material_) == materials_.size()) materials_.push_back(name);
   }
 
-  /// An unreadable number counts as 0, so that a damaged appearance does not prevent reading the model.
+  /// Reads texture coordinates. Unreadable numbers count as 0, since a damaged appearance shall not make a model fail.
   void read_texture_coordinates(std::string_view statement)
   {
     Eigen::Vector2f at(0, 0);
@@ -188,7 +188,7 @@ private:
     return std::size_t(number > 0 ? number - 1 : count + number);
   }
 
-  /// \param rest part of a corner from the first slash on
+  /// The index of a corner's texture coordinates; -1: none. \param rest the corner's text from its first slash on
   int coordinate_index(std::string_view rest) const
   {
     long long number = 0;
@@ -260,8 +260,8 @@ private:
     return result;
   }
 
-  /// Sets of sections that form one part, united if they share vertices: sections of an object if `by_object`, else
-  /// sections of a group in an object.
+  /// Unites sections that share vertices, and so belong to one part: those of one object if `by_object`, else those of
+  /// one group of an object.
   internal::Disjoint_sets sections_with_shared_vertices(bool by_object) const
   {
     internal::Disjoint_sets sets(sections_.size());
@@ -281,7 +281,7 @@ private:
     return sets;
   }
 
-  /// Drops sections without faces, and lists objects without faces. Programs write `g` before vertices as well.
+  /// Drops sections without faces, as from a `g` before vertices only, and lists objects without faces.
   void note_objects_without_faces()
   {
     std::set<std::string> have_faces;
@@ -380,7 +380,7 @@ private:
   double white_ = 1;                     ///< value of a full channel in `colours_`
   std::vector<Section> sections_;
   std::vector<Eigen::Vector2f> coordinates_;
-  std::vector<std::string> materials_, libraries_; ///< names
+  std::vector<std::string> materials_, libraries_; ///< names of materials and of their files
   std::map<std::string, int> material_numbers_;
   int material_ = -1; ///< material of the following faces
   std::vector<std::string> without_faces_;

@@ -30,7 +30,7 @@ struct Model_objects
   /// through its files in their order. Empty and 0 if faces have no indices.
   std::vector<std::vector<std::size_t>> faces = {};
   std::size_t number_of_faces = 0;
-  /// For each object and corner of its triangles, the same for vertices.
+  /// For each object and corner of its triangles, the index of its vertex, and the number of vertices, likewise.
   std::vector<std::vector<int>> vertices = {};
   std::size_t number_of_vertices = 0;
   Shape_appearance appearance = {}; ///< appearance in the model's own file, completed from the files that it names
@@ -63,7 +63,7 @@ struct Part_files
 /// name files in its folder `objs`. None if there is neither file.
 std::optional<std::string> hierarchy_in(const std::string& folder);
 
-/// The parts of such a hierarchy: every node becomes a part of the files listed in the node itself.
+/// The parts of a PartNet hierarchy: every node becomes a part of the files listed in the node itself.
 /// \throw Invalid_input
 std::vector<Part_files> parts_of_hierarchy(const std::string& hierarchy);
 

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-// This reader is used since CGAL's trusts the counts in the file.
+// CGAL's reader is not used, since it trusts the counts in a damaged file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -65,7 +65,7 @@ private:
     lines_.fail("it cannot be read as an OFF model: it " + what, remedy);
   }
 
-  /// The next line with more than blanks and a comment.
+  /// The next line that has words, without its comment.
   std::string_view next_line_of_words()
   {
     while (!lines_.rest().empty()) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* labels_name = "labels.json";
 
-/// Depth of searched folders below the given one: CATEGORY/SHAPE.
+/// Greatest depth of searched folders below the given one: CATEGORY/SHAPE.
 constexpr int deepest = 2;
 
 Part_label read_label(const Json_field& part)

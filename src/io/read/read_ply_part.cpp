@@ -14,7 +14,7 @@
 #include <limits>
 #include <map>
 
-// This reader supports all encodings and number types; CGAL's and assimp's trust the counts in the file.
+// This reader supports all encodings and number types; those of CGAL and assimp trust the counts in a damaged file.
 
 namespace CGAL::Shape_correspondence::IO {
 namespace {
@@ -63,7 +63,7 @@ private:
     refuse(file_ + ": " + what, remedy);
   }
 
-  /// The values of an element that are used.
+  /// The values of a vertex or face that are used.
   struct Values
   {
     Point point = Point::Zero();
@@ -183,7 +183,7 @@ private:
   {
     const std::size_t least = least_size(element);
     if (least == 0) return;
-    // The last word of a text needs no blank after it
+    // + 1: the last word of a text needs no blank after it
     if (element.count > (text_.size() + 1) / least)
       fail("its header says " + std::to_string(element.count) + " of '" + element.name +
                "', but the rest of the file is too short for them: it is cut off or damaged",
@@ -217,7 +217,7 @@ private:
     vertices_.back() = std::move(values);
   }
 
-  /// \return whether the list is the corners of a face that is kept
+  /// Reads a list. \return whether it has the corners of a face, and the face is kept
   bool read_list(const Ply_element& element, const Ply_property& property, Values& values)
   {
     const double count = next(*property.count_type);
@@ -251,8 +251,8 @@ private:
     faces_.push_back(std::move(vertices));
   }
 
-  /// Adds the triangles of strips, with alternating orientation: each vertex forms one with the two before it; -1 ends
-  /// one.
+  /// Adds the triangles of strips: each vertex forms a triangle with the two before it, in alternating orientation; -1
+  /// ends a strip.
   void add_strips(const std::vector<double>& vertices)
   {
     constexpr double unsigned_end = std::numeric_limits<std::uint32_t>::max(); // -1 as an unsigned number
@@ -299,7 +299,7 @@ private:
   std::vector<Values> vertices_, face_values_; ///< values for `points_` and `faces_`; may be shorter
   std::vector<std::size_t> numbers_;           ///< indices in the file of `faces_`
   bool faces_have_coordinates_ = false;
-  std::vector<double> labels_, labels_of_vertices_; ///< values of the property for `faces_` and `points_`
+  std::vector<double> labels_, labels_of_vertices_; ///< values that assign `faces_` or `points_` to parts
   Model_content result_;
 };
 

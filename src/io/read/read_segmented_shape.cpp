@@ -111,7 +111,7 @@ Model_content read_robot(const std::string& text, const std::string& file, const
   return robot;
 }
 
-/// Reads a file. \param complete for the meshes named by a robot, which have their own materials; may be empty
+/// Reads a file. \param complete completes the appearance of meshes that a robot names; may be empty
 /// \param are_parts whether everything in the file becomes one part
 Model_content read_parts(const std::string& file, bool are_parts, const std::string& folder,
                          const Reading_options& options, const Complete_appearance& complete,
@@ -197,7 +197,7 @@ void warn(std::size_t number, const std::string& of_what, std::vector<std::strin
   if (number > 0) warnings.push_back(of_what + " were left out: " + std::to_string(number) + names + ".");
 }
 
-/// The first names, in brackets.
+/// The first eight names, in brackets.
 std::string in_brackets(const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 8;
@@ -207,7 +207,7 @@ std::string in_brackets(const std::vector<std::string>& names)
   return result + (names.size() > most ? ", ...)" : names.empty() ? "" : ")");
 }
 
-/// \param is_of_robots whether to return descriptions of robots, or all other models
+/// The model files in a folder. \param is_of_robots whether to return descriptions of robots, or all others
 std::vector<fs::path> model_files(const fs::path& folder, bool is_of_robots = false)
 {
   std::vector<fs::path> files;
@@ -237,7 +237,7 @@ Model_part joined(const std::string& name, const std::vector<Model_part>& object
   return part;
 }
 
-/// Appends the content of a file to that of others.
+/// Appends the content of a file to that of earlier files.
 void add_content(Model_content more, Model_content& all)
 {
   append_appearance(more, all);

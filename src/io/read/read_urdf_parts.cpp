@@ -55,7 +55,7 @@ public:
         options_(options)
   {}
 
-  /// \param uri as in the document \return empty: not found
+  /// The path of a mesh; empty if it is not found. \param uri its name in the document
   std::string path_of(std::string uri) const
   {
     std::string package;
@@ -81,7 +81,7 @@ private:
     return fs::is_regular_file(path, error) && (options_.allow_outside_files || is_in_folder_of(all_, path.string()));
   }
 
-  std::string all_; ///< a fictitious file in the folder of all meshes
+  std::string all_; ///< a file, which need not exist, in the folder of all meshes
   fs::path folder_;
   const Reading_options& options_;
 };
@@ -132,7 +132,7 @@ std::vector<Point> sphere(double radius)
   return turned(line);
 }
 
-/// Undoes the turn to y up: URDF uses the coordinates of meshes as they are, whatever upright axis their files give.
+/// Inverts assimp's rotation of COLLADA meshes to y up: URDF uses their coordinates as they are in the files.
 Eigen::Matrix3d turn_back(const std::string& mesh)
 {
   Eigen::Matrix3d result = Eigen::Matrix3d::Identity();

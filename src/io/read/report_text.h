@@ -54,7 +54,7 @@ const char* word_of(Value value, Words<Value> words)
 
 inline const char* name_of(Symmetry_type type) { return word_of(type, symmetry_words); }
 
-/// A symmetry or a part's kind in words, for people.
+/// The name of a symmetry or of a part's kind, for people.
 inline std::string name_of(const Symmetry& symmetry)
 {
   const std::string name = name_of(symmetry.type);

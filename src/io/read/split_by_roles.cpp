@@ -45,7 +45,7 @@ using internal::Part_model;
 using internal::Part_node;
 using internal::Surface_patches;
 
-/// The parts alone, for their roles: canonical surfaces, and which of them touch.
+/// The parts of a cut, for predicting their roles: a graph with their surfaces, and which of them touch.
 Structural_graph graph_of_cut(const Surface_patches& surface, const std::vector<Part_node>& nodes,
                               const std::vector<std::size_t>& cut)
 {
@@ -69,7 +69,7 @@ Structural_graph graph_of_cut(const Surface_patches& surface, const std::vector<
   }
   for (const Shape_part& part : shape.parts())
     meshes.push_back(&part.mesh);
-  constexpr double touching_gap = 0.01; // over the diagonal, between samples of parts
+  constexpr double touching_gap = 0.01; // largest gap between samples of touching parts, over the diagonal
   std::set<std::array<std::size_t, 2>> touching;
   for (const Surface_patches::Contact& contact : surface.contacts) {
     const auto [i, j] = std::minmax(part_of_patch[contact.first], part_of_patch[contact.second]);
@@ -78,7 +78,7 @@ Structural_graph graph_of_cut(const Surface_patches& surface, const std::vector<
   return internal::outline_graph(shape, internal::rough_frame(meshes, Point::UnitY()), touching);
 }
 
-/// What is learned of a category that is known by name; null if nothing is.
+/// What the model has learned of the category with a name; null if it does not know this category.
 const Part_model::Category* category_named(const std::string& name, const Part_model& model)
 {
   const auto is_it = [&](const Part_model::Category& category) { return category.name == name; };
@@ -86,7 +86,7 @@ const Part_model::Category* category_named(const std::string& name, const Part_m
   return found == model.categories.end() ? nullptr : &*found;
 }
 
-/// The number of parts of each role, and of the pieces that they are made of.
+/// A text with the number of parts of each role, and of the pieces that they are made of.
 std::string in_words(const std::string& category, const std::vector<Part_label>& labels,
                      const std::vector<Part_node>& nodes, const std::vector<std::size_t>& cut)
 {
@@ -102,7 +102,7 @@ std::string in_words(const std::string& category, const std::vector<Part_label>&
   return result;
 }
 
-/// Finds parts: first whatever the category, then of the category that those are most like.
+/// Finds parts by the model of all categories, then by that of the category that these parts resemble most.
 std::optional<Part_split> find_parts(const Segmented_shape& objects, const std::vector<std::vector<int>>& materials,
                                      const Role_model& roles)
 {
@@ -122,7 +122,7 @@ std::optional<Part_split> find_parts(const Segmented_shape& objects, const std::
     }
   Part_split split = internal::split_patches(objects, surface, materials, nodes, cut);
   if (!may_be_matched(split)) return std::nullopt;
-  if (likest.index < data.categories.size()) { // clearly
+  if (likest.index < data.categories.size()) { // the category is clear
     const internal::Shape_roles of_cut(graph_of_cut(surface, nodes, cut), roles);
     split.found_roles = in_words(data.categories[likest.index].name, of_cut.votes(likest.index).labels, nodes, cut);
   }

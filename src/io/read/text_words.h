@@ -78,7 +78,7 @@ bool parse(std::string_view word, Number& number)
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// A word of a file, quoted for messages: truncated if it is long, and at a zero byte, which would end the message.
+/// A word of a file, quoted for messages: truncated if it is long; zero bytes, which would end a message, become ?.
 inline std::string cited(std::string_view word, std::size_t longest = 40)
 {
   std::string begin(word.substr(0, longest));

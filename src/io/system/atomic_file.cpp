@@ -69,7 +69,8 @@ Temporaries& temporaries()
 class Temporary
 {
 public:
-  /// \param place path that it is next to \param make creates a file or folder; `file_exists`: the name is taken
+  /// \param place path that it is next to
+  /// \param make creates a file or folder; returns `file_exists` if the name is taken
   Temporary(const std::string& path, const fs::path& place, std::error_code (*make)(const fs::path&)) : path_(path)
   {
     std::error_code error;
@@ -172,7 +173,7 @@ void check_writable(const std::string& path)
   const fs::path file = written_file(path);
   check_existing(path, file);
   if (is_device(file)) return;
-  Temporary(path, file, make_new_file); // removed at once
+  Temporary(path, file, make_new_file); // a trial: the file is removed at once
 }
 
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write)
@@ -205,7 +206,7 @@ void check_new_folder(const std::string& path)
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) fail(path, "it is a file");
   if (fs::exists(folder, error) && !fs::is_empty(folder, error)) fail(path, "the folder is there and not empty");
-  Temporary(path, folder, make_new_folder); // removed at once
+  Temporary(path, folder, make_new_folder); // a trial: the folder is removed at once
 }
 
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write)

@@ -12,7 +12,7 @@
 namespace CGAL::Shape_correspondence::IO {
 
 /// The file that is written for a path, after following symbolic links; it need not exist.
-/// \throw Invalid_input for a cycle of links; names the path
+/// \throw Invalid_input, naming the path, for a cycle of links
 std::filesystem::path written_file(const std::string& path);
 
 /// Throws `Invalid_input` if `path` is not writable; to be called before long work. `-` is standard output.
@@ -21,7 +21,7 @@ void check_writable(const std::string& path);
 /// Calls `write` and puts the output into the file `path` atomically, even if the machine stops: it is written to a
 /// temporary file next to `path`, which is then renamed. An overwritten file keeps its mode, and a symbolic link is
 /// followed. Devices and pipes are written directly; `-` is standard output.
-/// \throw Invalid_input on failure; names the file
+/// \throw Invalid_input, naming the file, on failure
 void write_atomically(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 /// Writes a file of a cache or store atomically, after removing anything in its place that is not a file.
@@ -31,14 +31,14 @@ void write_entry(const std::string& path, const std::function<void(std::ostream&
 void check_new_folder(const std::string& path);
 
 /// Calls `write` with a temporary folder next to `path`, which is then renamed to `path`, so that it appears complete
-/// or not at all. \throw Invalid_input on failure; names the folder
+/// or not at all. \throw Invalid_input, naming the folder, on failure
 void write_folder_atomically(const std::string& path, const std::function<void(const std::string&)>& write);
 
 /// Removes the temporary files and folders of this process, which is about to end: no more can be made afterwards.
 void remove_temporaries();
 
 /// Creates a folder unless it exists. \param use purpose for messages, such as "a store"
-/// \throw Invalid_input on failure; names the folder
+/// \throw Invalid_input, naming the folder, on failure
 void make_folder(const std::string& path, const std::string& use);
 
 /// A digest (SHA-1) of bytes.
@@ -47,7 +47,8 @@ std::string digest(const std::string& bytes);
 /// The content of a file; empty if it cannot be read, or is a pipe or a device.
 std::string bytes_of_file(const std::string& path);
 
-/// A *checked file* starts with a line with a title, for its kind, and a digest. Several processes may use one.
+/// A *checked file* starts with a line with the title of its kind and a digest of its content. Several processes may
+/// read and write it.
 
 /// Writes a checked file atomically. \throw Invalid_input on failure
 void write_checked_file(const std::string& path, const std::string& title, const std::string& content);

@@ -40,7 +40,7 @@ Oklab oklab_of(const Colour& rgb)
   return to_lab * Eigen::Vector3d((to_lms * rgb).array().max(0).pow(1. / 3));
 }
 
-/// A colour in Oklab: by normal vision, and by vision without red or green cones.
+/// A colour in Oklab as seen by normal vision, and by vision without red or green cones.
 struct Seen_colour
 {
   explicit Seen_colour(const Oklab& lab) : by_all(lab)
@@ -65,12 +65,12 @@ double difference(const Seen_colour& a, const Seen_colour& b)
   return result;
 }
 
-// sRGB; none is so dark that it hides the form of a part
+// Colours in sRGB, none so dark that it hides the form of a part
 constexpr std::array<unsigned, 20> palette = {0x3b8ede, 0xe8912d, 0x3aa655, 0xe0699a, 0x8c6bd1, 0xdcc331, 0x2fb5b5,
                                               0xcf4a3c, 0x8f9a34, 0xa0714a, 0x8fc7ee, 0xf0a58a, 0x557f66, 0x5566b5,
                                               0xb35bb3, 0xa3d65f, 0x6fd0b0, 0xcdb37e, 0xd4b5ec, 0xb8325f};
 
-// Places in the palette: roles that are in one category have different ones
+// Indices in the palette, different for roles that occur in one category
 const std::map<std::string, std::size_t> place_of_role = {
     {"apron", 4},       {"arm", 1},      {"armrest", 3},   {"axle", 12},    {"back", 1},       {"back_rail", 12},
     {"backsplash", 18}, {"base", 9},     {"basket", 17},   {"bedding", 5},  {"body", 13},      {"boom", 8},
@@ -91,7 +91,7 @@ const std::map<std::string, std::size_t> place_of_role = {
 
 Colour colour_of(unsigned srgb) { return linear_colour(Colour(srgb >> 16, srgb >> 8 & 255, srgb & 255) / 255); }
 
-/// The n-th shade of a colour: the first is the colour itself.
+/// The n-th shade of a colour, counted from 0: shade 0 is the colour itself.
 Colour shade(const Colour& colour, std::size_t n)
 {
   constexpr std::array<double, 5> steps = {0, .09, -.09, .05, -.05}; // steps of lightness in [0, 1]
@@ -142,7 +142,7 @@ Colour role_colour(const std::string& role)
 {
   const auto known = place_of_role.find(role);
   if (known != place_of_role.end()) return colour_of(palette[known->second]);
-  std::size_t sum = 0; // the same for the same role, whatever the standard library
+  std::size_t sum = 0; // a hash that does not depend on the standard library
   for (unsigned char c : role)
     sum = (31 * sum + c) % 65521;
   return colour_of(palette[sum % palette.size()]);

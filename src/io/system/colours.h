@@ -25,7 +25,7 @@ std::vector<Colour> colours_of_roles(const std::vector<std::string>& roles);
 /// The colour of a role, which other roles of its category do not have.
 Colour role_colour(const std::string& role);
 
-/// The notation of style sheets: #rrggbb.
+/// The colour in the notation of style sheets: #rrggbb in sRGB.
 std::string css_colour(const Colour& linear);
 
 /// The conversion of an sRGB colour to linear light, clamped to [0, 1], and its inverse.

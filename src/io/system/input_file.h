@@ -48,16 +48,16 @@ inline std::string with_remedy(const std::string& message, const char* remedy)
   return has_remedy(message) ? message : message + "; " + remedy;
 }
 
-/// \throw Invalid_input
+/// Throws `Invalid_input` with the message and, unless it already has one, the remedy.
 [[noreturn]] inline void refuse(const std::string& message, const char* remedy)
 {
   throw Invalid_input(with_remedy(message, remedy));
 }
 
-/// Throws `Invalid_input` if there is neither a file nor a folder of this name; gives the reason.
+/// Throws `Invalid_input`, with the reason, if there is neither a file nor a folder of this name.
 void check_exists(const std::string& path);
 
-/// Opens a file for reading. \throw Invalid_input if it is missing, a folder or a pipe, or cannot be opened; names it
+/// Opens a file for reading. \throw Invalid_input, naming the file, if it is missing, a folder or a pipe, or unreadable
 std::ifstream open_input(const std::string& path);
 
 /// Whether a file or folder is hidden or created by the system: `.name`, `__MACOSX`.
@@ -66,14 +66,14 @@ bool is_hidden(const std::filesystem::path& path);
 /// Whether a text begins with a byte order mark of UTF-16.
 bool is_wide_text(std::string_view text);
 
-/// Throws `Invalid_input` if a text is in UTF-16; names `file`.
+/// Throws `Invalid_input`, naming `file`, if its text is in UTF-16.
 void check_is_not_wide(std::string_view text, const std::string& file);
 
-/// The files in a folder and its sub-folders that are not hidden, sorted. \throw std::filesystem::filesystem_error if
-/// one of these cannot be read; names it
+/// The files in a folder and its sub-folders that are not hidden, sorted. \throw std::filesystem::filesystem_error,
+/// naming the folder, if one of these cannot be read
 std::vector<std::string> files_under(const std::string& folder);
 
-/// Whether a file named by `file` is in the same folder or a sub-folder, after following links.
+/// Whether the file `named` is in the folder of `file` or a sub-folder of it, after following links.
 bool is_in_folder_of(const std::string& file, const std::string& named);
 
 /// The extension of a file name with its dot, in lower case; empty: none.

@@ -25,12 +25,12 @@ std::filesystem::path program_file();
 /// Whether standard error is a terminal that can erase lines.
 bool errors_are_on_terminal();
 
-/// Peak memory of the process.
+/// Peak memory of the process, in units of 2^20 bytes.
 double peak_megabytes();
 
 std::int64_t process_number();
 
-/// Whether two names are the same file by their letters: on Windows, case is ignored.
+/// Whether two paths have the same characters; on Windows, case is ignored.
 bool are_same_name(const std::filesystem::path& a, const std::filesystem::path& b);
 /// Creates an empty file. \return `file_exists` if the name is taken
 std::error_code make_new_file(const std::filesystem::path& file);

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 std::error_code error_of(int number) { return {number, std::generic_category()}; }
 std::error_code last_error_if(bool failed) { return failed ? error_of(errno) : std::error_code(); }
 
-/// Opens closed standard streams, such that their use fails, or the next opened files would receive what is printed.
+/// Opens standard streams that are closed, such that their use fails; else the next opened files would get the output.
 void reserve_standard_streams()
 {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -57,7 +57,7 @@ void remove_temporaries_at_signals()
 #endif
 }
 
-/// Lets the allocator keep freed memory: requesting it again takes 3 to 10 % of the time of a `graph`.
+/// Lets the allocator keep freed memory: requesting it again takes 3 to 10 % of the time of the command `graph`.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__

@@ -92,7 +92,8 @@ std::string replace_characters(const std::string& text, const Function& replaced
   return result;
 }
 
-/// Encodes characters that a format cannot represent. \param text in UTF-8 \param is_special by code and position
+/// Encodes characters that a format cannot represent. \param text in UTF-8
+/// \param is_special whether a character, given by code and position, must be encoded
 std::string with_percent_codes(const std::string& text,
                                const std::function<bool(std::uint32_t code, std::size_t at)>& is_special)
 {

@@ -14,7 +14,7 @@ struct Program_run
 {
   std::string output;         ///< standard output of the program
   int status = 0;             ///< as returned by `waitpid()`
-  bool took_too_long = false; ///< whether it was ended because of the limit
+  bool took_too_long = false; ///< whether it was ended because of the time limit
 };
 
 /// Runs a program to its end, with only its standard output open; standard error is discarded.

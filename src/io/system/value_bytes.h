@@ -30,7 +30,7 @@ public:
     rest_.remove_prefix(size);
   }
 
-  /// Passes a number of elements. \param of_element least number of bytes of an element
+  /// Writes or reads a number of elements; fails if fewer can follow. \param of_element least bytes of an element
   std::size_t count(std::size_t elements, std::size_t of_element)
   {
     std::uint64_t number = elements;
@@ -51,7 +51,7 @@ private:
   bool reads_ = false;
 };
 
-/// Whether the bytes of values are one after the other in a list: numbers, or vectors of fixed size.
+/// Whether a list of such values is one block of bytes: numbers, or vectors of fixed size.
 template <typename Value>
 constexpr bool is_plain()
 {
@@ -61,7 +61,7 @@ constexpr bool is_plain()
     return std::is_trivially_copyable_v<Value>;
 }
 
-/// Passes a number, a matrix, a text or a list. Structures have overloads.
+/// Writes or reads a number, a matrix, a text or a list. Structures have overloads.
 template <typename Value>
 void pass(Value_bytes& bytes, Value& value)
 {

@@ -71,7 +71,7 @@ std::string utf8_of(const wchar_t* text)
   return result;
 }
 
-/// Called when the program is asked to end, for example by Ctrl+C, which then happens.
+/// Called when the program is asked to end, for example by Ctrl+C; the program ends after it.
 BOOL WINAPI remove_temporaries_at_end(DWORD)
 {
   remove_temporaries();

@@ -78,8 +78,8 @@ Glb_file::Shared_view& Glb_file::shared_view(int target, std::size_t stride)
   return found->second;
 }
 
-/// Adds the elements of an attribute, one for each column. Equal indices, as of all patches of one size, are stored
-/// once.
+/// Adds the columns of a matrix as elements of an accessor. Equal accessors of anything but vertices, such as indices
+/// of patches of one size, are stored once.
 template <typename Scalar>
 int Glb_file::add_accessor(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& elements, int target,
                            bool has_bounds)

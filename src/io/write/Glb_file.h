@@ -27,7 +27,7 @@ struct Drawn_mesh
   int material = 0;                  ///< index in the file
   Eigen::Matrix2Xf coordinates = {}; ///< texture coordinates, one for each point; or empty
   Eigen::Matrix3Xf colours = {};     ///< factors of the material's colour, one for each point; or empty
-  std::vector<Points> morphs = {};   ///< differences to the points; equally many for all meshes of a node
+  std::vector<Points> morphs = {};   ///< displacements of the points; equally many for all meshes of a node
 
   bool empty() const { return triangles.cols() == 0 && lines.cols() == 0; }
 };
@@ -51,7 +51,8 @@ public:
   /// Adds bytes to the buffer. \return their buffer view
   int add_bytes(const std::string& bytes);
 
-  /// \param colour linear red, green, blue in [0, 1] \param alpha below 1: transparent \param texture -1: none
+  /// Adds a material. \param colour linear red, green, blue in [0, 1] \param alpha opacity in [0, 1]
+  /// \param texture index of its texture; -1: none
   int add_material(const std::string& name, const Eigen::Vector3d& colour, double alpha = 1, int texture = -1);
 
   /// Adds a node with meshes; empty ones are left out. \param name may be empty
@@ -89,8 +90,8 @@ private:
 
   Json document_;
   std::string buffer_;
-  std::map<std::pair<int, std::size_t>, Shared_view> shared_views_; ///< by target and size of an element
-  std::map<std::string, int> shared_accessors_;                     ///< of all but points: by what they hold
+  std::map<std::pair<int, std::size_t>, Shared_view> shared_views_; ///< by buffer target and element size in bytes
+  std::map<std::string, int> shared_accessors_;                     ///< indices by content, of all but vertices
 };
 
 } // namespace CGAL::Shape_correspondence::IO

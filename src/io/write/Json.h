@@ -19,7 +19,7 @@ class Json
 {
 public:
   Json() = default; ///< null
-  /// \throw Invalid_input if the number is not finite, which means that the input exceeded the range of the computation
+  /// A number. \throw Invalid_input if it is not finite: then the input exceeded the range of the computation
   template <typename Number, typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
   Json(Number number) : type_(Type::SCALAR), text_(text_of(number))
   {}
@@ -73,7 +73,7 @@ private:
   void append_to(std::string& line) const;
 
   Type type_ = Type::NONE;
-  std::string text_;              ///< the text, or the notation of a scalar
+  std::string text_;              ///< the characters of a text, or the JSON notation of a scalar
   std::vector<std::string> keys_; ///< keys of an object's elements
   std::vector<Json> elements_;
 };

@@ -15,8 +15,8 @@ namespace CGAL::Shape_correspondence::IO {
 namespace {
 
 constexpr double common_share = .75;      // share of the names from which on a common prefix is dropped
-constexpr std::size_t longest_number = 6; // number of digits
-constexpr std::size_t longest_label = 24; // number of characters
+constexpr std::size_t longest_number = 6; // limit for digits that are a number at the end of a name
+constexpr std::size_t longest_label = 24; // limit for the characters of a label
 
 // Names that modelling programs give to parts, and those of the solids that modelling starts from
 const std::set<std::string> meaningless = {
@@ -27,7 +27,7 @@ const std::set<std::string> meaningless = {
     "polygon", "polysurface", "pplane",  "psphere",   "rectangle", "root",      "scene",   "segment",   "shape",
     "solid",   "sphere",      "submesh", "surface",   "torus",     "unnamed",   "untitled"};
 
-// English words for parts, without the plural's s; other names are foreign, abbreviated, or of the whole
+// English words for parts, without the plural's s; names without one are foreign, abbreviated, or of the whole shape
 const std::set<std::string> words_for_parts = {
     "apron",      "arm",        "armrest",    "axle",     "back",       "backrest",  "band",      "bar",
     "base",       "basket",     "beam",       "bed",      "bedding",    "bell",      "belt",      "blade",
@@ -135,7 +135,7 @@ std::string without_separators(std::string text)
   return text;
 }
 
-/// The words of a name, in small letters and without digits at their ends; and where they begin and end.
+/// A word of a name, in small letters and without digits at its end, and the range of its characters in the name.
 struct Word
 {
   std::size_t begin, end;
@@ -184,7 +184,7 @@ std::set<std::string> plain_words(const std::string& name)
   return result;
 }
 
-/// Whether a name tells in English what a part is. \param known more words for parts, such as roles
+/// Whether a name tells in English what a part is. \param known further words for parts, such as roles
 bool tells_part(const std::string& name, const std::set<std::string>& known)
 {
   const std::set<std::string> words = plain_words(name);
@@ -196,7 +196,7 @@ bool tells_part(const std::string& name, const std::set<std::string>& known)
   });
 }
 
-/// A name without what modellers add at its ends: words and numbers behind a dot.
+/// A name without what modelling programs add at its ends: meaningless words, and numbers of copies such as .001.
 std::string without_words_of_modellers(const std::string& name)
 {
   std::vector<Word> words = words_of(name);
@@ -214,7 +214,7 @@ std::string without_words_of_modellers(const std::string& name)
   return name.substr(words[first].begin, words.back().end - words[first].begin);
 }
 
-/// At most some characters of a text in UTF-8: its last words, or else the beginning of the last one.
+/// At most `longest` characters of a text in UTF-8: its last words, or else the beginning of the last one.
 std::string shortened(const std::string& label, std::size_t longest)
 {
   const auto length = [](const std::string& text) {
@@ -233,7 +233,7 @@ std::string shortened(const std::string& label, std::size_t longest)
   return result + "…";
 }
 
-/// The names without what says nothing, and without numbers of pieces: not all of them differ.
+/// The names without meaningless words and without numbers of pieces; several may be equal.
 std::vector<std::string> stems(const std::vector<std::string>& names)
 {
   std::vector<Divided_name> pieces;
@@ -261,7 +261,7 @@ std::vector<std::string> part_labels(const std::vector<std::string>& names, cons
   std::map<std::string, std::set<std::string>> roles_of_stem, roles_of_series;
   std::map<std::string, std::size_t> size_of_series;
   std::set<std::string> known;
-  std::vector<std::string> series; // stems without their numbers
+  std::vector<std::string> series; // for each part, its stem without number
   for (std::size_t i = 0; i < roles.size(); ++i) {
     series.push_back(without_separators(numbered(result[i]).first));
     ++size_of_series[series[i]];

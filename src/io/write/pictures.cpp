@@ -17,7 +17,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double cosine_of_smooth_edge = 0.82; // 35°
+constexpr double cosine_of_smooth_edge = 0.82; // of 35°, the largest angle of faces at a smooth edge
 constexpr int tube_sides = 12;
 constexpr double two_pi = 6.283185307179586;
 
@@ -102,7 +102,7 @@ void append(const Drawn_mesh& more, Drawn_mesh& all)
   all.triangles.rightCols(more.triangles.cols()) = more.triangles.array() + static_cast<int>(points);
 }
 
-constexpr std::size_t fewest_triangles = 24; // least number for a part: that of two boxes
+constexpr std::size_t fewest_triangles = 24; // least number of triangles for a part: that of two boxes
 constexpr double margin = 0.05; // width around the triangles at an edge, over the diagonal of their bounding box
 
 /// The placement of Lindstrom and Turk, or the midpoint of the edge where that is far away, as on thin pieces, where
@@ -180,7 +180,7 @@ Drawn_mesh shaded(const Points& points, const Eigen::Matrix3Xi& triangles)
     for (int k = 0; k < 3; ++k) {
       const int v = triangles(k, t);
       const Point normal = smooth_normal(faces[v], static_cast<int>(t), normals);
-      // A point with nearly the same normal is one vertex
+      // Corners at one point with nearly the same normal share a vertex
       const auto copy = std::find_if(copies[v].begin(), copies[v].end(),
                                      [&](int i) { return mesh.normals.col(i).dot(normal) > 1 - 1e-6; });
       mesh.triangles(k, t) = copy == copies[v].end() ? used : *copy;
@@ -209,7 +209,7 @@ Drawn_mesh open_tube(const Points& polyline, bool closed, double radius, int sid
     const int after = closed ? (i + 1) % n : std::min(i + 1, n - 1);
     const Point along = unit(centres.col(after) - centres.col(before));
     const Point projected = across - across.dot(along) * along;
-    // Carried along the curve to avoid twist
+    // The previous direction across the tube, projected, so that the tube does not twist
     across = projected.norm() > 1e-6 ? unit(projected) : along.unitOrthogonal();
     for (int k = 0; k < sides; ++k) {
       const double angle = two_pi * k / sides;

@@ -88,7 +88,7 @@ struct Placed_shape
 using Add_scenes =
     std::function<void(Glb_file& glb, const std::vector<Placed_shape>& shapes, std::vector<Glb_scene>& scenes)>;
 
-/// Writes the picture of the public functions, with further scenes.
+/// Like the public functions of the same names, with further scenes.
 void write_correspondence_glb(std::ostream& out, const Correspondence& correspondence, const Structural_graph& source,
                               const Structural_graph& target, const Segmented_shape* source_shape,
                               const Segmented_shape* target_shape, const Add_scenes& add_scenes);

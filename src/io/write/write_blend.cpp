@@ -31,7 +31,7 @@ const char* obstacle_name(Blend_obstacle obstacle)
   return names[int(obstacle)];
 }
 
-/// What a part does, and why, in words.
+/// What a part does during a task, in words.
 const char* told(const Blend_task& task)
 {
   if (task.obstacle != Blend_obstacle::NONE) return "is exchanged";
@@ -50,7 +50,7 @@ const char* reason(const Blend_task& task)
 
 Json quality_json(const Blend_quality& quality) { return {{"support", quality.support}, {"apart", quality.apart}}; }
 
-/// Appends the shortest decimals that read as the same numbers.
+/// Appends a line with a keyword and numbers: the shortest decimals that read as the same numbers.
 template <typename Numbers>
 void append_line(std::string& lines, char keyword, const Numbers& numbers)
 {

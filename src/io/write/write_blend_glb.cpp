@@ -100,7 +100,8 @@ struct Motion
   Eigen::MatrixXf weights;     ///< weight of each target (row) at each time (column)
 };
 
-/// \param points at each time \param distance largest displacement caused by dropping components
+/// The principal components of the motion of points. \param points positions at each time
+/// \param distance largest displacement that dropped components may cause
 Motion principal_motion(const std::vector<const Points*>& points, double distance)
 {
   const auto number = Eigen::Index(points.size()), size = points[0]->size();

@@ -16,7 +16,7 @@ namespace {
 constexpr double gap = 0.25;          // gap between the shapes, over the greater width
 constexpr double tube_radius = 0.009; // radius of a tube, over the shape's diagonal
 constexpr double surface_alpha = 0.25;
-constexpr double coarse_tolerance = 0.002; // ratio of what coarse curves and sheets may leave out to the diagonal
+constexpr double coarse_tolerance = 0.002; // deviation of coarse curves and sheets, over the diagonal
 const Eigen::Vector2d middle_parameter(0.5, 0.5);
 
 Drawn_mesh on_layer(const char* layer, Drawn_mesh mesh)
@@ -41,7 +41,7 @@ std::vector<int> evenly(int count, int most)
   return result;
 }
 
-/// Whether a polyline is hardly farther than `tolerance` from the segments between its points of these indices.
+/// Whether the points of a polyline are at most `tolerance` from the lines through consecutive points of these indices.
 bool is_shown(const Points& line, const std::vector<int>& indices, double tolerance)
 {
   for (std::size_t k = 1; k < indices.size(); ++k) {
@@ -54,7 +54,7 @@ bool is_shown(const Points& line, const std::vector<int>& indices, double tolera
   return true;
 }
 
-/// The fewest indices at even steps, and at most `most`, that show polylines of equally many points.
+/// The fewest indices at even steps, at most `most`, that show polylines of equally many points within `tolerance`.
 std::vector<int> fewest(const std::vector<Points>& lines, int most, double tolerance)
 {
   const int count = int(lines[0].cols());
@@ -146,7 +146,7 @@ Drawn_mesh Drawn_shape::abstraction(std::size_t part) const
 
 Drawn_mesh Drawn_shape::contacts() const
 {
-  constexpr int steps = 3; // number of points of a line
+  constexpr int steps = 3; // number of segments of a line
   const auto n = static_cast<Eigen::Index>(structure_.contacts.size());
   Points ends(3, (steps + 1) * n);
   Drawn_mesh result;

@@ -80,7 +80,7 @@ export class BlendPlayer {
     return [...result].sort((a, b) => (typeof a[0] === 'string') - (typeof b[0] === 'string') || a[0] - b[0]).map(([, row]) => row);
   }
 
-  /** Shows rows faint whose pairs the slider hides. */
+  /** Draws those rows faint whose pairs are hidden by the slider of confidence. */
   fade() {
     const {match, match: {match: {blocks}}} = this;
     for (const {name, bar, blocks: own} of this.rows) {
@@ -120,10 +120,10 @@ export class BlendPlayer {
     this.isPlaying = true;
     this.button.textContent = 'Pause';
     const period = secondsOfBlend + secondsOfRest;
-    let last = performance.now(), clock = this.time >= 1 ? period : this.time * secondsOfBlend + secondsOfRest * (this.time > 0); // from an end it rests first
+    let last = performance.now(), clock = this.time >= 1 ? period : this.time * secondsOfBlend + secondsOfRest * (this.time > 0); // from an end, the film rests first
     const step = now => {
       if (!this.isPlaying) return;
-      clock = (clock + Math.min(0.1, (now - last) / 1000)) % (2 * period); // a slow browser shows all of it, slowly
+      clock = (clock + Math.min(0.1, (now - last) / 1000)) % (2 * period); // a slow browser shows the whole film, slowly
       last = now;
       const t = Math.max(0, Math.min(1, (clock % period - secondsOfRest) / secondsOfBlend)), next = clock < period ? t : 1 - t;
       if (next !== this.time) this.pose(next);

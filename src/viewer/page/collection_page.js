@@ -12,11 +12,11 @@ import {fillTree} from './tree.js';
 // The page of a collection: a gallery, the spanning tree, and the match of two shapes that one chooses. A part has the
 // colour of its cluster everywhere.
 
-const nearShare = 0.75, farShare = 1.25; // of the mean distance from the most typical shape
+const nearShare = 0.75, farShare = 1.25; // near: below this share of the medoid's mean distance; far: above the other
 
 const shown = x => x.toPrecision(3);
 
-/** The operation from the target to the source. @param parts of the target */
+/** The operation in the direction from target to source. @param parts number of parts of the target */
 function inverseOperation(operation, parts) {
   if (operation === 'merge') return parts === 1 ? 'split' : 'duplicate';
   return operation === 'split' || operation === 'duplicate' ? 'merge' : operation;

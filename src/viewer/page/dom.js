@@ -19,7 +19,7 @@ export function setBreakable(text, parent) {
   text.split(/(?<=[_./#-])/).forEach((piece, k) => parent.append(...(k ? [document.createElement('wbr')] : []), piece));
 }
 
-/** The document that the page has for an id: JSON parsed, or null. */
+/** The JSON document with an id in the page, parsed; null if there is none. */
 export function documentOf(id) {
   const script = document.getElementById(id);
   return script ? JSON.parse(script.textContent) : null;
@@ -36,7 +36,7 @@ export function addSwitch(parent, text, hint, isSet, change) {
   return box;
 }
 
-/** Tabs of narrow windows, the first one open. @param tabs [[name, text]] @returns what opens one by its name */
+/** Tabs of narrow windows, the first one open. @param tabs [[name, text]] @returns a function that opens a tab by its name */
 export function addTabs(tabs) {
   const buttons = tabs.map(([name, text]) => {
     const button = element('button', text, $('#tabs'));
@@ -52,7 +52,7 @@ export function addTabs(tabs) {
   return open;
 }
 
-/** Notes, folded: there may be many. @param what they are about */
+/** Notes in a folded list, since there may be many. @param what end of the heading: what the notes are about */
 export function addWarnings(parent, warnings = [], what = '') {
   warnings = [...new Set(warnings)].filter(Boolean);
   if (!warnings.length) return;
@@ -66,7 +66,7 @@ export function linearColour(text) {
   return [1, 3, 5].map(k => parseInt(text.slice(k, k + 2), 16) / 255).map(c => c <= 0.04045 ? c / 12.92 : Math.pow((c + 0.055) / 1.055, 2.4));
 }
 
-/** A colour in linear light, as style sheets have it. */
+/** A colour in linear light, in the notation of style sheets. */
 export function cssColour(colour) {
   return 'rgb(' + colour.slice(0, 3).map(c => {
     const value = Math.max(0, Math.min(1, c));

@@ -3,16 +3,18 @@
 
 // What the surfaces of parts tell: how large parts are, and which parts have two roles in one piece.
 
-const samples = 4000;                  // points of a shape's surface
-const leastFlat = 0.8;                 // cosine of the slope of what one sits on
-const cells = 8, leastCovered = 0.25;  // of the ground below a shape, a side of a grid, and the share that a seat covers
-const leastRise = 0.25, leastReach = 0.4, armHeights = [0.05, 0.45], sides = [0.3, 0.7], onGround = 0.03; // in the box around the shape
+const samples = 4000;                  // number of points on a shape's surface
+const leastFlat = 0.8;                 // least cosine of the slope of points that one can sit on
+const cells = 8, leastCovered = 0.25;  // cells on each side of a grid on the ground, and the least share of them below a seat
+// Relative to the box around the shape: least rise of a back above the seat; arm rests: least length, heights above the seat, and ends and
+// beginnings of left and right ones; height up to which something is on the ground
+const leastRise = 0.25, leastReach = 0.4, armHeights = [0.05, 0.45], sides = [0.3, 0.7], onGround = 0.03;
 
 /**
  * How a shape's surface is spread over its parts.
  * @param meshes [{part, mesh}], meshes as of a GLB
- * @returns {areas, points: [{part, at, flat}]}: areas by part, and points of equal shares of the surface: their places in the box around
- * it, whose sides are 1, and the cosine of the slope
+ * @returns {areas, points: [{part, at, flat}]}: areas by part, and points of equal shares of the surface: `at`, the place in the box
+ * around it, whose sides are 1, and `flat`, the cosine of the slope
  */
 export function extentOf(meshes) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], areas = [], triangles = [];
@@ -38,28 +40,28 @@ export function extentOf(meshes) {
   return {areas, points: result};
 }
 
-/** From the lowest to the highest of some points along an axis, without a share at both ends. */
+/** The range of points along an axis, after leaving out a share of them at each end. */
 function rangeOf(points, axis, without = 0.05) {
   const values = points.map(({at}) => at[axis]).sort((a, b) => a - b), cut = Math.floor(values.length * without);
   return values.length ? [values[cut], values[values.length - 1 - cut]] : [0, 0];
 }
 
-/** How high one sits on what some points show, or null: in the middle of what is flat, if this covers enough ground. */
+/** The height of a seat: the upper quartile of the points that are flat; null if these do not cover enough ground. */
 function seatLevel(points) {
   const flat = points.filter(point => point.flat > leastFlat), cellOf = x => Math.min(cells - 1, Math.floor(cells * x));
   const covered = new Set(flat.map(({at}) => cells * cellOf(at[0]) + cellOf(at[2]))).size;
   return covered < leastCovered * cells * cells ? null : rangeOf(flat, 1, 0.25)[1];
 }
 
-/** Whether points reach along both sides of a shape, above what one sits on. */
+/** Whether points reach along both sides of a shape, at the height of arm rests above the seat. */
 function hasArms(points, level) {
   const arms = points.filter(({at}) => at[1] > level + armHeights[0] && at[1] < level + armHeights[1]), [left, right] = sides;
   return [arms.filter(({at}) => at[0] < left), arms.filter(({at}) => at[0] > right)].every(side => { const [from, to] = rangeOf(side, 2); return to - from > leastReach; });
 }
 
 /**
- * The roles that parts of a chair or sofa have beside their own because they are one piece.
- * @param points of its surface (`extentOf`) @param roles of its parts @param others roles that may be meant
+ * The further roles of parts of a chair or sofa that are several parts in one piece, such as a seat with a back.
+ * @param points of its surface (`extentOf`) @param roles of its parts @param others further roles to look for
  * @returns [[role, further roles]]
  */
 export function rolesInOnePiece(points, roles, others) {

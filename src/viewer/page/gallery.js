@@ -6,7 +6,7 @@ import {litScene, newRenderer, objectOf, placeCamera, pointsToFit} from './stage
 
 const pixels = 224;
 
-/** Small pictures of shapes, by one renderer; each is made when it comes into sight first. None without WebGL. */
+/** Small pictures of shapes by one renderer, each drawn when it first comes into sight; none without WebGL. */
 export class Pictures {
   constructor() {
     this.renderer = newRenderer(document.createElement('canvas'));

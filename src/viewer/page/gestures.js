@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Mouse, fingers and keys on a stage. Drag and arrows turn; wheel, pinch, + and - zoom; right button, shift or two fingers
-// move; a double click and Home go back. What is pointed at and clicked is told to others.
+// move; a double click and Home go back. Callbacks get what is pointed at and clicked.
 
 const radiansPerPixel = 0.008, zoomPerPixel = 0.001, steepest = 1.55;
 const pixelsPerKey = 12, zoomPerKey = 1.1;

@@ -13,7 +13,7 @@ import {fillTable} from './table.js';
 
 const symmetries = {self: '', reflection: 'mirror images', rotation: 'in a ring', translation: 'in a row'};
 
-const mostNames = 12; // of parts in a cell or line
+const mostNames = 12; // limit for names of parts in a cell or line
 
 function kindOf(part) {
   return part.type === 'sheet' ? 'sheet' : part.closed ? 'closed curve' : 'curve';

@@ -11,9 +11,9 @@ import {Stage} from './stage.js';
 
 // The page of a result of `match`, with the blend where there is one.
 
-const mostNotes = 2; // that bear on what corresponds, unfolded
+const mostNotes = 2; // limit for notes on the correspondence that are shown unfolded
 
-/** A GLB that the page has for an id. */
+/** The GLB with an id in the page. */
 export function glbOf(id) {
   return readGlb(bytesOfBase64(document.getElementById(id).textContent));
 }
@@ -53,33 +53,33 @@ function isOnePiece(names) {
   return names.length > 1 && new Set(names.map(name => name.replace(/#\d+$/, ''))).size === 1;
 }
 
-/** What `percent()` says, on one line. */
+/** The text of `percent()` without a place for a line break. */
 const percentText = share => percent(share).replace(' ', '\u00a0');
 
-/** The same, and not that there is nothing of what there is. */
+/** The same for a share that is not 0, which is not rounded to 0 %. */
 const shareText = share => share < 0.005 ? 'less than 1\u00a0%' : percentText(share);
 
-/** What has no counterpart, in a sentence. @param shares of the surfaces that have one */
+/** A sentence on parts without counterpart. @param missing such parts, by side @param shares of the surfaces that have one, by side */
 function uncovered(missing, names, titles, shares) {
   const rest = [0, 1].filter(side => missing[side].length).map(side => `${missing[side].length} of ${counted(names[side].length, 'part')} of ${titles[side]}, ` +
       `${shareText(1 - shares[side])} of its surface`);
   return rest.length ? ` Grey parts have no counterpart: ${rest.join(', and ')}.` : ' Every part has a counterpart.';
 }
 
-/** Which parts are two things in one piece, in a sentence; or nothing. */
+/** A sentence on parts that have several roles in one piece (`rolesInOnePiece`); empty if there are none. */
 export function inOnePiece(pieces, titles) {
   return pieces.map((list, side) => list.length ? ` In ${titles[side]}, ${list.map(([role, others]) => listed([role, ...others].map(roleText))).join(' seem to be one piece, and so do ')}` +
       (list.length === 1 ? ' seem to be one piece.' : '.') : '').join('');
 }
 
-/** Which pairs the slider hides, in a sentence; or nothing. @param hidden blocks */
+/** A sentence on the pairs that the slider hides; empty if there are none. @param hidden their blocks */
 function hiddenText(hidden, least) {
   if (!hidden.length) return '';
   const parts = [0, 1].map(side => hidden.reduce((sum, block) => sum + block.parts[side].length, 0)), roles = [...new Set(hidden.map(block => block.role).filter(Boolean))].map(roleText);
   return ` Hidden, because they are below ${percent(least)}, and drawn faint: ${roles.length ? listed(roles, 10) + ', ' : ''}${counted(parts[0], 'part')} and their ${counted(parts[1], 'counterpart')}.`;
 }
 
-/** How sure the program is, on average and of what it is least, by the rows of the table, in a sentence; or nothing. */
+/** A sentence with the mean confidence of blocks and the least mean of a row of the table; empty if they have no confidence. */
 function sureText(blocks, labels) {
   const rated = blocks.filter(({confidence}) => confidence !== null), mean = of => of.reduce((sum, {confidence}) => sum + confidence, 0) / of.length;
   if (!rated.length) return '';
@@ -89,14 +89,14 @@ function sureText(blocks, labels) {
   return ` The program is ${all} sure of this` + (percentText(last.confidence) === all ? ', of all parts alike.' : ` on average, and least of ${name}, ${percentText(last.confidence)}.`);
 }
 
-/** What the page shows, for those who see it for the first time. @param blocks that are shown @param hidden in a sentence */
+/** The text that explains the page. @param blocks that are shown @param rest, hidden sentences on parts and pairs that are not */
 function answer(blocks, labels, rest, hidden) {
   const roles = [...new Set(blocks.map(block => block.role).filter(Boolean))].map(roleText);
   if (!blocks.length) return hidden ? 'All pairs of parts are hidden.' + hidden : 'No parts correspond.';
   return 'Parts of one colour correspond' + (roles.length ? ': ' + listed(roles, 10) : '') + '.' + sureText(blocks, labels) + rest + unsureText(blocks) + hidden;
 }
 
-/** What stripes mean, in a sentence, where there are any. */
+/** A sentence on the meaning of stripes; empty if there are none. */
 export function unsureText(blocks) {
   return blocks.some(({least}) => least !== null && least < unsure) ? ` Striped parts are unsure, less than ${percent(unsure)}.` : '';
 }

@@ -7,15 +7,15 @@ import {countedParts, inWords, listed, operationText, percent, roleText, rowsByR
 import {Selection} from './selection.js';
 import {fillTable} from './table.js';
 
-// Two shapes beside each other, and what corresponds: what is chosen in one lights up in the other.
+// Two shapes beside each other: the parts that correspond to those chosen in one shape light up in the other.
 
 const grey = [0.45, 0.45, 0.45];
 const hiddenOpacity = 0.25; // of pairs that the slider hides
 const spare = ['#c77d1e', '#2f7fc1', '#a3559e', '#3f9c6d'].map(linearColour); // for pairs whose parts have no colour of their own
-const leastChroma = 0.02;
-const leastLabelled = 14, leastChosen = 4, leastView = 170; // pixels: sides of what has a label, if it were square, the same of what is chosen, and of the view
+const leastChroma = 0.02; // difference of channels up to which a colour counts as grey
+const leastLabelled = 14, leastChosen = 4, leastView = 170; // pixels: side of the least square that gets a label, the same if it is chosen, least side of a view
 const labelHeight = 18, farthestLabel = 90, labelStep = 8; // pixels
-const labelShare = 0.6; // of a label that covers its part, so that it covers nothing else
+const labelShare = 0.6; // least share of a label's area that is over its own part if the label is placed there
 
 /** Labels of parts and lines between counterparts, over the stage. */
 export class Overlay {
@@ -25,8 +25,8 @@ export class Overlay {
     this.canvas.className = 'links';
   }
   /**
-   * Where a label stands: on its part, where it fits, or else beside all parts, as near as it can; nowhere if another label would be
-   * covered. @param half the label's width
+   * The box of a label: on its part if it fits there, or else on the background, as near as possible; null if it would cover
+   * another label everywhere. @param half half of the label's width
    */
   placeOfLabel({spots, number, shareOf, confine}, half) {
     const boxAt = (x, y) => ({left: x - half, right: x + half, top: y - labelHeight / 2, bottom: y + labelHeight / 2});
@@ -138,10 +138,9 @@ export class MatchView {
   }
 
   /**
-   * @param match {titles, names, labels, blocks, roles, groups, colourOf(side, part)}: lists by side; `labels` are the names as
+   * @param match {titles, names, labels, blocks, roles, groups, pieces, colourOf(side, part)}: lists by side; `labels` are the names as
    * people read them; `roles` may hold empty lists; `pieces`, which may be missing, has roles that are one piece with others
-   * (`rolesInOnePiece`); the colours are in linear light; without `colourOf` a part has the
-   * colour of its meshes
+   * (`rolesInOnePiece`); colours are in linear light; without `colourOf` a part has the colour of its meshes
    */
   show(match) {
     this.match = match;
@@ -187,7 +186,7 @@ export class MatchView {
     this.table = fillTable($('table'), columns, rows, this.selection, $('#search'));
   }
 
-  /** A role in words, with those that the shape of a side has in one piece with it. */
+  /** A role in words, together with the roles that are one piece with it in the shape of this side. */
   withOthers(side, role) {
     const piece = ((this.match.pieces || [])[side] || []).find(([one]) => one === role);
     return listed((piece ? [role, ...piece[1]] : [role]).map(roleText));
@@ -207,7 +206,7 @@ export class MatchView {
     return all.find(colour => Math.max(...colour) - Math.min(...colour) > leastChroma) || spare[b % spare.length];
   }
 
-  /** Parts of a group have the colour of its first one; what has no counterpart is grey, and what is hidden is faint, too. */
+  /** Colours items and rows: parts of a group have the colour of its first part; those without counterpart are grey, hidden ones also faint. */
   colour() {
     const {blocks, groups} = this.match, first = new Map();
     groups.forEach((numbers, side) => numbers.forEach((n, part) => {
@@ -241,19 +240,19 @@ export class MatchView {
     this.stage.redraw();
   }
 
-  /** The key of what a part belongs to: of its block, or of all parts without counterpart. */
+  /** The key of the block that a part belongs to, or of all parts of this side without counterpart. */
   keyOf(side, part) {
     const block = this.blockOf[side][part];
     return block >= 0 ? 'b' + block : 'none' + side;
   }
 
-  /** The side and the part that an item shows; of what is in between, that of the source if it has one. */
+  /** The side and the part that an item shows; for an in-between shape, the part of the source if there is one. */
   placeOfItem(item) {
     if (!item.sides) return [this.views.indexOf(item.view), item.part];
     return item.sides[0] >= 0 ? [0, item.sides[0]] : [1, item.sides[1]];
   }
 
-  /** All keys that light up with one; that of a single part, SIDE:PART, is alone. */
+  /** All keys that light up together with a key; that of a single part, SIDE:PART, lights up alone. */
   keysWith(key) {
     const keys = new Set([key]);
     if (key[0] === 'r') for (const b of this.rows[Number(key.slice(1))].blocks) keys.add('b' + b);
@@ -277,7 +276,7 @@ export class MatchView {
     if (this.table) this.table.light(keys);
   }
 
-  /** What pointing at an item, or choosing it, lights: its block, or itself if it has no counterpart. */
+  /** The key that lights up when an item is pointed at or chosen: of its block, or of its part if that has no counterpart. */
   keyOfItem(item) {
     const place = this.placeOfItem(item);
     return this.blockOf[place[0]][place[1]] >= 0 ? this.keyOf(...place) : place.join(':');
@@ -312,7 +311,7 @@ export class MatchView {
     return [labels[side][part], lines];
   }
 
-  /** With the switch all links, else none. Of what is chosen, if something is. */
+  /** The links to draw, if they are switched on: of the chosen blocks, or of all blocks if nothing is chosen. */
   shownLinks() {
     if (!this.match || !this.hasLinks) return [];
     return this.match.blocks.flatMap((block, b) => (this.lit && !this.lit.has('b' + b)) || !this.isSure(block) ? [] :
@@ -321,8 +320,8 @@ export class MatchView {
   }
 
   /**
-   * The role of each row where it is seen best, or else a part's label; none of what is small or faded: [{x, y, text, spots, number,
-   * shareOf, confine}], where it is in the window, and what `Overlay` needs to find it a place
+   * The labels to draw, [{x, y, text, spots, number, shareOf, confine}]: for each row of the table its role, or else a part's label, at
+   * the place in the window where it is seen best, with what `Overlay` needs to place it; none for what is small or faded
    */
   shownLabels() {
     if (!this.match || !this.hasLabels) return [];

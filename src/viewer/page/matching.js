@@ -3,23 +3,23 @@
 
 // What a result of `match` says of the parts of two shapes, in the words of the page.
 
-const shortestRange = 3; // parts with consecutive numbers
-const mostNouns = 3;     // of one side of a sentence
-const mostRows = 8;      // of roles, or of blocks without a role: with those of parts without counterpart, ten
-export const unsure = 0.5; // confidence
+const shortestRange = 3; // least number of parts with consecutive numbers that are written as a range
+const mostNouns = 3;     // limit for the nouns on one side of a sentence
+const mostRows = 8;      // limit for rows of roles, or of blocks without a role: ten with the rows of parts without counterpart
+export const unsure = 0.5; // confidence below which a pair is shown as unsure
 
 /** The value of a fraction in per cent, or an empty text. */
 export function percent(fraction) {
   return fraction === null || fraction === undefined ? '' : Math.round(100 * fraction) + ' %';
 }
 
-/** Names as one enumerates them; more than `most` are counted. */
+/** An enumeration of names; if there are more than `most`, the last ones are counted. */
 export function listed(names, most = 6) {
   if (names.length > most) return names.slice(0, most - 1).join(', ') + ` and ${names.length - most + 1} more`;
   return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
 }
 
-/** The same names, of several with consecutive numbers the first and the last: leg_1–4. */
+/** The names, with ranges in place of several with consecutive numbers: leg_1–4. */
 export function withRanges(names) {
   const numbered = name => /^(.*?)(\d{1,6})$/.exec(name);
   const follows = (next, name) => {
@@ -35,15 +35,15 @@ export function withRanges(names) {
   return result;
 }
 
-// Words that say where a part is or of what, not what it is
+// Words for the place or the material of a part, which do not name the part itself
 const places = /^(.|[fr][lr]|left|right|front|rear|upper|lower|inner|outer|middle|center|centre|fabric|plastic|metal|wood|leather|steel|chrome)$/i;
 
-// In other words than those of modellers and of the model of roles
+// Plain words for terms of modellers and of the role model
 const plainNouns = {star: 'star leg', h_stab: 'tailplane', v_stab: 'fin'};
-// What is not counted, but its parts are
+// Nouns that have no plural: their parts are counted
 const uncounted = /^(bedding|glazing|lighting|steering|body|interior|trim|upholstery|gear|glass)$/;
 
-/** What a part is, by its label: its role if it is named so, or else the last word that is neither place nor material, without a number. */
+/** A noun for a part with a label: its role if the label is the role, or else the last word that is neither place nor material, without a number. */
 export function nounOf(label, role = '') {
   if (role && roleText(label.replace(/[\s_.:#-]*\d+$/, '')) === roleText(role)) return roleText(role);
   const words = label.replace(/[\s_.:#-]*\d+$/, '').split(/[_.:-]+/).filter(word => word && !places.test(word));
@@ -52,19 +52,19 @@ export function nounOf(label, role = '') {
 }
 
 function plural(noun) {
-  if (/[^s]s$/.test(noun)) return noun; // named for several
+  if (/[^s]s$/.test(noun)) return noun; // a plural already
   if (/(ss|x|sh|ch)$/.test(noun)) return noun + 'es';
   if (/[^aeiou]y$/.test(noun)) return noun.slice(0, -1) + 'ies';
   return /(lea|shel)f$/.test(noun) ? noun.slice(0, -1) + 'ves' : noun + 's';
 }
 
-/** How many things: `4 legs`. */
+/** A number of things: `4 legs`. */
 export const counted = (number, noun) => `${number} ${number === 1 ? noun : uncounted.test(noun) ? noun + ' parts' : plural(noun)}`;
 
 /** A role in words. */
 export const roleText = role => plainNouns[role] || role.replace(/_/g, ' ');
 
-/** Parts as one counts them: `1 column and 5 arms`; without numbers, unless they are wanted, if there is one of each. @param role names those that have too many names; it may be empty */
+/** Parts counted by their nouns: `1 column and 5 arms`; if there is one of each, without numbers unless `wantsNumbers`. @param role replaces more than `mostNouns` nouns; may be empty */
 export function countedParts(labels, role, wantsNumbers = false) {
   const counts = new Map();
   for (const noun of labels.map(label => nounOf(label, role))) counts.set(noun, (counts.get(noun) || 0) + 1);
@@ -73,7 +73,7 @@ export function countedParts(labels, role, wantsNumbers = false) {
   return listed([...counts].map(([noun, number]) => areSingle ? noun : counted(number, noun)));
 }
 
-/** What becomes of parts, as a sentence: `4 legs become 1 column and 5 arms`; the same things match. @param labels of source and target */
+/** A sentence on corresponding parts: `4 legs become 1 column and 5 arms`; parts with the same nouns match. @param labels of source and target */
 export function sentenceOf(labels, role) {
   const [sources, targets] = labels.map(list => list.length);
   const nounsOf = list => [...new Set(list.map(label => nounOf(label, role)))].sort(), wantsNumbers = labels.some(list => nounsOf(list).length < list.length);
@@ -83,13 +83,13 @@ export function sentenceOf(labels, role) {
   return `${from} ${sources === 1 ? verb : verbs} ${to}`;
 }
 
-/** An operation with the numbers of parts, if they are not one and one. */
+/** The operation of a block, with the numbers of its parts unless both are 1. */
 export function operationText(block) {
   const [sources, targets] = block.parts.map(parts => parts.length);
   return block.operation + (sources === 1 && targets === 1 ? '' : ` ${sources}:${targets}`);
 }
 
-/** Blocks by role, in the order of the blocks: [{role, blocks: [indices]}]; the last one may gather several roles, or none. */
+/** Blocks by role, in the order of the blocks: [{role, blocks: [indices]}]; beyond `mostRows`, the last one gathers the smallest. */
 export function rowsByRole(blocks) {
   const rows = new Map();
   blocks.forEach(({role}, b) => {
@@ -105,7 +105,7 @@ export function rowsByRole(blocks) {
           {role: 'others', blocks: result.filter(row => !kept.has(row)).flatMap(row => row.blocks)}];
 }
 
-/** The same in a sentence, for a part of side 0, the source, or 1. */
+/** The operation of a block in words, for one of its parts on side 0, the source, or 1. */
 export function inWords(block, side) {
   const [here, there] = [block.parts[side].length, block.parts[1 - side].length];
   if (here === 1 && there === 1) return 'one part matches one part';
@@ -138,7 +138,7 @@ export function indexedBlocks(result, names) {
   });
 }
 
-// How a file was read: notes that do not bear on what corresponds, in other words
+// Notes on how a file was read, which do not concern the correspondence, and their texts for readers of the page
 const readings = [
   [/^Parts were found by what parts look like/, 'The objects of the file are not its parts; these were found by what parts look like.'],
   [/^Objects (of loose pieces were split|that are not one part each were divided)/, 'Objects of the file that are several parts each were divided.'],
@@ -149,7 +149,7 @@ const readings = [
 ];
 
 /**
- * What a note says to the reader of a page: without files, commands and their options.
+ * The text of a note for the reader of a page: without files, commands and their options.
  * @param models {file: title} @returns {text, isReading}: whether it is about how the file was read
  */
 export function readersNote(note, models) {

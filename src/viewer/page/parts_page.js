@@ -21,32 +21,32 @@ export function showParts() {
   setBreakable(models.length === 1 ? models[0].name : `Parts of ${models.length} models`, $('h1'));
   element('p', 'Each colour is a part, as a match takes it. If it should be another one, click it, and join it with others or divide it.', $('#facts'));
   const openTab = addTabs([...(models.length > 1 ? [['shapes', 'Models']] : []), ['models', 'Picture'], ['list', 'Parts']]);
-  let model = null, table = null, start = [], into = [], colours = []; // by unit: its part at first; the unit that names its part now, the first one of it; its colour
+  let model = null, table = null, start = [], into = [], colours = []; // by unit: its original part; the first unit of its present part, whose index is the part's key; its colour
   const marked = new Set(), buttons = {};
   const unitsOf = part => into.map((_, i) => i).filter(i => into[i] === part);
   const firsts = () => into.map((_, i) => i).filter(i => into[i] === i);
   const hasTree = () => model.unions.length > 0;
   const unitOf = k => hasTree() ? k : model.pieces[k][0]; // of a piece; -1: none
-  /** Pieces, and unions of them that may be parts, as sets of units; an earlier one is never larger than one that has it. */
+  /** Pieces, and unions of them that may be parts, as sets of units; a set comes before all sets that contain it. */
   function candidates() {
     const sets = model.unions.length ? into.map((_, i) => new Set([i])) : [];
     for (const [a, b] of model.unions) sets.push(new Set([...sets[a], ...sets[b]]));
     return sets;
   }
   const isIn = (set, units) => [...set].every(unit => units.has(unit));
-  /** The parts that are one in the next larger union. */
+  /** The parts that the smallest union larger than a part consists of. */
   function wider(part) {
     const units = new Set(unitsOf(part)), union = candidates().find(set => set.size > units.size && isIn(units, set));
     return union ? new Set([...union].map(unit => into[unit])) : new Set();
   }
-  /** The largest unions in a part. */
+  /** The largest unions within a part that are smaller than it. */
   function narrower(part) {
     const units = new Set(unitsOf(part)), result = [];
     for (const set of candidates().reverse())
       if (set.size < units.size && isIn(set, units) && !result.some(one => isIn(set, one))) result.push(set);
     return result;
   }
-  /** A name, with a number if the part is one of several that were one. */
+  /** A part's name, with a number if it is one of several into which a part was divided. */
   function named(part, names) {
     const number = firsts().filter(i => start[i] === start[part]).indexOf(part);
     return names[start[part]] + (number > 0 ? ` (${number + 1})` : '');
@@ -62,7 +62,7 @@ export function showParts() {
     selection.clear();
     update();
   };
-  // A reason names pieces; people know their parts
+  // A reason names pieces; the text for people names the parts that contain them
   const readable = (reason, part) => [...model.list.pieces.keys()].sort((a, b) => model.list.pieces[b].piece.length - model.list.pieces[a].piece.length).reduce((text, k) => {
     const of = unitOf(k) < 0 ? -1 : into[unitOf(k)], {piece} = model.list.pieces[k];
     return of === part ? text.replace(` with ${piece}`, '').replace(piece, 'it') : text.replace(piece, of < 0 ? piece : named(of, model.labels));
@@ -125,7 +125,7 @@ export function showParts() {
   function divide(part) {
     const units = unitsOf(part);
     for (const set of narrower(part)) for (const unit of set) into[unit] = Math.min(...set);
-    for (const i of units) if (into[i] === i && i !== part) colours[i] = `hsl(${(137 * i) % 360}, 55%, 60%)`; // unlike its neighbours'
+    for (const i of units) if (into[i] === i && i !== part) colours[i] = `hsl(${(137 * i) % 360}, 55%, 60%)`; // a colour unlike those of neighbours
     list();
   }
 

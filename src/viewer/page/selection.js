@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is chosen: by hovering for as long as one hovers, by a click or a tap until the next one. A key names what is
-// chosen; null: nothing.
+// What is chosen: while the pointer is over it, or from a click or a tap until the next one. It is given by a key; null:
+// nothing.
 
 export class Selection {
   /** @param change is called with the key that is chosen now */
@@ -16,7 +16,7 @@ export class Selection {
     this.hovered = key;
     this.change(this.key);
   }
-  /** The same again lets it go. */
+  /** Chooses a key by a click; releases it if it is chosen already. */
   pin(key) {
     this.pinned = key === this.pinned ? null : key;
     this.hovered = null;

@@ -3,23 +3,23 @@
 
 import {element, setBreakable} from './dom.js';
 
-// Shapes side by side under one camera, on one canvas. What is drawn are items: {view, part, layer, mesh, colour, ...};
+// Shapes side by side under one camera, on one canvas. It draws items: {view, part, layer, mesh, colour, ...};
 // `part` is the index of the part in its shape, or -1. Without WebGL nothing is drawn, and all else works.
 
 const fieldOfView = 28; // degrees
 const focalLength = 1 / Math.tan(fieldOfView * Math.PI / 360); // over half the height of the picture
 const home = {yaw: 0.5, pitch: 0.3, zoom: 1, x: 0, y: 0};
-const stackedGain = 1.1; // in size, for which views go one below the other
+const stackedGain = 1.1; // gain in size from which two views are put one below the other
 const fadedOpacity = 0.1, overlaidOpacity = 0.3;
-const largestRatio = 1.25; // of the sizes of shapes that are drawn to one scale
-const groundPixels = 96, shadowTriangles = 12000; // of the picture of the ground, which is soft for its few pixels
+const largestRatio = 1.25; // ratio of sizes up to which shapes are drawn to the same scale
+const groundPixels = 96, shadowTriangles = 12000; // side of the picture of the ground, soft by its few pixels; limit for triangles that cast a shadow
 const hatching = `if (hatch > 0. && mod(gl_FragCoord.x + gl_FragCoord.y, 12.) < 4.) gl_FragColor.rgb = mix(gl_FragColor.rgb, vec3(1.), .6);`;
-const fittedPoints = 3000; // at most, of a view that is to be in the picture
-const radiansPerSecond = 0.35; // of shapes that turn slowly
+const fittedPoints = 3000; // limit for the points by which the camera's distance is found
+const radiansPerSecond = 0.35; // speed of `turnSlowly()`
 const isDark = matchMedia('(prefers-color-scheme: dark)');
-const lightOfLines = 0.6; // in the dark
-const mostSpots = 40; // of a thing
-const otherThing = 254; // the number of what has none in `seenPlaces()`
+const lightOfLines = 0.6; // their grey level in dark mode
+const mostSpots = 40; // about as many spots of each thing are returned by `seenPlaces()`
+const otherThing = 254; // number in `seenPlaces()` of items that are no thing
 const noPoints = {points: [], middle: {x: 0, y: 0}};
 
 function geometryOf(mesh) {
@@ -47,7 +47,7 @@ function addTexture(material, texture, onLoad) {
   }, () => {}); // a damaged picture: the colour alone
 }
 
-/** What is drawn of a mesh of a GLB. Without normals it is shaded flat. `onLoad` is called when its texture is there. */
+/** The object that draws a mesh of a GLB. Without normals it is shaded flat. `onLoad` is called when its texture is there. */
 export function objectOf(mesh, onLoad = () => {}) {
   const colour = new THREE.Color(...mesh.colour.slice(0, 3)), geometry = geometryOf(mesh);
   if (mesh.isLines) {
@@ -75,7 +75,7 @@ export function litScene() {
   return scene;
 }
 
-/** Calls `visit` with the cells of a grid in a triangle, [x, y] of its corners, and those of its corners. */
+/** Calls `visit(x, y)` for the cells of the ground that are in a triangle or contain its corners. @param corners [x, y] of each, in cells */
 function visitCells(corners, visit) {
   const [a, b, c] = corners, area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
   const range = k => [Math.max(0, Math.floor(Math.min(a[k], b[k], c[k]))), Math.min(groundPixels - 1, Math.floor(Math.max(a[k], b[k], c[k])))];
@@ -86,7 +86,7 @@ function visitCells(corners, visit) {
       if (cross(a, b, x + 0.5, y + 0.5) >= 0 && cross(b, c, x + 0.5, y + 0.5) >= 0 && cross(c, a, x + 0.5, y + 0.5) >= 0) visit(x, y);
 }
 
-/** A picture of the ground under a group with the group's soft shadow, the darker the nearer it is. @param bounds of the group */
+/** Paints the ground under a group with its soft shadow, darker below parts near the ground. @param {min, max} bounds of the group @param width of the ground */
 function paintGround(canvas, group, {min, max}, width) {
   const g = canvas.getContext('2d'), n = groundPixels, scale = n / width, meshes = [], p = new THREE.Vector3();
   let shadow = new Float32Array(n * n);
@@ -119,7 +119,7 @@ function paintGround(canvas, group, {min, max}, width) {
 
 const numberMaterials = new Map();
 
-/** What draws a number as a colour. */
+/** The material that draws a number as a colour, for `seenPlaces()`. */
 function numberMaterial(number) {
   if (!numberMaterials.has(number))
     numberMaterials.set(number, new THREE.MeshBasicMaterial({color: new THREE.Color((number + 1) / 255, 0, 0), side: THREE.DoubleSide}));
@@ -135,12 +135,12 @@ export function newRenderer(canvas) {
   return renderer;
 }
 
-/** To the camera's directions. */
+/** The rotation from the directions of the scene to those of the camera. */
 function turnTo(pose) {
   return new THREE.Matrix4().makeRotationX(pose.pitch).multiply(new THREE.Matrix4().makeRotationY(-pose.yaw));
 }
 
-/** What a group shows, in the directions of the camera at first: points, and the middle between their extremes. */
+/** Points of a group in the directions that the camera has at first, relative to the middle of their bounding box; and this middle. */
 export function pointsToFit(group) {
   const meshes = [], result = [];
   group.updateMatrixWorld(true);
@@ -155,7 +155,7 @@ export function pointsToFit(group) {
   return {points: result.map(p => p.sub(middle)), middle};
 }
 
-/** From how far all points are in view. */
+/** The distance of the camera from which all points are in view. */
 function distanceTo(points, aspect) {
   let fit = 1e-6;
   for (const p of points) fit = Math.max(fit, p.z + focalLength * Math.max(Math.abs(p.x) / aspect, Math.abs(p.y)));
@@ -195,7 +195,7 @@ export class Stage {
     this.layers = new Set();
     this.pose = {...home};
     this.seenHeight = 1;
-    this.isLit = null; // of an item; null: nothing is lit, so nothing fades
+    this.isLit = null; // function of an item; null: nothing is lit, so nothing fades
     this.afterDrawing = () => {};
     new ResizeObserver(() => { this.resize(); this.draw(); }).observe(root);
     isDark.addEventListener('change', () => this.redraw());
@@ -234,7 +234,7 @@ export class Stage {
     });
   }
 
-  /** Removes all that a view shows. */
+  /** Removes all items of a view. */
   clear(view) {
     for (const object of [...view.shape.children]) {
       object.geometry.dispose();
@@ -248,7 +248,7 @@ export class Stage {
     view.shape.scale.set(1, 1, 1);
   }
 
-  /** Moves the middle of what a view shows to its centre, scaled. */
+  /** Scales the shape of a view and moves its middle to the origin. */
   centre(view, scale = 1) {
     view.shape.position.set(0, 0, 0);
     view.shape.scale.setScalar(scale);
@@ -262,7 +262,7 @@ export class Stage {
     this.resize();
   }
 
-  /** Puts ground with a soft shadow below what a view shows. */
+  /** Puts ground with a soft shadow below the shape of a view. */
   layGround(view) {
     const {min, max} = view.bounds, width = 1.7 * Math.max(max.x - min.x, max.z - min.z);
     view.ground.visible = width > 0 && isFinite(width);
@@ -391,10 +391,11 @@ export class Stage {
   }
 
   /**
-   * Where things are seen in a view.
-   * @param numberOf an item's thing, from 0 to 253, or -1
-   * @returns {places, shareOf}: by number, {spots: [{x, y}], area}, places in the window that are seen, the first one well inside, and
-   * pixels; the share of a box {left, right, top, bottom} of the window that shows a number, -1 for the background
+   * Where things, such as rows of the table, are seen in a view.
+   * @param numberOf function: the number of an item's thing, from 0 to 253, or -1
+   * @returns {places, shareOf}: `places` has, by number, {spots: [{x, y}], area}: points of the window where the thing is seen, the first
+   * one well inside, and its area in pixels; `shareOf(box, number)` is the share of a box {left, right, top, bottom} of the window that
+   * shows the thing; -1: the background
    */
   seenPlaces(view, numberOf) {
     const box = this.boxOf(view), places = new Map();
@@ -424,7 +425,7 @@ export class Stage {
       const number = at(i);
       if (number >= 0 && number < otherThing) cells.has(number) ? cells.get(number).push(i) : cells.set(number, [i]);
     }
-    for (const [number, list] of cells) { // the deepest inside, and of these the one nearest to the middle
+    for (const [number, list] of cells) { // the pixels deepest inside, and of these the one nearest to the middle
       const isInside = i => [-width, -1, 1, width].every(step => at(i + step) === number);
       let inner = list;
       for (let inside = inner.filter(isInside), kept; inside.length; inside = inner.filter(i => kept.has(i - width) && kept.has(i + width) && kept.has(i - 1) && kept.has(i + 1))) {

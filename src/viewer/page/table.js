@@ -30,12 +30,13 @@ function addCell(tr, cell, column, selection) {
 }
 
 /**
+ * Fills a table.
  * @param columns [{text, kind, span}]; the kind may be `narrow`
  * @param rows [{key, colour (of a style sheet, or none), cells, rows, words}]; a row is chosen by its key, if it has one, and
  * folds its `rows`, if it has any. `words` are searched, too
  * @param search the input element whose text rows must contain, or null
- * @returns {light(keys), paint(colours, unsure, partly), hide(keys)}: marks the rows of keys, a set or null; sets the colours of rows, a
- * map by key, and hatches those of a set, of another set in part; hides the rows of keys, a set
+ * @returns {light(keys), paint(colours, unsure, partly), hide(keys)}: functions that mark the rows of a set of keys, or none for
+ * null; that colour rows by a map of keys, hatch those of a set, and of another set in part; that hide the rows of a set of keys
  */
 export function fillTable(table, columns, rows, selection, search) {
   table.replaceChildren();

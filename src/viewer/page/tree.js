@@ -22,7 +22,7 @@ export function walkTree(numberOfShapes, edges, root) {
   return result;
 }
 
-/** @param tell the text of a distance */
+/** Fills the list. @param tell returns the text for a distance */
 export function fillTree(root, cards, edges, medoid, pictures, choose, tell) {
   for (const {shape, parent, depth, distance} of walkTree(cards.length, edges, medoid)) {
     const button = element('button', '', root);
