@@ -17,7 +17,7 @@ namespace peers {
 /// Simplified: the shapes' frames align them, instead of an optimization over all of a set.
 inline Part_pairs match_xu_2012(const Boxed_shape& source, const Boxed_shape& target)
 {
-  constexpr double width = 0.2; // of the falloff, in the unit box
+  constexpr double width = 0.2; // of the Gaussian of distances, in unit boxes
   constexpr double least_share = 0.3;
   const Eigen::MatrixXd distance = part_distances(source, target, hausdorff);
   return strong_entries((-(distance / width).array().square()).exp().matrix(), least_share);
