@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Abstracts damaged part meshes: fuzz_abstraction [CASES [FIRST_SEED [LARGEST]]], 2000 cases from seed 0 with up to
-// 200000 triangles by default. Every result must be valid, or an error that names the part, and come in time. Prints a
-// line a failure and a summary; exit status 1 if there was one.
+// 200000 triangles by default. Every result must be valid, or an error that names the part, and come in time. Prints
+// one line for each failure, and a summary; exit status 1 if there are failures.
 
 #include "../../test/Shape_correspondence/damaged_meshes.h"
 

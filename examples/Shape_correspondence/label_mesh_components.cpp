@@ -37,7 +37,7 @@ void add_box(Mesh& mesh, double x, double y, double z, double width, double heig
   CGAL::copy_face_graph(box, mesh);
 }
 
-// A table with four legs, and a desk with two panels
+// A table with four legs
 Mesh legged_table()
 {
   Mesh mesh;

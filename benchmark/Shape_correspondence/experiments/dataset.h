@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 struct Category
 {
   std::string name;
-  std::vector<std::string> shapes;  ///< names
+  std::vector<std::string> shapes;  ///< names of the shapes
   std::vector<std::string> folders; ///< folders of the parts' meshes, by shape
   std::vector<Structural_graph> graphs;
   std::vector<std::vector<Part_label>> labels; ///< by shape, and by part as in the graph

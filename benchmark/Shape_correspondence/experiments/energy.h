@@ -35,7 +35,7 @@ inline void figure4(const Dataset& dataset)
   compare(dataset, methods, "energy");
 }
 
-/// The paper's method, and variants with one of its three choices, or all of them, replaced by the default's choice.
+/// The paper's method, and variants in which its direction, its fit, its proximity or all three are the default's.
 inline void switches(const Dataset& dataset)
 {
   std::vector<std::pair<std::string, peers::Peer>> methods{{"the paper's method", ours(paper_options())}};
@@ -130,7 +130,7 @@ private:
   double pairs_ = 0;
 };
 
-/// Figure 10: energy of beam search relative to the proven least energy, by k, as in the paper, and by K.
+/// Figure 10: energy of beam search over the least energy, by number of expansions k, as in the paper, and by width K.
 inline void figure10(const Dataset& dataset, const Options& options)
 {
   Beam_trade_off expansions("expansions k, K = 20", &Beam_options::expansions, {1, 2, 4, 8, 16}),

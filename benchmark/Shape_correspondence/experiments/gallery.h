@@ -222,7 +222,7 @@ inline peers::Peer of_prominent_parts(const peers::Peer& method, std::size_t cou
   };
 }
 
-/// Figure 16: precision on the most prominent parts, beside Tevs et al. 2014, and pictures of the pairs of the gallery.
+/// Figure 16: precision on the most prominent parts, also of Tevs et al. 2014; pictures of the pairs of the gallery.
 inline void figure16(const Dataset& dataset, const Options& options)
 {
   constexpr std::size_t counts[] = {2, 4, 8}, pictured = 4;

@@ -39,8 +39,8 @@ struct Mean_estimates
 
 struct Estimated_scores
 {
-  std::vector<std::pair<std::string, Mean_estimates>> categories; ///< by name
-  Mean_estimates mean;                                            ///< every category weighs the same
+  std::vector<std::pair<std::string, Mean_estimates>> categories; ///< means by category
+  Mean_estimates mean;                                            ///< mean over categories, of equal weight
 };
 
 /// Precision, recall, F1 and coarse precision, in this order.

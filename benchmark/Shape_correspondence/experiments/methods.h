@@ -81,7 +81,7 @@ peers::Peer co_analyzed(const Map& map, const Co_analysis_options& options = {})
 
 inline Search_options default_options() { return {}; }
 
-/// Exact search. Where proving optimality takes more than `nodes` nodes, the best result so far is taken.
+/// Exact search. If the proof takes more than `nodes` search nodes, the best result so far is taken.
 inline Search_options exact_options()
 {
   constexpr std::size_t nodes = 20000;

@@ -36,11 +36,11 @@ constexpr int newton_steps = 15;       // largest number of steps
 constexpr double newton_change = 1e-9; // the iteration ends if all weights change by less
 
 constexpr std::size_t least_pairs = 50; // least number of pairs of shapes to fit; with fewer: usual weights
-constexpr double slight_penalty = 1e-4; // on squared weights, if every category weighs 1: keeps weights finite
+constexpr double slight_penalty = 1e-4; // penalty on squared weights, which keeps them finite
 // Penalty on squared differences of the weights of a category from those of all others, where a shape has weight 1.
 // Chosen by cross-validation, whose score hardly depends on it.
 constexpr double category_penalty = 1;
-// The same penalty for weights of confidences. It is high since the shapes of a category are of few, unlike sources.
+// The same penalty for weights of confidences. Higher, as the shapes of a category have few sources, which differ.
 constexpr double confidence_penalty = 16;
 
 // Terms of pairs of parts of two shapes, and whether each pair is in the ground truth.
@@ -134,7 +134,7 @@ struct Unseen_pair
   std::string found;                 // category that the model finds; empty: none
   Pair_terms found_terms;            // terms by the roles of the category found
   std::string nearest;               // nearest category, even if others are almost as near
-  std::array<double, 2> distances{}; // from the two nearest categories, mean of both shapes
+  std::array<double, 2> distances{}; // distances from the two nearest categories, mean of both shapes
 };
 
 // \param source, target roles of the two shapes by `model` \param category_known whether their category is given

@@ -91,7 +91,7 @@ struct Validated_pair
   Correspondence_score geometric, joined; ///< of the match without roles, and with roles
   /// Share of the target's parts that take the right coarse label from a source part; without and with roles.
   double labels_by_geometry = 0, labels_joined = 0;
-  std::array<double, 2> distances{}; ///< of the pair from the two nearest categories
+  std::array<double, 2> distances{}; ///< distances of the pair from the two nearest categories
   Front_count fronts;                ///< of the two shapes, by the roles of their category
   std::vector<Judged_pair> judged;   ///< matched pairs; none if energies are compared or the category is left out
 };
@@ -434,7 +434,7 @@ private:
   std::vector<Labelled_graph> labelled_; // of `shapes_`
   Role_trainer trainer_;
   Role_model_data all_;                            // model learned from all shapes
-  std::vector<std::vector<Role_evidence>> turned_; // by shape and quarter turns; empty: in no pair
+  std::vector<std::vector<Role_evidence>> turned_; // by shape and quarter turns; empty for shapes in no pair
   std::vector<Unseen_pair> unseen_, fitted_to_;    // predictions by pair: reported, and for fitting weights
   std::vector<std::array<Pairs, 2>> least_energy_; // pairs of parts by pair of shapes; without, with roles
   std::vector<Validated_pair> pairs_;

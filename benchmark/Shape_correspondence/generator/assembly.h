@@ -64,7 +64,7 @@ public:
   /// Adds a part on the left and its mirror image on the right.
   void add_pair(const Names& left_right, const Label& left, const Label& right, const Solid& solid);
 
-  /// Adds such a pair; "_left" and "_right" are appended to a fine label that is not empty.
+  /// Adds such a pair with one label, to which "_left" and "_right" are appended if its fine label is not empty.
   void add_pair(const Names& left_right, const Label& label, const Solid& solid);
 
   /// Adds a part in front and its mirror image in the plane z = 0 behind.
@@ -78,7 +78,7 @@ public:
   void add_labelled_ring(const Names& names, const std::vector<Label>& labels, const Solid& solid, const Point& point,
                          const Point& axis);
 
-  /// Adds such copies with one label.
+  /// Adds copies of a part, evenly spaced about an axis, with one label.
   void add_ring(const Names& names, const Label& label, const Solid& solid, const Point& point, const Point& axis);
 
   /// Adds a row of copies of a part, each shifted by `step` from the one before.

@@ -23,13 +23,13 @@ Solid dished_seat(double front, double back, double depth, double y, double thic
 Solid curved_rest(const Point& low, const Point& rise, double width, double bulge, double thickness,
                   const Slab_options& options);
 
-/// Four plain legs, aprons under the seat, a bent panel between two posts.
+/// A chair with four plain legs, aprons under the seat, a bent panel between two posts.
 Assembly chair_four_legged();
 
 /// An office chair: cushions, a gas column, a star of five legs on casters, arms.
 Assembly chair_swivel();
 
-/// A ladder-back chair with arms; its rear legs run on as the posts of the back.
+/// A ladder-back chair with arms; its rear legs continue as the posts of the back.
 Assembly chair_slatted();
 
 /// A turned leg on the floor, thickest at 0.7 of its height.

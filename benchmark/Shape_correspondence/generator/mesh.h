@@ -33,7 +33,7 @@ struct Mesh
   std::vector<std::array<int, 3>> faces;
 };
 
-/// Whether a part is constructed around a mid-line or a mid-surface, for any mesh.
+/// Whether a solid is constructed around an open mid-line, a closed one, or a mid-surface.
 enum class Kind { curve, closed_curve, sheet };
 
 /// Rows and columns of the mid-surface grid of a sheet.

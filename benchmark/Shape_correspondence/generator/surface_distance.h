@@ -26,7 +26,7 @@ double squared_distance(const Point& p, const Point& a, const Point& b, const Po
 /// Whether the segment from p to q goes through a triangle.
 bool crosses(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c);
 
-/// Of segments ab and cd: that of their lines if both nearest points are between the ends, else the least of an end.
+/// Of segments ab and cd: that of their lines, if its nearest points lie on both segments; else the least of an end.
 double squared_distance_of_segments(const Point& a, const Point& b, const Point& c, const Point& d);
 
 double squared_distance_of_triangles(const std::array<Point, 3>& a, const std::array<Point, 3>& b);

@@ -41,8 +41,8 @@ inline double group_affinity(const Boxed_shape& a, std::size_t g, const Boxed_sh
   return kind * std::exp(-difference.squaredNorm() / (extent_width * extent_width));
 }
 
-/// Compatibility of two candidate pairs, (g, h) and (g2, h2), in [0, 1]: whether the offset from g to g2 is that from h
-/// to h2, and whether g and g2 touch if h and h2 do.
+/// Compatibility of the pairs (g, h) and (g2, h2) of groups, in [0, 1]: by the difference of the offsets from g to g2
+/// and from h to h2, halved if groups touch in only one of the two shapes.
 inline double arrangement_affinity(const Boxed_shape& a, std::size_t g, std::size_t g2, const Boxed_shape& b,
                                    std::size_t h, std::size_t h2)
 {

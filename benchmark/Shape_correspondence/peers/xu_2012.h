@@ -13,7 +13,7 @@ namespace Shape_correspondence {
 namespace peers {
 
 /// K. Xu et al., *Fit and diverse: set evolution for inspiring 3D shape galleries*, 2012: shapes are aligned and scaled
-/// to one box, and parts correspond fuzzily, the more the nearer they are by Hausdorff distance.
+/// to one box, and parts correspond with fuzzy weights, which decrease with their Hausdorff distance.
 /// Simplified: the shapes' frames align them, instead of an optimization over all of a set.
 inline Part_pairs match_xu_2012(const Boxed_shape& source, const Boxed_shape& target)
 {

@@ -18,7 +18,7 @@ struct Arrangement
 {
   std::size_t group;
   Symmetry_type type, neighbour_type;
-  Eigen::Matrix<double, 9, 1> geometry; ///< middle and extents of the group, middle of the neighbour; in the unit box
+  Eigen::Matrix<double, 9, 1> geometry; ///< middle and extents of the group, middle of the neighbour; in unit boxes
 };
 
 inline std::vector<Arrangement> arrangements(const Boxed_shape& shape)
