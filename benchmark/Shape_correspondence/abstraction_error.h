@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace benchmark {
 
-/// The value below which a fraction of the values lies; 0 of none.
+/// The value of rank `fraction` (0: the least, 0.5: the median, 1: the greatest); 0 if there are no values.
 inline double quantile(std::vector<double> values, double fraction)
 {
   if (values.empty()) return 0;
@@ -82,7 +82,7 @@ inline bool same_kind(const Part_abstraction& a, const Part_abstraction& b)
   return a.is_sheet() == b.is_sheet() && a.is_closed_curve() == b.is_closed_curve();
 }
 
-/// Distances of points spread over one abstraction from the other, and the other way round.
+/// Distances of sample points of each of two abstractions from the other one.
 inline std::vector<double> deviations(const Part_abstraction& a, const Part_abstraction& b)
 {
   const int samples_of_curve = 64, samples_of_sheet = 12;
@@ -95,7 +95,7 @@ inline std::vector<double> deviations(const Part_abstraction& a, const Part_abst
   return result;
 }
 
-/// A plane's cut through a mesh: line segments, and how they hang together.
+/// The cut of a mesh by a plane: line segments, each with the number of the connected piece that it belongs to.
 class Plane_cut
 {
 public:
@@ -137,7 +137,7 @@ public:
 
   const std::vector<Segment>& segments() const { return segments_; }
 
-  /// The piece nearest to a point, and all that are joined to it by gaps smaller than a length.
+  /// The piece nearest to a point, and all pieces that are joined to it by a chain of gaps smaller than `gap`.
   std::set<std::size_t> pieces_near(const Point& p, double gap) const
   {
     std::set<std::size_t> result;
@@ -171,11 +171,11 @@ private:
 struct Cross_section
 {
   Point centre = Point::Zero();
-  double radius = 0; ///< mean distance of the outline from its centre; 0: the plane misses the mesh
+  double radius = 0; ///< mean distance of the outline from `centre`; 0: the plane misses the mesh
 };
 
-/// The local cross-section: what the plane cuts nearest to a point, with what is near to it as the two shells of a
-/// hollow part or the tyre on a rim are. A wrap, which such parts get, closes gaps of the same width.
+/// The cross-section by a plane near `p`: the piece nearest to `p`, and pieces near that one, such as the second shell
+/// of a hollow part or the tyre on a rim. Their gap is below the alpha of the wrap that closes such parts.
 inline Cross_section cross_section(const Part_mesh& mesh, const Point& p, const Point& normal)
 {
   const double gap = diagonal(mesh.points) / 20;
@@ -195,10 +195,10 @@ inline Cross_section cross_section(const Part_mesh& mesh, const Point& p, const 
   return result;
 }
 
-/// How far points inside a curve are from the centres of their cross-sections, over the radii of those.
+/// For points of a curve: distance from the centre of the cross-section, relative to its radius (0: medial).
 inline std::vector<double> medialness(const Curve& curve, const Part_mesh& mesh)
 {
-  const int samples = 20, left_out = 3; // at the ends, where there is no cross-section to speak of
+  const int samples = 20, left_out = 3; // samples skipped at each end of an open curve, where the part is cut obliquely
   const Points points = sample(curve, samples);
   std::vector<double> result;
   for (int i = curve.closed ? 1 : left_out; i < samples - (curve.closed ? 1 : left_out); ++i) {

@@ -159,7 +159,7 @@ class Results:
         return self.sections[title]
 
     def rows(self, title):
-        """The table of a section: by row, column to text."""
+        """The rows of the table of a section, each a dictionary from heads of columns to texts."""
         lines = [[cell.strip() for cell in line.strip("|").split("|")]
                  for line in self.section(title).splitlines() if line.startswith("|")]
         return [dict(zip(lines[0], line)) for line in lines[2:]]
@@ -174,7 +174,7 @@ def table(heads, rows):
 
 
 def generated(results):
-    """Older results are of shapes that have names, not numbers."""
+    """What the generated shapes are; in older results, they have names instead of numbers."""
     if re.search(r"chair_[0-9]", results.section("Table 1: sizes of shapes and times of the search; the pairs of the gallery: generated shapes")):
         return "`generate_models --benchmark`. A grammar draws them; no constant was chosen on them"
     return "which were designed one by one and are no longer made. Some constants and rules of the default method were chosen on them"

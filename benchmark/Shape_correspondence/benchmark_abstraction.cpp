@@ -5,7 +5,7 @@
 
 // Measures part abstraction on folders of parts: benchmark_abstraction [--parts] [--triangles N] SHAPE_FOLDER...
 // Every folder holds parts/ and, for the category, labels.json; with a structure.json that states mid-lines and
-// mid-surfaces, deviations from them are measured, too. --parts prints a line a part; --triangles is that of `graph`.
+// mid-surfaces, deviations from them are measured, too. --parts prints one line for each part; --triangles: as `graph`.
 
 #include "abstraction_error.h"
 
@@ -25,14 +25,14 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// What is known of the shapes of a category.
+/// Counts and measurements of the shapes of a category.
 struct Totals
 {
   std::size_t shapes = 0, parts = 0, copies = 0, curves = 0, closed_curves = 0, sheets = 0, fallbacks = 0, flagged = 0;
-  Values seconds;                      ///< of shapes, on the wall
-  Values medialness, plain_medialness; ///< of curve points; of those of parts in one piece without flags
-  Values sheet_residuals;              ///< of parts
-  Values deviations;                   ///< from what was stated, over the part's diagonal
+  Values seconds;                      ///< wall-clock time of each shape
+  Values medialness, plain_medialness; ///< by curve point; `plain`: only of parts without flags, in one piece
+  Values sheet_residuals;              ///< by sheet, see `Abstraction_report::residual`
+  Values deviations;                   ///< distances from the stated curve or sheet, over the part's diagonal
   std::size_t stated = 0, kinds_right = 0;
   SC::Phase_milliseconds phases;
 };

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks and times the command collection on a folder of shapes, graphs best.
+"""Checks and times the command collection on a folder of shapes, preferably of graphs.
 
   benchmark_collection.py PROGRAM FOLDER [--kills 20] [--threads 1,2] [--ranks 2,4] [--rank-kills 1] [--options "--roles none"]
 
 Every run must write the same bytes. Kills: a run is killed (SIGKILL) at random moments and started again until it ends; no finished
-row may be done again, so that a kill costs at most the rows that were being done. Ranks need PROGRAM_mpi, built with MPI, beside it;
-they share the processors. Rank kills: one of them is killed, and all are started again. Prints seconds on the wall and of CPU. Ends
+row may be computed again, so that a kill costs at most the rows in progress. Ranks need PROGRAM_mpi, built with MPI, beside it;
+they share the processors. Rank kills: one rank is killed, and all are started again. Prints seconds on the wall and of CPU. Ends
 with exit status 1 if a run differs.
 """
 import argparse
@@ -98,7 +98,7 @@ def commands():
         try:
             with open(f"/proc/{entry}/cmdline", encoding="utf-8", errors="replace") as file:
                 yield int(entry), file.read().split("\0")
-        except OSError:  # it has ended
+        except OSError:  # the process has ended
             continue
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how time and memory grow with the number of parts, of triangles and of shapes.
+"""Measures how time and memory grow with the numbers of parts, triangles and shapes.
 
   benchmark_growth.py BUILD_FOLDER [--parts 30,100,300,1000] [--triangles 1000,10000,100000,1000000] [--shapes 50,200,1000] [--limit 300]
 
@@ -19,7 +19,7 @@ import subprocess
 import tempfile
 
 METHODS = {"default": [], "exact": ["--search", "exact"], "beam": ["--search", "beam"]}
-SHORTEST = 0.05  # seconds that a power law is fitted to
+SHORTEST = 0.05  # seconds: the least time that counts for a power law
 
 
 def write_box(out, count, name, low, high):
@@ -50,7 +50,7 @@ def write_pegs(path, pegs, seed):
 
 
 def measured(command, limit):
-    """Processor seconds and megabytes of a command; none if it takes too long or fails."""
+    """Processor seconds and megabytes of a command; None if it takes too long or fails."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)))
     _, status, used = os.wait4(process.pid, 0)
@@ -58,7 +58,7 @@ def measured(command, limit):
 
 
 def exponent(times):
-    """Of the pairs of number of parts and seconds; none if there are fewer than two."""
+    """Exponent of the power law of times, pairs of a number and seconds; None if fewer than two times count."""
     points = [(math.log(parts), math.log(seconds)) for parts, seconds in times if seconds >= SHORTEST]
     if len(points) < 2:
         return None
@@ -85,7 +85,7 @@ def write_ball(path, triangles):
 
 
 def table(name, columns, rows):
-    """A table of measurements with their exponents. \\param rows: (number, measurements), measured one after the other"""
+    """A table of measurements with their exponents. \\param rows pairs of a number and its measurements; may be a generator"""
     lines = [f"| {name} | " + " | ".join(columns) + " |", "|---" * (len(columns) + 1) + "|"]
     times = [[] for _ in columns]
     for number, row in rows:

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Matches the largest shapes that each method takes, rings of boxes of which none are alike: benchmark_limits
-// Prints a line a method; exit status 1 if one takes more processor time than the manual says, section "Limits".
+// Matches the largest shapes that each method accepts, rings of boxes that all differ: benchmark_limits
+// Prints one line for each method; exit status 1 if one takes more than `most_seconds`.
 
 #include "../../test/Shape_correspondence/box_shapes.h"
 #include "base/limits.h"
@@ -24,14 +24,14 @@ namespace SC = CGAL::Shape_correspondence;
 
 namespace {
 
-constexpr double most_seconds = 10; // of processor time
+constexpr double most_seconds = 10; // limit of the processor time of a match
 
 struct Limit
 {
   const char* name;
   SC::Search_method method;
   std::size_t parts;
-  int coarse_parts = 0; // that are matched first; 0: all at once
+  int coarse_parts = 0; // number of parts of each shape that are matched first; 0: all at once
 };
 
 constexpr Limit limits[] = {{"parts", SC::Search_method::PARTS, SC::internal::most_parts},
@@ -40,7 +40,7 @@ constexpr Limit limits[] = {{"parts", SC::Search_method::PARTS, SC::internal::mo
                             {"beam search, coarse to fine", SC::Search_method::BEAM, 500, 50},
                             {"exact search, coarse to fine", SC::Search_method::EXACT, SC::internal::most_parts, 50}};
 
-// Boxes of random heights in a ring, each in contact with the next.
+// A ring of boxes of random heights, each in contact with the next.
 SC::Structural_graph ring(std::size_t parts, unsigned seed)
 {
   std::mt19937 random(seed);

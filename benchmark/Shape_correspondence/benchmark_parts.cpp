@@ -24,9 +24,9 @@
 #include <numeric>
 #include <optional>
 
-// How well the parts that split_parts() makes of raw model files agree with labelled parts of the same shapes, by
-// points on the labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), F1 of parts, and how much each
-// part has of each other.
+// Compares the parts that are made of raw model files with labelled parts of the same shapes, by sample points on the
+// labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), F1 of parts, and the number of points that each
+// labelled part has in common with each part made.
 
 namespace CGAL {
 namespace Shape_correspondence {
@@ -37,10 +37,10 @@ using internal::contacts::Sampled_triangle;
 using internal::contacts::Triangle;
 using internal::contacts::Triangle_tree;
 
-constexpr int points_of_shape = 8000;
-constexpr int points_of_part = 32;   // at least, so that small ones are seen
-constexpr double found_share = 0.75; // of the union of two parts that is in both, more than which one is the other
-constexpr double same_place = 0.005; // over the diagonal: how far a labelled point may be from the raw surface
+constexpr int points_of_shape = 8000; // samples on a labelled shape
+constexpr int points_of_part = 32;    // least number of samples on a part, so that small parts count
+constexpr double found_share = 0.75;  // intersection over union above which a part is found; at most one part has it
+constexpr double same_place = 0.005;  // largest distance of a labelled sample from the raw surface, over the diagonal
 
 const char* const usage =
     "Usage: benchmark_parts [--parts auto|file|components|segments] [--roles FILE] [--obj FILE] RAW LABELLED [RAW "
@@ -81,15 +81,15 @@ Surface surface_of(const Segmented_shape& shape)
   return result;
 }
 
-/// Points on a surface, and of each the part and how much of the surface it stands for.
+/// Sample points on a surface; for each, the index of its part and the area that it represents.
 struct Labelled_points
 {
   std::vector<Point> points;
   std::vector<std::size_t> parts;
-  std::vector<double> weights; ///< their sum is `points_of_shape`
+  std::vector<double> weights; ///< areas, scaled so that their sum is `points_of_shape`
 };
 
-/// Points of each part by its share of the area, and not fewer than `points_of_part`.
+/// Samples every part in proportion to its area, but with at least `points_of_part` points.
 Labelled_points points_on(const Segmented_shape& shape)
 {
   std::vector<std::vector<Sampled_triangle>> triangles;
@@ -119,13 +119,13 @@ double diagonal_of(const std::vector<Point>& points)
   return box.diagonal().norm();
 }
 
-using Counts = std::vector<std::vector<double>>; // by labelled part and raw part, of points by their weights
+using Counts = std::vector<std::vector<double>>; // total weight of points, by labelled part and raw part
 
-/// How many points on each part of the one shape are on each part of the other, by their weights.
+/// The weighted number of samples that each labelled part and each raw part have in common.
 struct Common_points
 {
   Counts counts;
-  int quarter_turns = 0; ///< about the up axis that bring the labelled shape onto the raw one
+  int quarter_turns = 0; ///< turns by 90° about the up axis that bring the labelled shape onto the raw one
 };
 
 Common_points common_points(const Labelled_points& labelled, std::size_t labelled_parts, const Segmented_shape& raw)
@@ -135,7 +135,7 @@ Common_points common_points(const Labelled_points& labelled, std::size_t labelle
   const double limit = same_place * diagonal_of(labelled.points);
   Common_points best;
   double most = -1;
-  for (int turn = 0; turn < 4; ++turn) { // labelled shapes look to +z, raw ones need not
+  for (int turn = 0; turn < 4; ++turn) { // labelled shapes face +z, raw ones may face any side
     Counts counts(labelled_parts, std::vector<double>(raw.parts().size(), 0));
     double all = 0;
     const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn * EIGEN_PI / 2, Point::UnitY()).toRotationMatrix();
@@ -157,7 +157,7 @@ Common_points common_points(const Labelled_points& labelled, std::size_t labelle
 struct Agreement
 {
   double rand = 0, adjusted = 0;
-  double f1 = 0;      ///< of parts, of raw ones those that have points
+  double f1 = 0;      ///< of parts; raw parts without samples do not count
   double covered = 0; ///< share of the labelled surface that is in the raw model
 };
 

@@ -6,9 +6,8 @@
 // Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
 // and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
 // the beam is from the optimum, the speed of the rod kernel, and synthetic problems.
-//   benchmark_search [--pairs] [--repeats N] GRAPH.json GRAPH.json ...     all pairs of the graphs that are in one
-//   folder
-// --pairs prints a line a pair instead: numbers of parts, and milliseconds of matching by parts, exact search and beam.
+//   benchmark_search [--pairs] [--repeats N] GRAPH.json GRAPH.json ...     matches all pairs of graphs of one folder
+// --pairs prints a line for each pair: numbers of parts, milliseconds of matching by parts, exact and beam search.
 // --repeats: each pair is matched N times, and the least time counts, as other programs on the machine add to the rest.
 #include "energy/Structural_rods.h"
 #include "energy/rod_kernel.h"
@@ -57,7 +56,7 @@ void print(const char* what, const std::vector<double>& values)
               quantile(values, 1));
 }
 
-// Comparisons of rods a nanosecond on sheets, two sets at once, best of many runs.
+// The speed of the kernel that compares two sets of rods on sheets: rods per nanosecond, the best of many runs.
 double kernel_speed()
 {
   std::srand(1);
@@ -78,7 +77,8 @@ double kernel_speed()
   return sum > 0 ? 2 * 36 * 36 * repeats / (best * 1e6) : 0;
 }
 
-// Groups in a graph of some width: rods between random points, as between parts far smaller than the shape.
+// An energy of random points in the unit cube: every source point is joined to the `width` points before it by a rod,
+// whose energy is that of moving its ends to two target points (the labels); splits have random costs.
 SC::Pairwise_energy synthetic_problem(unsigned seed, int groups, int labels, int width)
 {
   std::mt19937 random(seed);
@@ -121,12 +121,12 @@ void print_synthetic_problems(int groups, int labels, int width)
   std::printf("proven optimal: %zu of %u\n", proven, problems);
 }
 
-// Milliseconds of the phases for one pair, and what the searches found.
+// Milliseconds of the phases for one pair, and the quality of what the searches found.
 struct Pair_times
 {
   double alignment = infinity, parts = infinity, tables = infinity, exact = infinity, tables_and_exact = infinity,
          tables_and_beam = infinity;
-  std::vector<double> gaps; // energy of the beam over the least one, by direction
+  std::vector<double> gaps; // ratio of the energy of beam search to that of exact search, by direction
   std::size_t proven = 0, at_optimum = 0;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -144,7 +144,7 @@ Pair_times time_pair(const SC::Structural_graph& first, const SC::Structural_gra
     result.gaps.clear();
     result.proven = result.at_optimum = 0;
     for (const bool forward : {true, false}) {
-      SC::Matching_problem::Shared_shape from, to; // anew, since they keep rods
+      SC::Matching_problem::Shared_shape from, to; // new in every repeat, since shapes cache their rods
       align += milliseconds([&] {
         from = std::make_shared<SC::Deformable_shape>(SC::align_shape(forward ? first : second));
         to = std::make_shared<SC::Deformable_shape>(SC::align_shape(forward ? second : first));

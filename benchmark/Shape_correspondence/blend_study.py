@@ -28,11 +28,11 @@ import zlib
 import numpy as np
 
 SIZE = 200  # pixels of a frame's side
-TURN, TILT = np.radians(32), np.radians(18)  # of the eye
+TURN, TILT = np.radians(32), np.radians(18)  # direction of view, in radians
 FRAMES = 9
-SAMPLES = 4  # points for each pixel of a triangle's area
-CROWDED = 0.4  # share of a box
-LARGE, SLENDER, FLAT, STRAIGHT = 0.02, 6, 6, 2  # share of the area; ratios of extents; degrees, of parts that are measured for bending
+SAMPLES = 4  # number of sample points of a triangle for each pixel of its area
+CROWDED = 0.4  # least share of the smaller box that both have in common
+LARGE, SLENDER, FLAT, STRAIGHT = 0.02, 6, 6, 2  # parts measured for bending: least share of the area, least ratios of extents, largest bend at the ends in degrees
 
 
 def read_obj(file):
@@ -102,7 +102,7 @@ def write_png(file, picture):
 
 
 def morphing(frames, tasks):
-    """The share of the area of both shapes that is matched, and of that the share that morphs."""
+    """The share of the area of both shapes that is matched, and the share of the matched area that morphs."""
     of_part = [{name: area(triangles).sum() for name, triangles in frames[end]} for end in (0, -1)]
     total, matched, morphs = 0, 0, 0
     for areas, side in zip(of_part, ("source", "target")):
@@ -183,7 +183,7 @@ def bend(triangles, found):
     for along in range(1 if extents[0] > SLENDER * extents[1] else 2):
         places = slices(triangles, middle, axes[along])
         steps = np.diff(places, axis=0)
-        if along == 1 or extents[0] <= SLENDER * extents[1]:  # only out of the plane
+        if along == 1 or extents[0] <= SLENDER * extents[1]:  # only bending out of the plane counts
             steps = np.outer(steps @ axes[along], axes[along]) + np.outer(steps @ axes[2], axes[2])
         worst = max([worst] + [angle(a, b) for a, b in zip(steps[:-1], steps[1:])])
     return worst
@@ -222,7 +222,7 @@ def measure(folder, picture):
     with open(folder + ".json") as file:
         document = json.load(file)
     tasks = document["tasks"]
-    to_key = [{}, {}]  # a part and its counterpart have one colour
+    to_key = [{}, {}]  # numbers of colours; a part and its counterpart have the same
     for task in tasks:
         names = [task.get("source"), task.get("target")]
         key = next((to_key[i][name] for i, name in enumerate(names) if name in to_key[i]), len(to_key[0]) + len(to_key[1]))
@@ -273,7 +273,7 @@ def find_model(folders, category, shape):
 
 
 def blend(args, models, name):
-    """Makes the frames and, if asked for, the animation; the seconds of processor time for the frames, and the kilobytes."""
+    """Makes the frames and, with --glb, the animation. Returns processor seconds for the frames, and kilobytes of the animation."""
     folder = os.path.join(args.out, name)
     shutil.rmtree(folder, ignore_errors=True)
     command = [args.program, "blend", *models, "-q", "--threads", "1"]

@@ -16,16 +16,16 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace benchmark {
 
-/// The words of a command line, read one after the other. What it throws, `std::invalid_argument`, is for the user.
+/// Reads the words of a command line one by one. Messages of the `std::invalid_argument` it throws are for the user.
 class Command_line
 {
 public:
   Command_line(int argc, char** argv) : words_(argv + 1, argv + argc) {}
 
   bool is_at_end() const { return next_ == words_.size(); }
-  /// The next word. \pre not at the end
+  /// The next word. \pre `!is_at_end()`
   const std::string& word() { return words_[next_++]; }
-  /// The next word as the value of the one before, an option.
+  /// The next word, which is the value of the option read before it.
   const std::string& value()
   {
     if (is_at_end()) throw std::invalid_argument(words_.back() + " needs a value");
@@ -37,13 +37,13 @@ private:
   std::size_t next_ = 0;
 };
 
-/// \throw std::invalid_argument if a word that is not known is an option
+/// Throws `std::invalid_argument` if `word`, which is no known option, is empty or begins with a hyphen.
 inline void refuse_option(const std::string& word)
 {
   if (word.empty() || word[0] == '-') throw std::invalid_argument("unknown option '" + word + "'");
 }
 
-/// The number that a text is. \param meaning what it is, for the user
+/// The whole number that `text` consists of. \param meaning name of the number in the error message
 inline std::uint64_t whole_number(const std::string& text, const std::string& meaning)
 {
   constexpr std::size_t most_digits = 18;
@@ -52,7 +52,7 @@ inline std::uint64_t whole_number(const std::string& text, const std::string& me
   return std::stoull(text);
 }
 
-/// The words of a list with commas in between.
+/// The words of a comma-separated list.
 inline std::vector<std::string> words_of(const std::string& list)
 {
   std::vector<std::string> result;

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The experiments of the paper, and others, on folders of labelled shapes; tables as Markdown on standard output.
+// Runs experiments, most of them those of the paper, on folders of labelled shapes; prints their tables as Markdown.
 
 #include "experiments/abstraction.h"
 #include "experiments/energy.h"

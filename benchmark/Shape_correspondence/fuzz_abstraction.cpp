@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Abstracts damaged part meshes: fuzz_abstraction [CASES [FIRST_SEED [LARGEST]]], 2000 cases from seed 0 with up to
-// 200000 triangles by default. Every result must be valid, or an error that names the part, and come in time. Prints a
-// line a failure and a summary; exit status 1 if there was one.
+// 200000 triangles by default. Every result must be valid, or an error that names the part, and come in time. Prints
+// one line for each failure, and a summary; exit status 1 if there are failures.
 
 #include "../../test/Shape_correspondence/damaged_meshes.h"
 
@@ -22,7 +22,7 @@ namespace SC = CGAL::Shape_correspondence;
 
 namespace {
 
-// In seconds; the slack is for steps that cannot be interrupted.
+// Limit of the abstraction of a part, and time beyond it for steps that cannot be interrupted; in seconds.
 #ifdef __SANITIZE_ADDRESS__
 constexpr double time_limit = 60, slack = 60; // sanitized code is ten times slower
 #else
@@ -55,7 +55,7 @@ void run_case(unsigned long seed, double largest, Summary& summary)
   const auto triangles = static_cast<long>(mesh.triangles.cols());
   SC::Abstraction_options options;
   options.time_limit = time_limit;
-  CGAL::Timer timer; // of the processor: a busy machine is no failure
+  CGAL::Timer timer; // processor time, so that no case fails because the machine is busy
   timer.start();
   try {
     SC::Segmented_shape shape;

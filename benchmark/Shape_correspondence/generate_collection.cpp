@@ -41,7 +41,7 @@ private:
   std::mt19937 engine_;
 };
 
-/// New proportions; mirror images stay mirror images.
+/// Random scaling of the axes, and a taper; mirror symmetry in the planes x = 0 and z = 0 is kept.
 class Deformation
 {
 public:
@@ -62,7 +62,7 @@ private:
   double scale_[3];
 };
 
-/// A group of parts to be left out, so that every other part still touches one; none: empty.
+/// The parts of a random group to leave out, if every other part keeps a contact; empty: leave out none.
 std::set<std::string> left_out(const gen::Assembly& model, Chance& chance)
 {
   const gen::Part_group& group = model.groups[std::size_t(chance.between(0, double(model.groups.size()) - 1e-9))];

@@ -35,7 +35,7 @@ struct Options
 {
   bool help = false, list = false, single_file = false, raw = false, textured = false, benchmark = false;
   bool gallery = false, degrades = false;
-  std::size_t training = 0; // shapes
+  std::size_t training = 0; // number of training shapes; 0: none
   gen::Degradation degradation;
   std::uint64_t seed = 1;
   std::string folder;
@@ -163,7 +163,7 @@ gen::Files files_of(const gen::Assembly& shape, const Options& options)
 
 void write_models(const Options& options)
 {
-  std::uint64_t seed = options.seed << 32; // far from those of other shapes and seeds
+  std::uint64_t seed = options.seed << 32; // of degradation; far from the seeds that draw shapes
   for (gen::Assembly shape : shapes(options)) {
     if (options.degrades) shape = gen::degraded(std::move(shape), options.degradation, seed);
     seed += 100;

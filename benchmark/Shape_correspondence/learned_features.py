@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much features of faces help matching: the table of the manual's page on learned features.
+"""Measures how much features of faces improve matching: the table of the manual's page on learned features.
 
   PYTHONPATH=BUILD/python learned_features.py OUT FOLDER... [--roles MODEL] [--pairs 12] [--weights 1,3,10] [--noise 0,.5,1,2,4,only]
 
@@ -40,12 +40,12 @@ def pairs_of(folder, most):
 
 
 def coarse_labels(shape):
-    """By file of the folder `parts`."""
+    """Coarse labels by name of the file in the folder `parts`."""
     return {pathlib.Path(part["file"]).name: part["coarse"] for part in json.loads((shape / "labels.json").read_text())["parts"]}
 
 
 def features_of(shape, labels, noise):
-    """A row for each face of the files of the folder `parts`, sorted by name. \\param labels the columns of labels"""
+    """A row for each face of the files of the folder `parts`, sorted by name. \\param labels column of each coarse label"""
     of_parts = coarse_labels(shape)
     rows = []
     for file in sorted((shape / "parts").iterdir()):

@@ -27,7 +27,7 @@ CHAIRS = ["chair_four_legged", "chair_slatted", "chair_spindle", "chair_swivel",
 GALLERY = [("velocipede", "1", "10"), ("airplane", "1", "13"), ("chair", "11", "2"), ("lamp", "1", "5"), ("table", "13", "15"), ("bed", "2", "3"),
            ("boat", "dinghy", "yawl"), ("cart", "handcart", "wagon")]
 SKIPPED = 77
-WIDTH, HEIGHT = 1000, 520  # of a screenshot, which has twice as many pixels
+WIDTH, HEIGHT = 1000, 520  # of the window of a screenshot, which has two pixels for each of these
 
 
 def line(a, b, colour, width):
@@ -48,7 +48,7 @@ def box(low, high):
 
 
 def divided(triangle, longest):
-    """The triangles that it is divided into, until no edge is longer."""
+    """The triangles made by bisecting the longest edge until no edge is longer than `longest`."""
     edges = [math.dist(triangle[i], triangle[(i + 1) % 3]) for i in range(3)]
     i = edges.index(max(edges))
     if edges[i] <= longest:
@@ -59,7 +59,7 @@ def divided(triangle, longest):
 
 
 def read_coloured_ply(file):
-    """[(colour, triangles)] of a binary PLY file of the program, a triangle the mean colour of its corners."""
+    """[(colour, triangles)] of a binary PLY file of the program, where triangles have the mean colours of their corners."""
     with open(file, "rb") as ply:
         header, _, body = ply.read().partition(b"end_header\n")
     count = {words[1]: int(words[2]) for words in map(str.split, header.decode().splitlines()) if words[0] == "element"}
@@ -148,7 +148,7 @@ class Pictures:
         picture.write(self.out("abstraction"), self.args.browser)
 
     def energy(self):
-        """Rods of one contact, as they are, turned, and longer: a schematic picture."""
+        """A schematic picture of the rods between two parts: before, rotated (E_d), and longer (E_c)."""
         seat, leg = [(10, 30), (60, 30), (110, 30)], [(20, 40), (20, 80), (20, 120)]
         turned, apart = [(32, 40), (52, 76), (72, 112)], [(20, 62), (20, 102), (20, 142)]
         panels = [("before", leg), ("the leg turns: E_d", turned), ("they part: E_c", apart)]

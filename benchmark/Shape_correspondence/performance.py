@@ -102,7 +102,7 @@ def table(heads, rows):
 
 
 def measure_abstraction(program, shapes, graphs):
-    """Writes graphs; the table, and the graphs' files by category."""
+    """Writes graphs. Returns the table, and the files of the graphs by category."""
     rows, files = [], {}
     for category, folders in shapes.items():
         seconds, parts = [], []
@@ -118,7 +118,7 @@ def measure_abstraction(program, shapes, graphs):
 
 
 def measure_search(benchmark, files):
-    """By category, a list of pairs: numbers of parts and milliseconds of each method."""
+    """By category, a list with the numbers of parts of each pair and the milliseconds of each method."""
     result = {}
     for category, graphs in files.items():
         lines = [line.split() for line in run([benchmark, "--pairs", "--repeats", "3", *graphs])[0].splitlines()]
@@ -141,7 +141,7 @@ def search_table(pairs):
 
 
 def exponent(sizes, times):
-    """The slope of a least squares line through the logarithms."""
+    """The slope of a least squares line through the logarithms of sizes and times."""
     x, y = [math.log(size) for size in sizes], [math.log(time) for time in times]
     mean_x, mean_y = statistics.mean(x), statistics.mean(y)
     return sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
@@ -155,7 +155,7 @@ def growth_table(pairs):
 
 
 def pair_seconds(program, chairs, caches):
-    """On the clock, without and with known graphs: the medians of three and of nine times. 'caches' is a folder for caches."""
+    """Wall-clock seconds of a match without and with known graphs: medians of three and of nine. \\param caches folder for caches"""
     def seconds(cache):
         begin = time.monotonic()
         run([program, "match", *[os.path.join(chair, "parts") for chair in chairs], "--cache", os.path.join(caches, cache)])

@@ -13,8 +13,8 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 THREE = "/usr/share/javascript/three/three.min.js"  # of Debian's libjs-three
-WIDTH, HEIGHT = 320, 384  # pixels of a shape
-TURN, TILT = math.radians(32), math.radians(18)  # of the eye
+WIDTH, HEIGHT = 320, 384  # pixels of the cell of a shape
+TURN, TILT = math.radians(32), math.radians(18)  # direction of view
 GREY = 0.72, 0.72, 0.72
 SHADES = 1, 0.8, 1.15, 0.9, 1.07
 COLOURS = ("2f91f2 dc5b90 b7cb30 203aa1 af2e0b 7e0360 b68629 46d6d2 734f9a 7c2621 a879c4 a82964 4cdd8b 1e5dc2 cfaafc 50367f ce7066 "
@@ -61,7 +61,7 @@ def read_model(path):
 
 
 def numbered_colour(number):
-    """The colours of web pages, as distinct_colours() makes them; further ones by hue, every other five darker."""
+    """The colour of a number in web pages, as distinct_colours() makes it; beyond COLOURS by hue, every other five darker."""
     if number < len(COLOURS):
         return tuple(int(COLOURS[number][2 * i:2 * i + 2], 16) / 255 for i in range(3))
     darker = number // 5 % 2
@@ -77,7 +77,7 @@ def role_colours():
 
 
 def colours_of_roles(roles):
-    """A colour for each: of a role, the first has the role's colour, further ones have shades of it."""
+    """A colour for each item of a list of roles: first the role's colour, then shades of it."""
     known, count, result = role_colours(), collections.Counter(), []
     for i, role in enumerate(roles):
         shade = SHADES[count[role] % len(SHADES)]
@@ -91,7 +91,7 @@ def hexadecimal(colour):
 
 
 def by_colour(parts, colour_of):
-    """The triangles of each colour, of the shape 1 high, its middle over the origin, as shapes.js takes them."""
+    """The triangles of each colour, as shapes.js takes them; the shape has size 1 and stands on the ground, its middle over the origin."""
     points = [p for _, triangles in parts for t in triangles for p in t]
     low, high = ([extreme(axis) for axis in zip(*points)] for extreme in (min, max))
     size = max(b - a for a, b in zip(low, high))
@@ -146,7 +146,7 @@ def colours_of_match(blocks):
 def draw_blend(picture, folder, row):
     """Draws the frames in a folder of OBJ files, the first one the source and the last one the target. A part and its counterpart have one colour."""
     shapes = [read_obj(os.path.join(folder, name)) for name in sorted(os.listdir(folder))]
-    numbers = {}  # of source parts that stay
+    numbers = {}  # colours of source parts with a counterpart
     of_source, of_target = {}, {}  # the ends have the names of the parts alone
     for name, _ in shapes[1]:
         a, _, b = name.partition("~")

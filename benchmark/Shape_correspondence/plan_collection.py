@@ -6,7 +6,7 @@
   plan_collection.py [--shapes 10000] [--processes 1,16,64,256] [--measure PROGRAM FOLDER]
 
 Simulates how `shape_correspondence_mpi collection` hands bands of rows to processes that become free. The costs of a graph and of a pair are
-those of an earlier measurement, or are measured on the shapes of a folder, graphs best. Building the graphs of models is not part of the plan.
+those of an earlier measurement, or are measured on the shapes of a folder, preferably of graphs. Building the graphs of models is not part of the plan.
 """
 import argparse
 import heapq
@@ -16,12 +16,12 @@ import subprocess
 import tempfile
 from types import SimpleNamespace
 
-# Of `src/cli/collection_work.cpp`
+# Values of `src/cli/collection_work.cpp`: rows in a band, bands of each process
 LEAST_BLOCK, LARGEST_BLOCK, BLOCKS_OF_PROCESS = 4, 64, 8
 
-# Of 100 generated shapes with 14 parts each: seconds to read and prepare a graph, seconds for an ordered pair, bytes of a graph and of a pair
+# Measured on 100 generated shapes with 14 parts each: seconds to read and prepare a graph, seconds for an ordered pair, bytes of a graph and of a pair
 MEASURED = SimpleNamespace(graph=1.9e-3, pair=1.6e-4, graph_bytes=53e3, pair_bytes=120)
-MEMORY_OF_SHAPE = 0.7e6  # bytes of a graph and what is prepared of it
+MEMORY_OF_SHAPE = 0.7e6  # bytes of a graph and its prepared data
 MEMORY_OF_PROGRAM = 30e6
 
 
@@ -37,7 +37,7 @@ def size_of(folder):
 
 
 def measure(program, folder):
-    """Costs on the shapes of a folder, in one thread: matched, and read again from the finished store."""
+    """Costs on the shapes of a folder in one thread, from a run that matches and a second one that reads the finished store."""
     with tempfile.TemporaryDirectory() as scratch:
         store = os.path.join(scratch, "store")
         command = [program, "collection", folder, "--quiet", "--threads", "1", "--store", store, "--json", os.path.join(scratch, "c.json")]
@@ -45,7 +45,7 @@ def measure(program, folder):
         kept = processor_seconds(command)  # reads all graphs once, and analyses
         n = len(os.listdir(os.path.join(store, "graphs")))
         pairs = n * (n - 1)
-        graph = kept / (2 * n)  # an upper bound: the analysis is in it
+        graph = kept / (2 * n)  # an upper bound, as it includes the analysis
         return SimpleNamespace(graph=graph, pair=(matched - kept) / pairs, graph_bytes=size_of(os.path.join(store, "graphs")) / n,
                                pair_bytes=size_of(os.path.join(store, "pairs")) / pairs)
 
@@ -56,7 +56,7 @@ def band_size(shapes, processes):
 
 
 def plan(shapes, processes, costs):
-    """Seconds until the last process has ended, busy seconds of all, and bytes read."""
+    """Seconds until the last process has ended, busy seconds of all processes, and bytes read."""
     size = band_size(shapes, processes)
     free = [0.0] * processes
     busy, read = 0.0, 0.0

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labels the Princeton Segmentation Benchmark by matching, and compares segments with those of people.
+"""Labels the Princeton Segmentation Benchmark by matching, and compares its segments with human ones.
 
   PYTHONPATH=BUILD/python psb.py FOLDER [--only Chair,Table] [--skip given,raw] [--parts segments] [--cache FOLDER] [--json FILE]
 
@@ -28,7 +28,7 @@ import shape_correspondence as sc
 
 EXAMPLES = (1, 3, 12)
 DRAWS = 10
-SPECK = 0.005  # of the area
+SPECK = 0.005  # least share of the area of a given segment
 
 
 def read_off(path):
@@ -66,7 +66,7 @@ def neighbours_of(faces):
 
 
 def components(count, pairs):
-    """The number of the component of each of `count` things."""
+    """The number of the connected component of each of `count` nodes. \\param pairs edges"""
     parent = list(range(count))
 
     def root(i):

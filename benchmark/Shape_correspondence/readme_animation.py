@@ -19,7 +19,7 @@ from picture import GREY, colours_of_roles, hexadecimal, read_model, rendered
 PAIR = "chair_four_legged", "chair_swivel"
 STEPS = 24  # from one chair to the other
 WIDTH, HEIGHT = 1000, 380
-STILL, MOVING = 1200, 80  # milliseconds of a frame
+STILL, MOVING = 1200, 80  # milliseconds of a frame that shows one of the two chairs, and of others
 QUALITY = 0.8
 
 SCRIPT = """
@@ -132,7 +132,7 @@ def shape(parts, role_of, colours):
 
 
 def shapes(program, data, work):
-    """The shapes from the one chair to the other, in a page's form."""
+    """The shapes from one chair to the other, as SCRIPT takes them."""
     models = [os.path.join(data, name) for name in PAIR]
     match, folder = os.path.join(work, "match.json"), os.path.join(work, "frames")
     subprocess.run([program, "match", *models, "--json", match, "--quiet"], check=True)
@@ -157,7 +157,7 @@ def three_bytes(number):
 
 
 def animated(frames, milliseconds):
-    """One WebP file of many."""
+    """An animated WebP file of single ones. \\param milliseconds duration of each frame"""
     size = three_bytes(WIDTH - 1) + three_bytes(HEIGHT - 1)
     body = chunk(b"VP8X", b"\x02\0\0\0" + size) + chunk(b"ANIM", b"\xff" * 4 + b"\0\0")
     for frame, duration in zip(frames, milliseconds):

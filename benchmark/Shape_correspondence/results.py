@@ -87,8 +87,8 @@ PRINCETON_NOTE = ("Label transfer: share of the area that gets its label from 1,
                   "those of `segment_mesh()` (`raw`); a mesh that is refused counts as 0. Examples have given segments. The upright axis is estimated for each mesh, as every\n"
                   "command does. Rand error: share of the pairs of faces that only one of two segmentations has in one segment, here of `segment_mesh()` and of the connected\n"
                   "faces of one label. Nothing was fitted to or chosen on this benchmark.")
-# They name shapes, or need large categories, closed surfaces or damaged shapes
-WITH_GALLERY = "gallery", "table1", "figure15"  # they show boats and carts, too
+WITH_GALLERY = "gallery", "table1", "figure15"  # experiments that show boats and carts, too
+# Experiments that name shapes, or need large categories, closed surfaces or damaged shapes
 GENERATED_ONLY = ("gallery", "table1", "figure15", "figure17", "figure18", "figure19")
 
 
@@ -164,7 +164,7 @@ def roles_evaluation(args, generated, name, options, out):
 
 
 def roles_rows(first, title, evaluations):
-    """A table with one row for each evaluation: F1 by category, and the paired gain over what `first` names."""
+    """A table with one row for each evaluation: F1 by category, and the paired gain over the first row, named `first`."""
     names = [entry["category"] for entry in evaluations[0][1]]
     has_labels = first == "geometry"  # labels are transferred by parts
     ends = ["gain", "95 %"] + ["labels"] * has_labels
@@ -195,7 +195,7 @@ def roles_sections(args, generated, out):
 
 
 def parts_section(args, out):
-    """How well parts are found of shapes whose sources were left out."""
+    """How well the parts of shapes are found by models that were learned without the sources of these shapes."""
     path = os.path.join(out, "parts.txt")
     if not os.path.exists(path):
         command = [os.path.join(args.build, "benchmark", "Shape_correspondence", "train_parts"), "--folds", *args.labelled]

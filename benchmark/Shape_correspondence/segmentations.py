@@ -27,11 +27,11 @@ from learned_features import pairs_of
 FOUND = "found by the tree"
 WAYS = {"as labelled": None, "loose pieces": "components", "segments": "segments", FOUND: "auto"}
 RUNS = ("target", "roles"), ("target", "geometry"), ("both", "roles"), ("both", "geometry"), ("target", "paper")
-MOST_PARTS = 60  # that the paper's method matches
+MOST_PARTS = 60  # largest number of parts of shapes that the paper's method matches
 
 
 class Divided_shape:
-    """A labelled shape, also as one object, in all divisions."""
+    """A labelled shape as one object, and its divisions into parts."""
 
     def __init__(self, folder, out):
         self.folder, self.out = folder, out
@@ -73,7 +73,7 @@ class Divided_shape:
         return len(json.loads((self.out / f"{way}.txt").read_text())["parts"]) if self.graph(way).exists() else 0
 
     def owners(self, way):
-        """For each found part, the labelled part that has most of it; for each labelled part, the found one that has most of it."""
+        """For each found part, the labelled part that has most of its area; for each labelled part, the found part that has most of its area."""
         made = json.loads((self.out / f"{way}.txt").read_text())
         shared = {(found, part): points for part, row in zip(made["labelled_parts"], made["common_points"])
                   for found, points in zip(made["parts"], row) if points > 0}
@@ -82,7 +82,7 @@ class Divided_shape:
 
 
 def carried(pairs, source, target):
-    """Pairs of labelled parts. \\param source, target see owners()"""
+    """The pairs of labelled parts that pairs of found parts carry. \\param source, target see owners()"""
     found = {tuple(pair) for pair in pairs}
     result = {(source[0][a], target[0][b]) for a, b in found if a in source[0] and b in target[0]}
     return sorted(result | {(a, b) for a, b in itertools.product(source[1], target[1]) if (source[1][a], target[1][b]) in found})
@@ -121,7 +121,7 @@ def ranks(values):
 
 
 def write_energies(folders, f1):
-    """Figure 19. \\param f1 by way and result"""
+    """Prints the tables of Figure 19. \\param f1 F1 by way of dividing and file of the result"""
     energies = {way: {file.name: json.loads(file.read_text())["energy"] for file in folder.iterdir()} for way, folder in folders.items()}
     names = [name for name in f1["as labelled"] if all(of_way[name] is not None for of_way in energies.values())]
     mean = lambda of_pair: f"{statistics.mean(map(of_pair, names)):.3f}"

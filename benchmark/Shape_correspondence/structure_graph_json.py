@@ -16,8 +16,8 @@ import math
 import sys
 import xml.etree.ElementTree
 
-CURVE_SAMPLES, SIDE_SAMPLES = 33, 9  # of a spline, along a side of a sheet
-EQUAL = 0.05  # of a step of a row: how far another one may be from it
+CURVE_SAMPLES, SIDE_SAMPLES = 33, 9  # numbers of samples of a curve, and along each side of a sheet
+EQUAL = 0.05  # largest distance of a member of a row from its place, over the step
 
 
 def refuse(element, what):
@@ -67,7 +67,7 @@ class Part:
         if len(weights) != len(points) or min(weights) <= 0:
             refuse(node, "does not have as many <weights> as points, above 0")
         rows, columns = (SIDE_SAMPLES, SIDE_SAMPLES) if self.is_sheet else (CURVE_SAMPLES, 1)
-        self.samples = {}  # by parameters
+        self.samples = {}  # points by parameters (u, v)
         for u in (i / (rows - 1) for i in range(rows)):
             for v in (j / max(1, columns - 1) for j in range(columns)):
                 share = [a * b * w for (a, b), w in zip(((a, b) for a in basis(counts[0], u) for b in basis(counts[1], v)), weights)]

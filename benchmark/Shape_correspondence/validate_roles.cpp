@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// By how much roles improve the matching of shapes that were left out of the training.
+// Measures by how much roles improve the matching of shapes that were left out of the training.
 
 #include "cli/labels.h"
 #include "cli/run.h"
@@ -71,7 +71,7 @@ struct Options
   cli::Common_options common;
 };
 
-/// The index of a word among those that are known.
+/// The index of the value of an option among its known values.
 int index_of(const std::string& option, const std::string& word, const std::vector<std::string>& known)
 {
   const auto found = std::find(known.begin(), known.end(), word);
@@ -157,8 +157,8 @@ std::vector<Shape_pair> pairs_in(const std::string& file, const std::vector<cli:
   return result;
 }
 
-/// Pairs of shapes of a category and folder: those that are listed, or else at most `most` of a category, spread
-/// evenly.
+/// Pairs of shapes of one category and folder: those that the folder lists, or else at most `most` of each category,
+/// chosen at even distances among all.
 std::vector<Shape_pair> listed_pairs(const std::vector<cli::Labelled_model>& models, std::size_t most)
 {
   std::set<std::string> folders;
@@ -184,11 +184,11 @@ std::vector<Shape_pair> listed_pairs(const std::vector<cli::Labelled_model>& mod
   return result;
 }
 
-/// Labelled shapes, the real ones first, and pairs of real ones that were matched.
+/// Labelled shapes, the real ones first, and the validation of pairs of real ones.
 struct Validated_shapes
 {
   std::vector<cli::Labelled_model> models;
-  std::vector<Validation_shape> shapes; // the same
+  std::vector<Validation_shape> shapes; // `models`, for the validation
   std::unique_ptr<Role_validation> validation;
 
   explicit Validated_shapes(const Options& options)
@@ -220,7 +220,8 @@ struct Validated_shapes
     return result;
   }
 
-  /// Sum over sum of the pairs of a category; empty: the mean of all categories. Nothing where all sums are 0.
+  /// Sum of `part` over sum of `whole` for pairs of category `wanted`; empty: mean over all categories. No value if
+  /// `whole` is 0 for all pairs.
   std::optional<double> share(const std::string& wanted, const std::function<double(const Validated_pair&)>& part,
                               const std::function<double(const Validated_pair&)>& whole) const
   {
@@ -237,7 +238,7 @@ struct Validated_shapes
   }
 
 private:
-  // Some of every category alike, by their order.
+  // Keeps the first generated shapes of each category, the same number of each, `count` in all at most.
   void keep_generated(std::size_t number_of_real, std::size_t count)
   {
     std::map<std::string, std::size_t> counts;
@@ -254,19 +255,19 @@ private:
 
 double one(const Validated_pair&) { return 1; }
 
-/// How well confidences tell right from wrong. Every pair of shapes of a category weighs the same.
+/// How well confidences predict which pairs of parts are right. Every pair of shapes of a category weighs the same.
 struct Calibration
 {
   bool has_confidences = false;
   double stated = 0, right = 0; // mean confidence of the pairs of parts, and share of those that are right
-  double auc = 0;               // how often a pair that is right has more confidence than one that is wrong
-  double sure_precision = 0;    // share that is right of those of a confidence of `sure` or more
-  double sure_share = 0;        // and how many of all they are
+  double auc = 0;               // probability that a right pair has a higher confidence than a wrong one
+  double sure_precision = 0;    // share of right pairs among those of a confidence of `sure` or more
+  double sure_share = 0;        // share of pairs with a confidence of `sure` or more
   double error = 0;             // mean difference of confidence and share that is right, in ten classes of confidence
 };
 constexpr double sure = 0.7;
 
-/// \param category empty: all, of which each weighs the same
+/// \param category empty: all categories, with equal weights
 Calibration calibration_of(const Validated_shapes& set, const std::string& category)
 {
   struct Weighted_pair
@@ -288,7 +289,7 @@ Calibration calibration_of(const Validated_shapes& set, const std::string& categ
   Calibration result;
   result.has_confidences = !all.empty();
   double wrong = 0, ordered = 0, sure_right = 0;
-  std::array<double, 10> excess{}; // of confidence, by class
+  std::array<double, 10> excess{}; // sum of confidence minus 1 or 0 (right or wrong), by class of confidence
   for (const Weighted_pair& pair : all) {
     result.stated += pair.weight * pair.confidence;
     excess[std::min(std::size_t(pair.confidence * 10), excess.size() - 1)] +=
@@ -306,10 +307,10 @@ Calibration calibration_of(const Validated_shapes& set, const std::string& categ
   return result;
 }
 
-/// Scores of a category, or the mean of all, by geometry alone and with roles; the gain is paired.
+/// Scores of a category, or means of all, by geometry alone and with roles; `gain`: paired differences of the two.
 struct Row
 {
-  std::string name, category; // the latter empty for the mean
+  std::string name, category; // `category` is empty for the mean
   Mean_estimates geometric, joined, gain;
 };
 

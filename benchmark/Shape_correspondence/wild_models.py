@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models as people have them: what the program makes of files that nobody prepared.
+"""Runs the program on models that were not prepared for it.
 
   wild_models.py BUILD OUT FOLDER... [--install] [--step N] [--seconds S] [--megabytes M] [--jobs J]
 
@@ -26,7 +26,7 @@ import time
 import zipfile
 
 MODEL_TYPES = (".obj", ".ac", ".gltf", ".glb", ".dae", ".fbx", ".3ds", ".dxf", ".ply", ".stl", ".off")
-WAITING = 10  # times as long as it may work a process may take, on a busy machine
+WAITING = 10  # limit of wall-clock time over that of processor time, for busy machines
 PACKAGES = ("sweethome3d-furniture", "flightgear-data-ai", "assimp-testmodels")
 
 
@@ -75,7 +75,7 @@ def run_limited(command, seconds, megabytes):
         else:
             process.kill()
             _, _, usage = os.wait4(process.pid, 0)
-        process.returncode = status  # it is waited for
+        process.returncode = status  # tells Popen that wait4() has reaped the process
         if status == -signal.SIGKILL or status == -signal.SIGXCPU:
             status = None
         out.seek(0)

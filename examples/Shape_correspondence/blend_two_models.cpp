@@ -2,7 +2,7 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two model files in, the shapes in between out, and the tasks that lead from the one to the other.
+// Blends the shapes of two model files: prints the tasks that lead from one to the other, writes shapes in between.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Two polygon meshes, each of several closed components, as a CGAL pipeline has them: the labels of the components of
-// the first are transferred to the faces of the second, which are written to labelled.ply.
+// Transfers labels between two surface meshes of several closed components, as a CGAL pipeline has them: from the
+// components of the first to the faces of the second, which is written to labelled.ply.
 #include <CGAL/Shape_correspondence.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -37,7 +37,7 @@ void add_box(Mesh& mesh, double x, double y, double z, double width, double heig
   CGAL::copy_face_graph(box, mesh);
 }
 
-// A table with four legs, and a desk with two panels
+// A table with four legs
 Mesh legged_table()
 {
   Mesh mesh;
@@ -60,7 +60,7 @@ Mesh panelled_table()
 int main()
 {
   Mesh source = legged_table(), target = panelled_table();
-  const std::vector<std::string> labels{"top", "leg", "leg", "leg", "leg"}; // by component of the source
+  const std::vector<std::string> labels{"top", "leg", "leg", "leg", "leg"}; // label of each component of the source
 
   // The parts are the connected components; any other map from faces to segment ids will do
   Component_map source_parts = source.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
@@ -80,7 +80,7 @@ int main()
   for (std::size_t part = 0; part < target_labels.size(); ++part)
     std::cout << "part " << part << " of the target: " << target_labels[part] << '\n';
 
-  // The mesh goes on down the pipeline with the label of every face as a property
+  // The pipeline continues with the mesh, where a property says whether a face is of a leg
   auto is_leg = target.add_property_map<Mesh::Face_index, int>("f:is_leg").first;
   for (const Mesh::Face_index face : target.faces())
     is_leg[face] = target_labels[target_parts[face]] == "leg";

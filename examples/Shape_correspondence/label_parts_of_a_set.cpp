@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Co-analysis: labels of parts that are consistent over a set of shapes.
+// Co-analysis: labels parts consistently over a set of shapes.
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/co_analysis.h>
@@ -13,7 +13,7 @@
 
 namespace SC = CGAL::Shape_correspondence;
 
-// Bounding boxes are rough abstractions, but made at once
+// Bounding boxes are rough abstractions, but computed fast
 std::vector<SC::Structural_graph> read_shapes(const std::vector<std::string>& names)
 {
   SC::Structure_options options;
@@ -38,7 +38,7 @@ int main()
       if (i != j) maps.push_back({i, j, matrix.map(i, j)});
   }
   SC::Co_analysis_options options;
-  options.clustering.inflation = 1.5; // few and large clusters
+  options.clustering.inflation = 1.5; // a low inflation gives few and large clusters
   const SC::Co_analysis labels = SC::co_analysis(part_counts, maps, options);
 
   for (int label = 0; label < labels.number_of_labels; ++label) {

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Shapes made of CGAL meshes: a table with a top and four legs, and one that stands on two panels.
+// Matches shapes made of CGAL meshes: a table with a top and four legs, and one that stands on two panels.
 #include <CGAL/Shape_correspondence.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Two model files in, a part correspondence out.
+// Reads two model files and prints their part correspondence.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 

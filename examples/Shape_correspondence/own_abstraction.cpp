@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Another way to abstract parts: a straight line for chosen parts, the package's own way for all others.
+// A user-defined abstraction: a straight line for chosen parts, the package's default abstraction for all others.
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>

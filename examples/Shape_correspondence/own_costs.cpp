@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Matching with other weights of the costs of pairs of parts.
+// Matches with user-defined weights of the costs of pairs of parts.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 
@@ -19,8 +19,8 @@ int main(int argc, char** argv)
     const auto a = SC::build_structural_graph(SC::IO::read_segmented_shape(source_file));
     const auto b = SC::build_structural_graph(SC::IO::read_segmented_shape(target_file));
     SC::Search_options options;
-    options.parts.weights.place = 0;  // no distance to the side or to the front: shapes of any orientation
-    options.parts.weights.extent = 2; // extents count more
+    options.parts.weights.place = 0;  // horizontal distances do not count: shapes may face any side
+    options.parts.weights.extent = 2; // weight of differences of extents
     const SC::Correspondence c = SC::find_correspondence(a, b, options);
     for (const SC::Part_correspondence& pair : c.pairs)
       std::cout << SC::structure(a).parts[pair.source].name << " -> " << SC::structure(b).parts[pair.target].name

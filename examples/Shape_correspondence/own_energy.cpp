@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An energy of one's own, minimised by the exact search: every part of the source takes the part of the target that is
+// Minimizes a user-defined energy by exact search: every part of the source is assigned the part of the target that is
 // nearest in relative place and size, and parts in contact prefer parts in contact.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
@@ -14,7 +14,7 @@
 
 namespace SC = CGAL::Shape_correspondence;
 
-// The centre and the diagonal of a part, as fractions of the extents of the shape
+// Centre and diagonal of a part's bounding box, relative to those of the shape
 struct Part_measures
 {
   SC::Point centre;

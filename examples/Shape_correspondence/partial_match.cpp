@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A shape and a piece of it: the least deformation energy when parts may be left unmatched.
+// Matches a shape with a piece of it, at least deformation energy, where parts may be left unmatched.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 
@@ -30,7 +30,7 @@ int main(int argc, char** argv)
     options.method = SC::Search_method::EXACT;
     options.both_directions = false;
     options.target_parts = piece;
-    options.energy.unmatched_cost = 0.1; // of a contact of a group that is left out
+    options.energy.unmatched_cost = 0.1; // energy of an unmatched group, for each of its contacts
     const SC::Correspondence found = SC::find_correspondence(chair, chair, options);
 
     for (const SC::Part_correspondence& pair : found.pairs)

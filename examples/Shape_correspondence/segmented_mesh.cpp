@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One mesh and a map from its faces to segment ids, as CGAL's surface mesh segmentation makes it; here the segments are
-// the connected components.
+// Makes a shape of one mesh and a map from its faces to segment ids, as CGAL's surface mesh segmentation makes it; here
+// the segments are the connected components.
 #include <CGAL/Shape_correspondence.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A set of shapes: all pairwise energies, the shape that represents the set, what is near what.
+// Compares the shapes of a set: all pairwise energies, the medoid, a minimum spanning tree, and nearest shapes.
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
@@ -15,7 +15,7 @@
 
 namespace SC = CGAL::Shape_correspondence;
 
-// Bounding boxes are rough abstractions, but made at once
+// Bounding boxes are rough abstractions, but computed fast
 std::vector<SC::Structural_graph> read_shapes(const std::vector<std::string>& names)
 {
   SC::Structure_options options;
@@ -40,7 +40,7 @@ int main()
   for (const auto& [a, b] : SC::minimum_spanning_tree(distances))
     std::cout << "  " << names[a] << " - " << names[b] << '\n';
 
-  // What is like a query, without matching it with all
+  // The shapes nearest to a query, without matching it with all shapes
   const SC::Structural_graph query = read_shapes({"table_trestle"}).front();
   const SC::Nearest_shapes nearest = SC::nearest_shapes(query, shapes, 2);
   std::cout << "nearest to the trestle table, matched with " << nearest.evaluations << " shapes:\n";

@@ -2,8 +2,8 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A texture goes from one shape to the other along their correspondence: stripes across every part of the source.
-// Writes both as PLY with coloured vertices.
+// Transfers colours from one shape to another along their correspondence: stripes across every part of the source.
+// Writes both shapes as PLY with coloured vertices.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 
@@ -49,7 +49,7 @@ int main(int argc, char** argv)
     }
   }
   const SC::Surface_map map(from, source, to, target, SC::find_correspondence(from, to));
-  const Eigen::Vector3d grey(0.5, 0.5, 0.5); // of what corresponds to nothing
+  const Eigen::Vector3d grey(0.5, 0.5, 0.5); // colour of points without a counterpart
 
   write_ply("source.ply", source, colours);
   write_ply("target.ply", target, map.transferred(colours, grey));

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's Figure 13: two shapes that match badly match better by way of a third one.
+// The paper's Figure 13: two shapes whose direct match is poor are matched better by way of a third shape.
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/build_structural_graph.h>
 #include <CGAL/Shape_correspondence/transitive_correspondence.h>
@@ -12,7 +12,7 @@
 
 namespace SC = CGAL::Shape_correspondence;
 
-// Bounding boxes are rough abstractions, but made at once
+// Bounding boxes are rough abstractions, but computed fast
 std::vector<SC::Structural_graph> read_shapes(const std::vector<std::string>& names)
 {
   SC::Structure_options options;
@@ -31,7 +31,7 @@ int main()
   const SC::Energy_matrix matrix = SC::energy_matrix<CGAL::Parallel_if_available_tag>(shapes);
   const auto tree = SC::minimum_spanning_tree(SC::symmetric_distances(matrix.energies));
 
-  // The pair that gains most
+  // The pair of shapes whose energy decreases most
   SC::Transitive_correspondence best;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (std::size_t j = 0; j < shapes.size(); ++j) {

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The structural graph is a Boost graph: its algorithms walk it. How far is every group from the ground, counted in
-// contacts?
+// Traverses a structural graph, which is a Boost graph, by breadth-first search: counts the contacts on the shortest
+// path from every group to the lowest one.
 #include <CGAL/Shape_correspondence.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 

@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The ways to abstract parts side by side: how near they are to what the generator states, and what matching makes of
-// them.
+// Compares the methods of part abstraction: deviations from the curves and sheets that the generator states, and F1
+// of matching.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
 
@@ -18,13 +18,13 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {
 
-/// How near the abstractions of some parts are to those that the generator states.
+/// Comparison of the abstractions of parts with the curves and sheets that the generator states.
 struct Abstraction_scores
 {
   std::size_t stated = 0, kinds_right = 0, parts = 0, fallbacks = 0;
-  std::vector<double> curve_deviations, sheet_deviations; ///< over the part's diagonal, by what is stated
-  std::vector<double> residuals;                          ///< of parts that are no copies
-  double seconds = 0;                                     ///< of the processor, of all shapes
+  std::vector<double> curve_deviations, sheet_deviations; ///< over the part's diagonal; by kind of the stated geometry
+  std::vector<double> residuals;                          ///< RMS distances of fitted points, without copies of parts
+  double seconds = 0;                                     ///< processor time, summed over all shapes
 };
 
 inline void compare_with_stated(const Segmented_shape& model, const Structural_graph& graph, const std::string& folder,
@@ -46,7 +46,7 @@ inline void compare_with_stated(const Segmented_shape& model, const Structural_g
   }
 }
 
-/// Abstracts all shapes anew, which takes the place of their graphs; the cache would hide the seconds.
+/// Replaces the graphs of all shapes by new ones, made without the cache so that the time can be measured.
 inline Abstraction_scores abstract_all(const Structure_options& options, Dataset& dataset)
 {
   Abstraction_scores scores;
@@ -68,7 +68,7 @@ inline void compare_abstractions(Dataset dataset)
   {
     const char* name;
     decltype(Abstraction_options::abstractor) abstractor;
-    bool has_closest_points = false; // as contact points
+    bool has_closest_points = false; // whether contact points are the closest points
   };
   const Way ways[] = {
       {"flow, contacts at closest points: `paper_structure_options()`", Mean_curvature_abstraction(), true},

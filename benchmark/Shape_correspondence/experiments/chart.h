@@ -30,7 +30,7 @@ public:
   };
 
   std::string x_title, y_title;
-  std::vector<std::string> x_marks; ///< where given, texts at x = 0, 1, 2, …; else numbers
+  std::vector<std::string> x_marks; ///< labels at x = 0, 1, 2, …; empty: numbers
   std::vector<Line> lines;
   double y_low = 0, y_high = 1;
 

@@ -34,10 +34,10 @@ namespace fs = std::filesystem;
 struct Category
 {
   std::string name;
-  std::vector<std::string> shapes;  ///< names
-  std::vector<std::string> folders; ///< of the parts' meshes
+  std::vector<std::string> shapes;  ///< names of the shapes
+  std::vector<std::string> folders; ///< folders of the parts' meshes, by shape
   std::vector<Structural_graph> graphs;
-  std::vector<std::vector<Part_label>> labels; ///< by shape and part of the graph
+  std::vector<std::vector<Part_label>> labels; ///< by shape, and by part as in the graph
   std::vector<peers::Shape_pair> pairs;
 };
 
@@ -68,7 +68,7 @@ inline Structural_graph load_graph(const Segmented_shape& model, const std::stri
   return graph;
 }
 
-/// The pairs that DATA/pairs.json lists as [category, source, target], or else all pairs of shapes of a category.
+/// Sets the pairs to those that FOLDER/pairs.json lists as [category, source, target], or else to all of a category.
 inline void choose_pairs(const std::string& folder, Dataset& dataset)
 {
   std::map<std::string, std::vector<peers::Shape_pair>> listed;
@@ -84,7 +84,7 @@ inline void choose_pairs(const std::string& folder, Dataset& dataset)
   for (const auto& entry : nlohmann::json::parse(in)) {
     const auto category =
         std::find_if(dataset.begin(), dataset.end(), [&](const Category& c) { return c.name == entry.at(0); });
-    if (category == dataset.end()) continue; // left out
+    if (category == dataset.end()) continue; // not among the categories asked for
     const auto index = [&](const std::string& name) {
       const auto& shapes = category->shapes;
       const auto found = std::find(shapes.begin(), shapes.end(), name);
@@ -96,7 +96,7 @@ inline void choose_pairs(const std::string& folder, Dataset& dataset)
 }
 
 /// Reads a folder of labelled shapes, CATEGORY/SHAPE/{labels.json, parts/}.
-/// \param cache where graphs are kept; empty: nowhere \param wanted only these categories; none named takes all
+/// \param cache folder that keeps graphs; empty: none is kept \param wanted categories to read; empty: all
 inline Dataset load_dataset(const std::string& folder, const std::string& cache, const std::vector<std::string>& wanted)
 {
   std::map<std::string, Category> categories;

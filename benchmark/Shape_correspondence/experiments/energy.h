@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's experiments with the energy and its search: Figures 4, 10, 11 and 16, and flips.
+// The paper's experiments with the energy and its search: Figures 4, 10 and 11, flips, and coarse to fine.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
 
@@ -35,7 +35,7 @@ inline void figure4(const Dataset& dataset)
   compare(dataset, methods, "energy");
 }
 
-/// The paper's method, and each of its ways that other searches do not take by default in the default's way.
+/// The paper's method, and variants in which its direction, its fit, its proximity or all three are the default's.
 inline void switches(const Dataset& dataset)
 {
   std::vector<std::pair<std::string, peers::Peer>> methods{{"the paper's method", ours(paper_options())}};
@@ -54,8 +54,8 @@ inline void switches(const Dataset& dataset)
   compare(dataset, methods, "method");
 }
 
-/// Flips: the search for all alignments that the shapes' symmetry leaves, as in the paper, and for the one nearest to
-/// the given orientation; by both searches.
+/// Flips: beam and exact search over all alignments that the shapes' symmetry allows, as in the paper, and over only
+/// the alignment nearest to the given orientation.
 inline void alignments(const Dataset& dataset)
 {
   std::vector<std::pair<std::string, peers::Peer>> methods;
@@ -68,7 +68,7 @@ inline void alignments(const Dataset& dataset)
   compare(dataset, methods, "search");
 }
 
-/// The share by which the beam misses the least energy, for some values of one of its options.
+/// Energy of beam search relative to the proven least energy, mean over pairs, for some values of one of its options.
 class Beam_trade_off
 {
 public:
@@ -81,7 +81,7 @@ public:
         reached_(values_.size(), 0)
   {}
 
-  /// Adds a pair of which the least energy is proven.
+  /// Adds a pair of shapes whose least energy is proven.
   void add(const Structural_graph& source, const Structural_graph& target, double least_energy)
   {
     ++pairs_;
@@ -130,7 +130,7 @@ private:
   double pairs_ = 0;
 };
 
-/// Over all pairs, energies relative to the least proven one; by k, as in the paper, and by K.
+/// Figure 10: energy of beam search over the least energy, by number of expansions k, as in the paper, and by width K.
 inline void figure10(const Dataset& dataset, const Options& options)
 {
   Beam_trade_off expansions("expansions k, K = 20", &Beam_options::expansions, {1, 2, 4, 8, 16}),
@@ -138,7 +138,7 @@ inline void figure10(const Dataset& dataset, const Options& options)
   std::size_t proven = 0;
   for (const Category& category : dataset)
     for (const auto& [s, t] : category.pairs) {
-      Search_options exact = paper_options(); // of the energy that the beam search is to find
+      Search_options exact = paper_options(); // minimizes the same energy as the beam search
       exact.method = Search_method::EXACT;
       exact.exact.node_limit = exact_options().exact.node_limit;
       exact.alignments = 1;
@@ -173,7 +173,7 @@ inline void figure11(const Dataset& dataset)
     }
 }
 
-/// Coarse to fine against the search at once, on the pairs with most parts: ratios of energies and of times.
+/// Coarse-to-fine search relative to the search of all parts at once, on the pairs with most parts: energy and time.
 inline void coarse_to_fine(const Dataset& dataset)
 {
   constexpr std::size_t most_pairs = 50;
@@ -192,7 +192,7 @@ inline void coarse_to_fine(const Dataset& dataset)
   write_heading({"search", "parts matched first", "energy, mean", "median", "largest", "time, median"});
   for (const auto& [name, method] :
        {std::pair("beam", Search_method::BEAM), std::pair("exact", Search_method::EXACT)}) {
-    std::vector<double> energies, seconds; // at once
+    std::vector<double> energies, seconds; // of the search of all parts at once
     for (const int first : {0, 6, 10, 15}) {
       Search_options options;
       options.method = method;

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's galleries and what is made with correspondences: Figures 1 and 9, 13 to 16 and Table 1.
+// Pictures and uses of correspondences in the paper: Figures 1, 9 and 13 to 16, and Table 1.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
 
@@ -25,8 +25,8 @@ namespace experiments {
 /// The paper's main example: a bicycle and a tricycle.
 constexpr const char* main_example[] = {"velocipede_1", "velocipede_10"};
 
-/// The pairs of a category that are shown: the main example, where it is one of them, and the smallest, the middle and
-/// the largest one by numbers of groups.
+/// The pairs of a category that are shown: the main example, if it is in the category, and the smallest, the median and
+/// the largest pair by the product of the numbers of groups.
 inline std::vector<peers::Shape_pair> gallery_pairs(const Category& category)
 {
   std::vector<peers::Shape_pair> pairs = category.pairs;
@@ -44,7 +44,7 @@ inline std::vector<peers::Shape_pair> gallery_pairs(const Category& category)
   return shown;
 }
 
-/// A page of pictures, a page of its own each, and an index of them.
+/// HTML pages with one picture each, and an index page that embeds them.
 class Picture_pages
 {
 public:
@@ -56,7 +56,7 @@ public:
         << "</title><style>body{font:14px sans-serif}iframe{width:100%;height:480px;border:1px solid #ccc}</style>\n";
   }
 
-  /// \param text plain HTML below the heading
+  /// Adds the page of a correspondence. \param text HTML below the heading
   void add(const std::string& heading, const Category& category, const peers::Shape_pair& pair,
            const Correspondence& correspondence, const std::string& text = "")
   {
@@ -83,7 +83,7 @@ inline std::string pair_name(const Category& category, const peers::Shape_pair& 
   return category.shapes[pair[0]] + " – " + category.shapes[pair[1]];
 }
 
-/// Figures 1 and 9: correspondences by the paper's method, matched parts in one colour, others grey.
+/// Figures 1 and 9: correspondences by the paper's method, matched parts in one colour, unmatched parts grey.
 inline void gallery(const Dataset& of_data, const Options& options)
 {
   const Dataset dataset = with_further_data(of_data, options);
@@ -99,7 +99,7 @@ inline void gallery(const Dataset& of_data, const Options& options)
     }
 }
 
-/// Table 1: all pairs of the gallery.
+/// Table 1: numbers of parts (#P) and groups (#G), and seconds of each search, for the pairs of the gallery.
 inline void table1(const Dataset& of_data, const Options& options)
 {
   const Dataset dataset = with_further_data(of_data, options);
@@ -128,7 +128,7 @@ inline Energy_matrix paper_energies(const Category& category)
   return energy_matrix<Parallel_if_available_tag>(category.graphs, options);
 }
 
-/// Figure 13: pairs that a third shape brings nearer, directly and by way of it.
+/// Figure 13: pairs with less energy by way of a third shape; F1 of the direct and of the composed correspondence.
 inline void figure13(const Dataset& dataset)
 {
   write_heading(
@@ -183,7 +183,7 @@ inline Correspondence correspondence_of(const Part_pairs& pairs)
   return result;
 }
 
-/// Figure 15: what people say corresponds, fine and coarse, on the pairs of the gallery.
+/// Figure 15: the ground truth by fine and by coarse labels, for the pairs of the gallery.
 inline void figure15(const Dataset& of_data, const Options& options)
 {
   const Dataset dataset = with_further_data(of_data, options);
@@ -201,7 +201,7 @@ inline void figure15(const Dataset& of_data, const Options& options)
     }
 }
 
-/// Of the pairs of a method, those of the most prominent parts of the source, by volume.
+/// A method, restricted to pairs whose source part is one of the `count` parts of largest volume.
 inline peers::Peer of_prominent_parts(const peers::Peer& method, std::size_t count)
 {
   return [method, count](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
@@ -222,7 +222,7 @@ inline peers::Peer of_prominent_parts(const peers::Peer& method, std::size_t cou
   };
 }
 
-/// Figure 16: precision on the most prominent parts, beside Tevs et al. 2014, and pictures of the pairs of the gallery.
+/// Figure 16: precision on the most prominent parts, also of Tevs et al. 2014; pictures of the pairs of the gallery.
 inline void figure16(const Dataset& dataset, const Options& options)
 {
   constexpr std::size_t counts[] = {2, 4, 8}, pictured = 4;

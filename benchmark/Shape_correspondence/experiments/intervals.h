@@ -23,12 +23,12 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {
 
-constexpr std::size_t resamples = 1000; ///< of the bootstrap
+constexpr std::size_t resamples = 1000; ///< number of draws of the bootstrap
 constexpr double confidence_level = 0.95;
 
 struct Estimate
 {
-  double mean = 0, low = 0, high = 0; ///< the latter are the ends of the interval
+  double mean = 0, low = 0, high = 0; ///< `low` and `high` are the ends of the confidence interval
 };
 
 struct Mean_estimates
@@ -39,11 +39,11 @@ struct Mean_estimates
 
 struct Estimated_scores
 {
-  std::vector<std::pair<std::string, Mean_estimates>> categories; ///< by name
-  Mean_estimates mean;                                            ///< every category weighs the same
+  std::vector<std::pair<std::string, Mean_estimates>> categories; ///< means by category
+  Mean_estimates mean;                                            ///< mean over categories, of equal weight
 };
 
-/// Precision, recall, F1, coarse precision.
+/// Precision, recall, F1 and coarse precision, in this order.
 using Figures = std::array<double, 4>;
 
 inline Figures figures(const Correspondence_score& s)
@@ -57,11 +57,11 @@ inline void add(Figures& sum, const Figures& figures, double weight)
     sum[k] += weight * figures[k];
 }
 
-/// The scores of one category, ready to be drawn from.
+/// The bootstrap over the shapes of one category.
 class Category_bootstrap
 {
 public:
-  /// \param others scores to subtract; empty: none
+  /// \param others scores of another method for the same pairs, to subtract; empty: none
   Category_bootstrap(const std::vector<const Scored_correspondence*>& scores,
                      const std::vector<const Scored_correspondence*>& others)
   {
@@ -75,10 +75,10 @@ public:
     shapes_ = indices.size();
   }
 
-  /// The means where every shape is drawn once.
+  /// The means over all correspondences.
   Figures mean() const { return *weighted_mean(std::vector<int>(shapes_, 1)); }
 
-  /// The means of shapes drawn with replacement, again until a correspondence has both of its shapes drawn.
+  /// Means over shapes drawn with replacement. Draws without both shapes of any correspondence are repeated.
   Figures draw(std::mt19937_64& random) const
   {
     for (;;) {
@@ -132,11 +132,11 @@ inline void set_estimates(Mean_estimates& score, const Figures& mean, const std:
     *estimates[k] = estimate(mean[k], draws, k);
 }
 
-/// Means by category and over categories. The intervals are those of a bootstrap over shapes, as correspondences that
-/// share a shape are not independent: shapes are drawn with replacement, and a correspondence weighs the product of the
-/// numbers of times that its two shapes are drawn (A. Owen, *The pigeonhole bootstrap*, 2007). Those of paired
+/// Mean scores by category and over categories. The intervals are those of a bootstrap over shapes, as correspondences
+/// that share a shape are not independent: shapes are drawn with replacement, and a correspondence weighs the product
+/// of the numbers of times that its two shapes are drawn (A. Owen, *The pigeonhole bootstrap*, 2007). Those of paired
 /// differences are narrower than those of two means suggest.
-/// \param others scores of the same correspondences, to subtract; empty: none
+/// \param others scores of another method for the same pairs, to subtract; empty: none
 inline Estimated_scores mean_estimates(const std::vector<Scored_correspondence>& scores,
                                        const std::vector<Scored_correspondence>& others = {}, std::uint64_t seed = 0)
 {

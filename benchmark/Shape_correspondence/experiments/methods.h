@@ -26,7 +26,7 @@ inline double now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// This package with some options. An incomplete result has no pairs.
+/// The method of this package with some options. An incomplete result counts as one without pairs.
 inline peers::Peer ours(const Search_options& options)
 {
   return [options](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
@@ -39,7 +39,7 @@ inline peers::Peer ours(const Search_options& options)
   };
 }
 
-/// The same where no symmetry was found: every part is a group of its own.
+/// A method applied to shapes without symmetry groups: every part is a group of its own.
 inline peers::Peer without_symmetry(const peers::Peer& method)
 {
   return [method](const std::vector<Structural_graph>& shapes, const std::vector<peers::Shape_pair>& pairs) {
@@ -81,7 +81,7 @@ peers::Peer co_analyzed(const Map& map, const Co_analysis_options& options = {})
 
 inline Search_options default_options() { return {}; }
 
-/// Large shapes may take long to prove: the best result so far is taken then.
+/// Exact search. If the proof takes more than `nodes` search nodes, the best result so far is taken.
 inline Search_options exact_options()
 {
   constexpr std::size_t nodes = 20000;
@@ -91,13 +91,13 @@ inline Search_options exact_options()
   return options;
 }
 
-/// What a method made of a dataset.
+/// The correspondences of a method on a dataset, and their scores.
 struct Run
 {
-  std::vector<std::vector<Part_pairs>> matches; ///< by category and pair
+  std::vector<std::vector<Part_pairs>> matches; ///< by category and pair of shapes
   std::vector<Scored_correspondence> scores;    ///< of all pairs, category after category
   Estimated_scores evaluation;
-  double seconds = 0; ///< for a pair, mean
+  double seconds = 0; ///< mean wall-clock time of a pair
 };
 
 inline std::vector<Scored_correspondence> score(const Category& category, const std::vector<Part_pairs>& matches)
@@ -127,7 +127,7 @@ inline Run run(const Dataset& dataset, const peers::Peer& method)
   return result;
 }
 
-/// A number with as many digits after the point.
+/// A number in decimal notation, with `digits` digits after the point.
 inline std::string text(double number, int digits = 3)
 {
   char buffer[32];
@@ -135,7 +135,7 @@ inline std::string text(double number, int digits = 3)
   return buffer;
 }
 
-/// A row of a Markdown table.
+/// Prints a row of a Markdown table.
 inline void write_row(const std::vector<std::string>& cells)
 {
   for (const std::string& cell : cells)

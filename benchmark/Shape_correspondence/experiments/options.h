@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is asked on the command line, and what it opens.
+// Options of the command line, and the files that they name.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_OPTIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_OPTIONS_H
 
@@ -20,7 +20,7 @@ struct Options
 {
   std::string experiment, out = ".", cache;
   std::vector<std::string> data, categories;
-  std::size_t pairs = 0; ///< 0: all
+  std::size_t pairs = 0; ///< largest number of pairs of a category; 0: all
 };
 
 inline Dataset load(const std::string& folder, const Options& options)

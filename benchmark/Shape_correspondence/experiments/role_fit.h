@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The weights of matching with roles, fitted to pairs of shapes that the models had not seen.
+// Fits the weights of matching with roles to pairs of shapes, whose roles are by models learned without them.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H
 
@@ -32,18 +32,18 @@ namespace experiments {
 
 using namespace internal;
 
-constexpr int newton_steps = 15;       // at most
-constexpr double newton_change = 1e-9; // of a weight: a smaller change ends the iteration
+constexpr int newton_steps = 15;       // largest number of steps
+constexpr double newton_change = 1e-9; // the iteration ends if all weights change by less
 
-constexpr std::size_t least_pairs = 50; // of shapes, that weights are fitted to: with fewer, chance decides
-constexpr double slight_penalty = 1e-4; // for large weights, where every category weighs 1: keeps them finite
-// For weights of a category that are not those of the others: as strong as one shape. Set by cross-validation, where it
-// is flat.
+constexpr std::size_t least_pairs = 50; // least number of pairs of shapes to fit; with fewer: usual weights
+constexpr double slight_penalty = 1e-4; // penalty on squared weights, which keeps them finite
+// Penalty on squared differences of the weights of a category from those of all others, where a shape has weight 1.
+// Chosen by cross-validation, whose score hardly depends on it.
 constexpr double category_penalty = 1;
-// The same for confidences, as strong as sixteen shapes: those of a category are mostly of a few sources, which differ.
+// The same penalty for weights of confidences. Higher, as the shapes of a category have few sources, which differ.
 constexpr double confidence_penalty = 16;
 
-// Pairs of parts of two shapes, and which are right.
+// Terms of pairs of parts of two shapes, and whether each pair is in the ground truth.
 template <int term_count>
 struct Judged
 {
@@ -53,7 +53,7 @@ struct Judged
 using Judged_terms = Judged<PAIR_TERM_COUNT>;
 using Judged_confidences = Judged<CONFIDENCE_TERM_COUNT>;
 
-// Pairs with their total weight in a fit.
+// The pairs of parts of two shapes, and their total weight in a fit.
 template <int term_count>
 struct Weighted
 {
@@ -61,8 +61,8 @@ struct Weighted
   double weight;
 };
 
-// Logistic regression by Newton's method, with a quadratic penalty on the distance of each weight from its expected
-// value. Rounded to `pair_weight_unit`.
+// Weights of a logistic regression by Newton's method, with a quadratic penalty on the distance of each weight from its
+// expected value; rounded to multiples of `pair_weight_unit`.
 template <int term_count>
 Eigen::Matrix<double, term_count, 1> fitted_weights(const std::vector<Weighted<term_count>>& examples,
                                                     const Eigen::Matrix<double, term_count, 1>& expected,
@@ -123,21 +123,21 @@ inline Judged_confidences judged_confidences(const std::vector<Part_corresponden
 // Two labelled shapes of a category, by index.
 using Shape_pair = std::array<std::size_t, 2>;
 
-// A pair of labelled shapes, and what a model that was learned without them predicts. Terms are without the geometric
-// match.
+// A pair of labelled shapes, and the predictions of a model that was learned without them. Its terms lack those of the
+// geometric match.
 struct Unseen_pair
 {
   Shape_pair shapes{};
   std::string category;              // of both shapes
   Ground_truth truth;                // by their labels
-  Pair_terms own_terms;              // in their category; empty if the model does not have it
-  std::string found;                 // the category that the model finds; empty: none
-  Pair_terms found_terms;            // in the category found
-  std::string nearest;               // the nearest category, clear or not
-  std::array<double, 2> distances{}; // of the nearest category and of the second one, mean of both shapes
+  Pair_terms own_terms;              // terms by the roles of their category; empty if the model lacks it
+  std::string found;                 // category that the model finds; empty: none
+  Pair_terms found_terms;            // terms by the roles of the category found
+  std::string nearest;               // nearest category, even if others are almost as near
+  std::array<double, 2> distances{}; // distances from the two nearest categories, mean of both shapes
 };
 
-// \param source, target the roles of the shapes of the pair by `model` \param category_known as if it were given
+// \param source, target roles of the two shapes by `model` \param category_known whether their category is given
 inline Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const Shape_pair& pair,
                                const Shape_roles& source, const Shape_roles& target, const Role_model_data& model,
                                bool category_known = false)
@@ -160,7 +160,7 @@ inline Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const 
   return result;
 }
 
-// The match by geometry alone, by index in the structural graphs.
+// The match by geometry alone; parts have their indices in the structural graphs.
 inline Part_matching geometric_match(const Structural_graph& source, const Structural_graph& target,
                                      const Part_matching_options& options = {})
 {
@@ -169,26 +169,26 @@ inline Part_matching geometric_match(const Structural_graph& source, const Struc
   return renumbered(match_parts(a, b, options), a.original, b.original);
 }
 
-// Sources of shapes, by number.
+// Numbers of sources of shapes, such as packs and artists.
 using Sources = std::set<std::size_t>;
 
-// The weights of matching with roles, fitted to pairs of shapes that the models had not seen.
+// Fits the weights of all categories, for all shapes and without the sources of each pair.
 class Role_fit
 {
 public:
-  // \param pairs, geometric the pairs, which are kept as a reference, and their geometric matches
-  // \param sources of every shape, kept as a reference
+  // \param pairs pairs of shapes, kept by reference \param geometric their geometric matches
+  // \param sources number of the source of every shape, kept by reference
   // \param by_category whether the weights of a category may differ from those of all others
   Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
            const std::vector<std::size_t>& sources, const Part_matching_options& options = {}, bool by_category = true);
 
-  // Fitted to the pairs of a category without the sources left out; the fewer there are, the nearer to the weights that
-  // are fitted to all other categories, where every category weighs the same, and every pair within it. The usual
-  // weights where there are few pairs.
+  // The weights fitted to the pairs of a category without shapes of the sources left out. They are drawn to weights
+  // fitted to all other categories (of equal weight, as are the pairs within each), the more, the fewer shapes these
+  // pairs have. If the others have fewer than `least_pairs` pairs, they are drawn to the usual weights.
   const Match_weights& weights(const std::string& category, const Sources& left_out) const;
 
   Sources sources_of(const Shape_pair& pair) const { return {sources_[pair[0]], sources_[pair[1]]}; }
-  // Whether a pair has a shape of these sources.
+  // Whether a shape of the pair is from one of the sources.
   bool has(const Shape_pair& pair, const Sources& sources) const
   {
     return sources.count(sources_[pair[0]]) > 0 || sources.count(sources_[pair[1]]) > 0;
@@ -200,22 +200,22 @@ public:
 private:
   using Key = std::pair<std::string, Sources>;
 
-  // \param examples by pair
+  // Weights fitted to all categories but that of `key`. \param examples terms by pair of shapes
   template <typename Examples>
   auto fitted_without(const Key& key, const Examples& examples) const;
-  // \param group category that a pair counts for
+  // Weights fitted to the pairs whose member `group` is the category of `key`, drawn to the expected weights
   template <typename Examples, typename Weights>
   Weights fitted_of(const Key& key, std::string Unseen_pair::*group, const Examples& examples, const Weights& expected,
                     const Weights& penalties) const;
-  // Of all keys, in parallel.
+  // Calls `set(key, weights)` for all keys, in parallel.
   template <typename Set>
   void for_each_key(const Set& set);
 
   const std::vector<Unseen_pair>& pairs_;
   const std::vector<std::size_t>& sources_;
   bool by_category_;
-  std::vector<Judged_terms> terms_; // by pair, in its own category
-  // By pair, of the parts that are matched by roles, where its category is found, and by geometry alone
+  std::vector<Judged_terms> terms_; // by pair of shapes, with the roles of its own category
+  // By pair of shapes: pairs of parts matched by roles (empty if another category is found), and by geometry alone
   std::vector<Judged_confidences> confidences_, geometric_confidences_;
   std::map<Key, Match_weights> weights_;
 };
@@ -246,7 +246,7 @@ auto Role_fit::fitted_without(const Key& key, const Examples& examples) const
   return fitted_weights<term_count>(chosen, Weights::Zero(), Weights::Constant(slight_penalty));
 }
 
-// Every shape weighs 1.
+// The pairs of a category share a total weight equal to its number of shapes.
 template <typename Examples, typename Weights>
 Weights Role_fit::fitted_of(const Key& key, std::string Unseen_pair::*group, const Examples& examples,
                             const Weights& expected, const Weights& penalties) const

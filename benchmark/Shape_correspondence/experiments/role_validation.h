@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Pairs of labelled shapes matched with roles that were learned without them.
+// Matches pairs of labelled shapes with roles that were learned without them.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_VALIDATION_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_VALIDATION_H
 
@@ -37,48 +37,48 @@ using namespace internal;
 struct Validation_shape
 {
   Labelled_graph labelled;
-  std::string source; ///< where it is from
+  std::string source; ///< name of its origin, such as a pack or an artist
 };
 
-/// What the training does not see of a pair's category.
+/// Shapes of a pair's category that are left out of the training of its roles.
 enum class Left_out {
-  SHAPES,  ///< the two shapes
-  SOURCES, ///< all shapes of their sources
-  CATEGORY ///< all of it
+  SHAPES,  ///< the two shapes of the pair
+  SOURCES, ///< all shapes of the sources of the two
+  CATEGORY ///< all shapes
 };
 
-/// How shapes are turned about the up axis, each by an angle drawn for the pair.
+/// Turns of shapes about the up axis by random angles: none, by multiples of 90°, or by any angle.
 enum class Validation_turns { NONE, QUARTERS, ANY };
 
-/// As `match --front` has it.
+/// Which fronts of shapes the matcher takes; the values of the option `--front` of the command `match`.
 enum class Validation_fronts { GIVEN, LIKELY, AUTO };
 
 struct Validation_options
 {
   Left_out left_out = Left_out::SHAPES;
-  /// How many shapes of the category that are not generated the training sees at most, drawn for every pair; with
-  /// `Left_out::CATEGORY` it sees these of all the category.
+  /// Largest number of real shapes of the pair's category that the training sees, drawn for each pair; no value: no
+  /// limit. With `Left_out::CATEGORY`, the training sees no others of the category.
   std::optional<std::size_t> examples;
-  bool with_generated = true;  ///< the training sees generated shapes
-  bool category_known = false; ///< to the matcher
+  bool with_generated = true;  ///< whether the training sees generated shapes
+  bool category_known = false; ///< whether the category is given to the matcher
   Validation_turns turns = Validation_turns::NONE;
-  /// What the matcher does about fronts. Where it finds them, the confidences of pairs are of what it finds.
+  /// Unless `GIVEN`, confidences are those of the match with the fronts found.
   Validation_fronts fronts = Validation_fronts::GIVEN;
-  /// Not 0: the correspondences of least energy are compared, without roles and with roles of this weight in the
-  /// energy.
+  /// Weight of roles in the energy. If it is not 0, the correspondences of least energy without and with roles are
+  /// compared, instead of matches by parts.
   double role_weight = 0;
 
   bool orients_shapes() const { return turns != Validation_turns::NONE || fronts != Validation_fronts::GIVEN; }
 };
 
-/// A pair of parts that was matched.
+/// A matched pair of parts, judged by the labels.
 struct Judged_pair
 {
   double confidence;
-  bool is_right, has_one_role; ///< the pair is in the ground truth; the coarse labels are equal
+  bool is_right, has_one_role; ///< whether it is in the ground truth; whether coarse labels are equal
 };
 
-/// How many shapes have their front among those that roles leave possible, and as the only one.
+/// Numbers of shapes: all; those whose true front roles leave possible; those for which it is the only possible one.
 struct Front_count
 {
   int shapes = 0, possible = 0, sure = 0;
@@ -87,16 +87,16 @@ struct Front_count
 struct Validated_pair
 {
   Shape_pair shapes{};
-  std::string category;                   ///< as the matcher finds it; empty: none
-  Correspondence_score geometric, joined; ///< by geometry alone, and as the matcher does it
-  /// The share of the target's parts that get their coarse label from the source.
+  std::string category;                   ///< category that the matcher finds; empty: none
+  Correspondence_score geometric, joined; ///< of the match without roles, and with roles
+  /// Share of the target's parts that take the right coarse label from a source part; without and with roles.
   double labels_by_geometry = 0, labels_joined = 0;
-  std::array<double, 2> distances{}; ///< of the nearest category and of the second one
-  Front_count fronts;                ///< of the two shapes, with the category known
-  std::vector<Judged_pair> judged;   ///< of the matcher's pairs; none of least energy, which have no confidence
+  std::array<double, 2> distances{}; ///< distances of the pair from the two nearest categories
+  Front_count fronts;                ///< of the two shapes, by the roles of their category
+  std::vector<Judged_pair> judged;   ///< matched pairs; none if energies are compared or the category is left out
 };
 
-/// The graph turned about the up axis, as if its meshes had been.
+/// The graph of the shape turned about the up axis by `angle`, in radians.
 inline Structural_graph turned(Structural_graph graph, double angle)
 {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Point::UnitY()).toRotationMatrix();
@@ -115,10 +115,10 @@ inline Structural_graph turned(Structural_graph graph, double angle)
   return graph;
 }
 
-/// Matches of pairs of shapes that the training did not see. The weights of the terms, and of confidences, follow from
-/// pairs that share no source with the one at hand, by roles that were learned from neither their sources nor generated
-/// shapes; where examples are limited, from pairs of other categories that were matched with as few. A category of
-/// which these pairs gain nothing from roles is matched by geometry alone.
+/// Matches pairs of shapes with roles learned without them. The weights of terms and confidences for a pair are fitted
+/// to pairs that share no source with it, by roles learned from neither their sources nor generated shapes; if examples
+/// are limited, to pairs of other categories with equally few examples. A pair is matched by geometry alone if those
+/// pairs of its category gain nothing from roles.
 class Role_validation
 {
 public:
@@ -148,12 +148,12 @@ public:
       of_fit.with_generated = false;
       fitted_to_ = predicted(of_fit, false);
     }
-    unseen_ = predicted(options_, true); // the last one: what it learns, `match_turned()` uses
+    unseen_ = predicted(options_, true); // the last prediction, since `match_turned()` uses `learned_`
     if (options.examples) fitted_to_ = unseen_;
     match({});
   }
 
-  /// Matches the pairs again by other options. What roles predict stays as it is.
+  /// Matches all pairs again with other options and the same roles.
   void match(const Part_matching_options& parts)
   {
     std::vector<Part_matching> geometric(pairs_.size());
@@ -175,10 +175,10 @@ public:
 
   const std::vector<Validated_pair>& pairs() const { return pairs_; }
 
-  /// Fitted to all pairs; the usual ones where they are few.
+  /// The weights of terms, fitted to all pairs; the usual weights if there are fewer than `least_pairs`.
   Pair_weights weights() const { return fit_->weights("", {}).weights; }
 
-  /// The model that is learned from all shapes, with the weights that are fitted to the pairs.
+  /// The model learned from all shapes, with weights fitted to all pairs.
   Role_model fitted_model() const
   {
     Role_model_data result = all_;
@@ -199,7 +199,7 @@ private:
     return result;
   }
 
-  // Numbers of the sources of shapes; those that are left out of the training alone have each their own.
+  // Numbers the sources of shapes. With `Left_out::SHAPES`, every shape counts as a source of its own.
   void number_sources()
   {
     std::map<std::string, std::size_t> numbers;
@@ -214,7 +214,7 @@ private:
     return sources_[shape] == sources_[pair[0]] || sources_[shape] == sources_[pair[1]];
   }
 
-  // By how much roles raise F1 of the pairs of a category without these sources; above 0 where there are none.
+  // Mean gain of F1 by roles over the pairs of a category without shapes of these sources; 1 without such pairs.
   double gain(const std::string& category, const Sources& left_out) const
   {
     const auto known = gains_.find({category, left_out});
@@ -229,7 +229,7 @@ private:
     return gains_[{category, left_out}] = count > 0 ? sum / double(count) : 1;
   }
 
-  /// The shapes of the category of a pair that may be examples, in an order drawn by its number.
+  /// The real shapes of a pair's category that the training may see, in random order. \param number index of the pair
   std::vector<std::size_t> drawn_examples(std::size_t number, Left_out left_out) const
   {
     const Shape_pair& pair = pairs_[number].shapes;
@@ -238,13 +238,13 @@ private:
       if (labelled_[shape].category == labelled_[pair[0]].category && !labelled_[shape].is_generated &&
           shape != pair[0] && shape != pair[1] && !(left_out == Left_out::SOURCES && is_of_same_source(shape, pair)))
         result.push_back(shape);
-    std::mt19937_64 random(number); // the same numbers on all machines
+    std::mt19937_64 random(number); // gives the same numbers on all machines
     for (std::size_t i = 0; i < result.size(); ++i)
       std::swap(result[i], result[i + std::size_t(random() % (result.size() - i))]);
     return result;
   }
 
-  /// What the training does not see for a pair.
+  /// For every shape, whether it is left out of the training for a pair.
   std::vector<char> left_out_shapes(std::size_t number, const Validation_options& options) const
   {
     const Shape_pair& pair = pairs_[number].shapes;
@@ -261,7 +261,7 @@ private:
     return result;
   }
 
-  /// What is left out of a category, by index of the shape.
+  /// A category, and the indices of its shapes that are left out of the training.
   using Left_out_of_category = std::pair<std::string, std::vector<std::size_t>>;
 
   std::vector<Left_out_of_category> left_out_by_category(const std::vector<char>& is_left_out) const
@@ -272,7 +272,7 @@ private:
     return {result.begin(), result.end()};
   }
 
-  /// Learns what is needed without what is left out; many pairs share it.
+  /// Learns the roles of every category without each set of shapes that is left out for some pair.
   void learn(const Validation_options& options)
   {
     std::map<Left_out_of_category, Category_roles> learned;
@@ -291,7 +291,7 @@ private:
     learned_ = std::move(learned);
   }
 
-  /// What was learned with a pair's shapes left out.
+  /// The model learned without the shapes that are left out for a pair.
   Role_model_data left_out_model(std::size_t number, const Validation_options& options) const
   {
     Role_model_data result = all_;
@@ -303,7 +303,7 @@ private:
     return result;
   }
 
-  /// What roles predict for all pairs. \param is_reported also counts fronts and searches for least energies
+  /// Predictions by roles for all pairs. \param is_reported whether to count fronts and search least energies, too
   std::vector<Unseen_pair> predicted(const Validation_options& options, bool is_reported)
   {
     std::vector<Unseen_pair> result(pairs_.size());
@@ -339,7 +339,7 @@ private:
     fronts.sure += is_possible && turns.size() == 1;
   }
 
-  /// \param role_costs empty: without roles
+  /// The pairs of parts of least energy. \param role_costs by source and target part; empty: without roles
   Pairs of_least_energy(const Shape_pair& pair, Eigen::MatrixXd role_costs) const
   {
     Search_options options;
@@ -388,7 +388,7 @@ private:
         result.judged.push_back({found.confidence, has(pair.truth.pairs, found), has(pair.truth.coarse_pairs, found)});
   }
 
-  /// Both shapes turned by angles that are drawn by the number of the pair.
+  /// Matches a pair whose shapes are turned by random angles, without and with roles. \param number index of the pair
   void match_turned(std::size_t number, const Part_matching_options& parts, const Match_weights& weights,
                     Pairs& without, Pairs& with_roles)
   {
@@ -398,7 +398,7 @@ private:
       category.weights = weights.weights;
       category.confidence = weights.confidence;
     }
-    std::mt19937_64 random(number); // the same numbers on all machines
+    std::mt19937_64 random(number); // gives the same numbers on all machines
     const auto any = [&](std::size_t shape) {
       const double share = double(random() >> 11) / double(1ull << 53);
       const double turns = options_.turns == Validation_turns::ANY ? share : std::floor(4 * share) / 4;
@@ -419,7 +419,7 @@ private:
     result.category = found.category;
   }
 
-  /// The share of the target's parts that get their coarse label from the source.
+  /// Share of the target's parts whose coarse label is that of their likeliest source part.
   double transferred_share(const Part_matching& matching, std::size_t source, std::size_t target) const
   {
     const std::vector<Part_label>&from = labelled_[source].labels, &to = labelled_[target].labels;
@@ -431,16 +431,16 @@ private:
 
   const std::vector<Validation_shape>& shapes_;
   Validation_options options_;
-  std::vector<Labelled_graph> labelled_; // the same shapes
+  std::vector<Labelled_graph> labelled_; // of `shapes_`
   Role_trainer trainer_;
-  Role_model_data all_;                            // learned from all shapes
-  std::vector<std::vector<Role_evidence>> turned_; // by shape, by quarter turns; of those that are in a pair
-  std::vector<Unseen_pair> unseen_, fitted_to_;    // by pair
-  std::vector<std::array<Pairs, 2>> least_energy_; // by pair; without and with roles
+  Role_model_data all_;                            // model learned from all shapes
+  std::vector<std::vector<Role_evidence>> turned_; // by shape and quarter turns; empty for shapes in no pair
+  std::vector<Unseen_pair> unseen_, fitted_to_;    // predictions by pair: reported, and for fitting weights
+  std::vector<std::array<Pairs, 2>> least_energy_; // pairs of parts by pair of shapes; without, with roles
   std::vector<Validated_pair> pairs_;
   std::unique_ptr<Role_fit> fit_;
-  std::vector<std::size_t> sources_;                       // by shape
-  std::map<Left_out_of_category, Category_roles> learned_; // of the last prediction
+  std::vector<std::size_t> sources_;                       // number of the source, by shape
+  std::map<Left_out_of_category, Category_roles> learned_; // roles of the last prediction
   std::vector<double> with_roles_;                         // F1 by pair, if roles are used
   mutable std::map<std::pair<std::string, Sources>, double> gains_;
 };

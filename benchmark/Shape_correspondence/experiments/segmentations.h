@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What segmentations do to correspondences: Figures 17, 18 and 19.
+// How correspondences depend on the segmentation: Figures 17, 18 and 19.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_SEGMENTATIONS_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_SEGMENTATIONS_H
 
@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {
 
-/// The shape as one mesh, segmented by the shape diameter function; a segment has the label of the part it is of.
+/// Joins the parts of a shape to one mesh and segments it; a segment takes the label of the part of its first vertex.
 inline void segment_automatically(const std::string& folder, const Structural_graph& graph,
                                   const std::vector<Part_label>& labels, Structural_graph& segmented,
                                   std::vector<Part_label>& segment_labels, const std::string& cache)
@@ -50,7 +50,7 @@ inline void segment_automatically(const std::string& folder, const Structural_gr
   }
 }
 
-/// The targets are segmented automatically.
+/// Figure 17: scores with the targets as made, and segmented automatically.
 inline void figure17(const Dataset& dataset, const Options& options)
 {
   Dataset automatic = dataset;
@@ -89,7 +89,7 @@ inline void figure18(const Dataset& dataset, const Options& options)
   }
 }
 
-/// The place of each value among all, the smallest first.
+/// The rank of each value, 0 for the smallest.
 inline std::vector<double> ranks(const std::vector<double>& values)
 {
   std::vector<std::size_t> order(values.size());
@@ -109,7 +109,7 @@ inline double rank_correlation(const std::vector<double>& a, const std::vector<d
   return (dx * dy).sum() / std::sqrt(dx.square().sum() * dy.square().sum());
 }
 
-/// Sources as made are deformed into targets of each segmentation; energies are per pair of connected parts.
+/// Figure 19: sources as made are deformed to targets of each segmentation; energies are per contact of the source.
 inline void figure19(const Dataset& dataset, const Options& options)
 {
   write_heading({"segmentation of the target", "parts", "energy / contact", "F1"});

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The tables of the paper, all methods side by side, and how sure the default one may be.
+// The paper's Tables 2 and 3, a comparison of all methods, and the reliability of confidences.
 #ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
 #define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
 
@@ -26,7 +26,7 @@ inline void compare(const Dataset& dataset, const std::vector<std::pair<std::str
     write_run_row(name, run(dataset, method));
 }
 
-/// The share of the pairs of equal coarse labels that was found, mean of pairs by category, then of categories.
+/// Share of the pairs of parts with equal coarse labels that is found: mean over pairs of shapes, then over categories.
 inline double coarse_recall(const Dataset& dataset, const Run& run)
 {
   double sum = 0;
@@ -52,7 +52,7 @@ inline void table2(const Dataset& dataset)
         },
         co_analysis);
   };
-  Co_analysis_options all_pairs; // as in the paper
+  Co_analysis_options all_pairs; // none of them an outlier, as in the paper
   all_pairs.least_cycle_support = 0;
   const auto xu = co_analyzed([](const Structural_graph& source, const Structural_graph& target) {
     const auto [a, b] = peers::boxed_pair(source, target);
@@ -108,7 +108,7 @@ inline void compare_peers(const Dataset& dataset)
     if (peer.simplified != "-") std::cout << "- " << peer.name << ": " << peer.simplified << '\n';
 }
 
-/// How often pairs of a confidence are right.
+/// The share of right pairs for each tenth of confidence, and the expected calibration error.
 inline void reliability(const Dataset& dataset, const Options& options)
 {
   constexpr int bins = 10;

@@ -19,7 +19,7 @@ namespace generator {
 
 using Names = std::vector<std::string>;
 
-/// What a part is for. An empty fine label is written as null.
+/// Coarse and fine label of a part, which say its role. An empty fine label is written as null.
 struct Label
 {
   std::string coarse, fine;
@@ -34,18 +34,19 @@ struct Part
 
 enum class Symmetry { self, reflection, rotation, translation };
 
-/// Copies of one part. The symmetry is in a plane through the origin, about an axis, or along a vector; a single part
-/// is `self`, `mirror_symmetric` when the plane x = 0 takes it to itself.
+/// Copies of one part under a reflection in the plane through the origin with normal `direction`, a rotation about the
+/// axis through `point`, or a translation by `direction`; or a single part (`self`), which is `mirror_symmetric` if the
+/// plane x = 0 maps it to itself.
 struct Part_group
 {
   Names parts;
   Symmetry symmetry;
   bool mirror_symmetric = false;
   Point point = Point::Zero(), direction = Point::Zero();
-  bool near_copies = false; ///< made one by one and much alike
+  bool near_copies = false; ///< whether the parts were made one by one and are nearly congruent
 };
 
-/// A labelled shape: y is up, its front looks to +z, its own left is +x; units are metres.
+/// A labelled shape: y is up, its front faces +z, its own left is +x; units are metres.
 class Assembly
 {
 public:
@@ -57,33 +58,33 @@ public:
 
   Assembly(std::string name, std::string category) : name(std::move(name)), category(std::move(category)) {}
 
-  /// A part of its own.
+  /// Adds a part without copies.
   void add(const std::string& part, const Label& label, const Solid& solid);
 
-  /// A part on the left and its mirror image on the right.
+  /// Adds a part on the left and its mirror image on the right.
   void add_pair(const Names& left_right, const Label& left, const Label& right, const Solid& solid);
 
-  /// The same, "_left" and "_right" appended to the fine label.
+  /// Adds such a pair with one label, to which "_left" and "_right" are appended if its fine label is not empty.
   void add_pair(const Names& left_right, const Label& label, const Solid& solid);
 
-  /// A part in front and its mirror image in the plane z = 0 behind.
+  /// Adds a part in front and its mirror image in the plane z = 0 behind.
   void add_front_and_back(const Names& front_back, const Label& front, const Label& back, const Solid& solid);
 
-  /// A part on the left in front and its mirror images in the planes x = 0 and z = 0: front left, front right, back
-  /// left, back right; the first two have one label, "_left" and "_right" appended to fine labels.
+  /// Adds a part at the front left and its mirror images in the planes x = 0 and z = 0. `names`: front left, front
+  /// right, back left, back right. Labels are those of the two pairs, see `add_pair()`.
   void add_four(const Names& names, const Label& front, const Label& back, const Solid& solid);
 
-  /// As many copies about an axis as there are names, a label each.
+  /// Adds copies of a part, evenly spaced about an axis, one for each name and label.
   void add_labelled_ring(const Names& names, const std::vector<Label>& labels, const Solid& solid, const Point& point,
                          const Point& axis);
 
-  /// The same, one label for all.
+  /// Adds copies of a part, evenly spaced about an axis, with one label.
   void add_ring(const Names& names, const Label& label, const Solid& solid, const Point& point, const Point& axis);
 
-  /// Copies one after the other, `step` apart.
+  /// Adds a row of copies of a part, each shifted by `step` from the one before.
   void add_row(const Names& names, const Label& label, const Solid& solid, const Point& step);
 
-  /// States that parts that were made one by one are as good as copies, `step` apart.
+  /// States that parts added one by one are a row of nearly congruent parts, `step` apart.
   void state_row(const Names& names, const Point& step);
 
   /// States that a part touches others.
@@ -94,14 +95,14 @@ public:
 
   double diagonal() const;
 
-  /// Two parts, the smaller index first, and how far apart they are, over the diagonal.
+  /// Indices of two parts, the smaller first, and their distance over the shape's diagonal.
   struct Near_parts
   {
     std::array<int, 2> parts;
     double gap;
   };
 
-  /// All pairs of parts that are within a fraction of the diagonal of each other, by brute force.
+  /// All pairs of parts whose distance is less than `fraction` of the shape's diagonal, by brute force.
   std::vector<Near_parts> near_parts(double fraction) const;
 
   int index(const std::string& part) const;

@@ -15,24 +15,24 @@ namespace generator {
 
 Label leg_label(const std::string& row);
 
-/// A seat that is `front` wide in front and `back` wide behind and hollow by `dish`.
+/// A seat of width `front` in front and `back` behind, whose middle is lower than its edges by `dish`.
 Solid dished_seat(double front, double back, double depth, double y, double thickness, double dish,
                   const Slab_options& options);
 
-/// A back rest from `low` along `rise`, `width` wide, its middle `bulge` behind its ends.
+/// A back rest of some width from `low` along `rise`, whose middle is `bulge` behind its sides.
 Solid curved_rest(const Point& low, const Point& rise, double width, double bulge, double thickness,
                   const Slab_options& options);
 
-/// Four plain legs, aprons under the seat, a bent panel between two posts.
+/// A chair with four plain legs, aprons under the seat, a bent panel between two posts.
 Assembly chair_four_legged();
 
 /// An office chair: cushions, a gas column, a star of five legs on casters, arms.
 Assembly chair_swivel();
 
-/// A ladder-back chair with arms; its rear legs run on as the posts of the back.
+/// A ladder-back chair with arms; its rear legs continue as the posts of the back.
 Assembly chair_slatted();
 
-/// A turned leg of unit height from the floor, thickest in its upper third.
+/// A turned leg on the floor, thickest at 0.7 of its height.
 Solid turned_leg(double height, double radius);
 
 Solid turned_leg(const Point& foot, const Point& top, double radius);

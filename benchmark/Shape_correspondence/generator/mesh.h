@@ -24,7 +24,7 @@ using Path = std::vector<Point>;
 
 constexpr double pi = 3.14159265358979323846;
 
-/// The coordinates of all models are multiples of this length, in metres; it is what five decimals can hold.
+/// The coordinates of all models are multiples of this length, in metres; files have five decimals.
 constexpr double grid_step = 1e-5;
 
 struct Mesh
@@ -33,7 +33,7 @@ struct Mesh
   std::vector<std::array<int, 3>> faces;
 };
 
-/// What a part is by construction, whatever its mesh looks like.
+/// Whether a solid is constructed around an open mid-line, a closed one, or a mid-surface.
 enum class Kind { curve, closed_curve, sheet };
 
 /// Rows and columns of the mid-surface grid of a sheet.
@@ -47,12 +47,12 @@ struct Solid
   Path mid;
 };
 
-/// Six times the signed volume over six: positive when the faces look outwards.
+/// The signed volume of a closed mesh: positive if its faces are oriented outwards.
 double volume(const Mesh& mesh);
 
 void flip_faces(Mesh& mesh);
 
-/// Turns a consistently oriented mesh so that its faces look outwards.
+/// Orients the faces of a consistently oriented closed mesh outwards.
 Mesh outward(Mesh mesh);
 
 /// Appends `other` as further components.
@@ -77,7 +77,7 @@ Solid mapped(Solid solid, const Map& map)
 
 Solid snapped(const Solid& solid);
 
-/// The mirror image in the plane where a coordinate is 0, outward again, points and faces in the same order.
+/// The mirror image in the plane where coordinate `axis` is 0, oriented outwards, points and faces in the same order.
 Solid mirrored(const Solid& solid, int axis = 0);
 
 Solid transformed(const Solid& solid, const Eigen::Isometry3d& motion);

@@ -12,14 +12,14 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// A model by name.
+/// The name of a model, and the function that makes it.
 struct Model
 {
   std::string name;
   Assembly (*make)();
 };
 
-/// All models; the name is that of the shape that is made.
+/// The models of data/; each has the name of the shape that `make()` returns.
 const std::vector<Model>& models();
 
 } // namespace generator

@@ -28,10 +28,10 @@ Point tangent(const Path& path, bool closed, int i);
 /// Rotation-minimising normals along a path (double reflection), the first one nearest to `hint`.
 Path normals(const Path& path, bool closed, const Point& hint);
 
-/// Whether a piece of three lengths is a plate, rather than a bar: flat and not much longer than wide, or a blade.
+/// Whether a solid of these extents is a plate, not a bar: it is flat and not much longer than wide, or a blade.
 bool is_plate(double length, double width, double thickness);
 
-/// The point at `t` in [0, 1] of points whose parameters are even.
+/// The point at `t` in [0, 1] of a polyline whose points have evenly spaced parameters.
 Point point_at(const Path& path, double t);
 
 /// The sheet grid of a surface given by its points at (u, v) in [0, 1]^2.
@@ -45,14 +45,14 @@ Path sheet_grid(const Surface& surface)
   return grid;
 }
 
-/// States the mid-surface of a tube whose section is as wide as a plate, `across` its wider half axis at each point.
+/// Makes a flat tube a sheet. \param across the wider half axis of the section at each point of the path
 void state_flat_tube(Solid& solid, const Path& path, const Path& across);
 
-/// A section swept along a path, a curve unless it is as wide as a plate; the section's first axis starts nearest to
-/// `hint`, or to y where the path starts along `hint`. A closed path must lie in a plane.
+/// A section swept along a path; its kind is curve, or sheet if it is a plate. The section's first axis starts nearest
+/// to `hint`, or to y if the path starts along `hint`. A closed path must lie in a plane.
 Solid tube(Path path, const Section& section, Point hint = Point::UnitX(), bool closed = false);
 
-/// A straight piece. Along x the section's first axis is y, along y and z it is x.
+/// A straight tube. The section's first axis is y for a tube along x, and x for a tube along y or z.
 Solid beam(const Point& from, const Point& to, const Section& section, int pieces = 5);
 
 Solid torus(const Point& centre, const Point& axis, double radius, const Section& section, int n = 32);
@@ -64,13 +64,13 @@ Path circle_about_y(double radius, double height, int n);
 
 Mesh revolved(const Profile& profile, int n);
 
-/// A turned post about the y axis, a curve.
+/// A solid of revolution about the y axis, of kind curve.
 Solid post(const Profile& profile, int n = 12);
 
-/// A point of the square [-1, 1]^2 on the unit disc.
+/// Maps the square [-1, 1]^2 to the unit disc.
 Point_2 square_to_disc(const Point_2& p);
 
-/// Length and width of a surface, as of a parallelogram with middle lines and diagonals of the same lengths.
+/// Length and width of a surface: those of a parallelogram with middle lines and diagonals of the same lengths.
 template <class Surface>
 Point_2 length_and_width(const Surface& surface)
 {
@@ -90,7 +90,7 @@ Point_2 length_and_width(const Surface& surface)
   return {std::sqrt(mean + spread), std::sqrt(std::max(mean - spread, 0.))};
 }
 
-/// What is made about a surface: a sheet, or its mid-line where it is a bar.
+/// The solid of a mesh about a mid-surface: of kind sheet, or curve with the longer middle line if it is a bar.
 template <class Surface>
 Solid plate_or_bar(const Mesh& mesh, const Surface& surface)
 {
@@ -104,7 +104,7 @@ Solid plate_or_bar(const Mesh& mesh, const Surface& surface)
   return {mesh, Kind::curve, length(along_u) > length(along_v) ? along_u : along_v};
 }
 
-/// A turned plate about the y axis, a sheet whose mid-surface is the disc of `radius` at `height`.
+/// A plate of revolution about the y axis, of kind sheet; its mid-surface is the disc of `radius` at `height`.
 Solid disc(const Profile& profile, double radius, double height, int n = 32);
 
 /// The profile of a flat disc between two heights with bevelled edges.
@@ -116,19 +116,19 @@ using Surface = std::function<Point(double, double)>;
 struct Slab_options
 {
   int rows = 6, columns = 6;
-  /// Draws the corners in by this part of the half size, below 0.2: from there on the surface folds.
+  /// Share of the half size by which the corners are moved inwards, below 0.2, from which on the surface folds.
   double corner = 0;
-  /// Width of the bevel of the edges as a part of the thickness, below one half.
+  /// Width of the bevel of the edges over the thickness, below one half.
   double bevel = 0.2;
 };
 
-/// The patch with its corners drawn in.
+/// The patch with its corners moved inwards, see `Slab_options::corner`.
 Surface with_round_corners(const Surface& patch, double corner);
 
 /// The unit normal of a surface, by differences that stay inside the patch.
 Point normal_of(const Surface& surface, double u, double v);
 
-/// The border of a grid of rows x columns cells, once around.
+/// Row and column of the points around the border of a grid of rows x columns cells, in order.
 std::vector<std::array<int, 2>> grid_border(int rows, int columns);
 
 void add_quad(Mesh& mesh, int a, int b, int c, int d);
@@ -136,7 +136,7 @@ void add_quad(Mesh& mesh, int a, int b, int c, int d);
 /// The points of a slab: the grid of its top, that of its bottom, and around it an upper and a lower edge.
 std::vector<Point> slab_points(const Surface& surface, double thickness, const Slab_options& options);
 
-/// A plate of even thickness about a surface patch, edges bevelled; a sheet, or a curve if it is as narrow as a bar.
+/// A plate of constant thickness about a patch, with bevelled edges; its kind is that of `plate_or_bar()`.
 Solid slab(const Surface& patch, double thickness, const Slab_options& options = {});
 
 /// The flat patch with corner `origin` and edges `u_edge` and `v_edge`.
@@ -152,12 +152,12 @@ struct Wing_station
   double chord, thickness;
 };
 
-/// Half of the thickness of a wing section at the part `c` of its chord, for unit thickness; blunt at the back.
+/// Half thickness of a wing of thickness 1 at `c` of its chord; 0: leading edge, 1: trailing edge, which is blunt.
 double wing_half_thickness(double c);
 
 Path wing_ring(const Wing_station& station, const Point& upwards);
 
-/// A wing through its stations from root to tip, a sheet unless it is a strut; `upwards` is across the wing.
+/// A wing through its stations from root to tip; its kind is that of `plate_or_bar()`; `upwards` is across the wing.
 Solid wing(const std::vector<Wing_station>& stations, const Point& upwards, int pieces = 4);
 
 /// One cross-section of a hull along z: its middle and half axes.
@@ -166,7 +166,7 @@ struct Hull_station
   double z, y, half_width, half_height;
 };
 
-/// A body through its oval stations from nose to tail, a curve.
+/// A body through its oval stations from nose to tail, of kind curve.
 Solid hull(const std::vector<Hull_station>& stations, int n = 16, int pieces = 2);
 
 } // namespace generator

@@ -26,14 +26,14 @@ double squared_distance(const Point& p, const Point& a, const Point& b, const Po
 /// Whether the segment from p to q goes through a triangle.
 bool crosses(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c);
 
-/// Of two segments; that of the lines where it is between the ends of both, else that of an end.
+/// Of segments ab and cd: that of their lines, if its nearest points lie on both segments; else the least of an end.
 double squared_distance_of_segments(const Point& a, const Point& b, const Point& c, const Point& d);
 
 double squared_distance_of_triangles(const std::array<Point, 3>& a, const std::array<Point, 3>& b);
 
 std::array<Point, 3> corners(const Mesh& mesh, const std::array<int, 3>& face);
 
-/// The distance of two surfaces, where it is less than `limit`, by brute force: every face against every other.
+/// The distance of two surfaces, but `limit` if it is greater, by brute force: all pairs of faces.
 double surface_distance(const Mesh& one, const Mesh& other, double limit);
 
 } // namespace generator

@@ -12,10 +12,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// A top on two saw-horses.
+/// A table with a top on two saw-horses.
 Assembly table_trestle();
 
-/// A round top with an edge ring on a turned post with four curved feet.
+/// A table with a round top and an edge ring, on a turned post with four curved feet.
 Assembly table_pedestal();
 
 /// A kitchen table: turned legs, aprons, a drawer with a knob.

@@ -59,7 +59,7 @@ std::string png_text(int width, int height, const std::string& pixels)
          chunk("IDAT", stream) + chunk("IEND", "");
 }
 
-// Texture coordinates that show the whole picture on each of a part's six sides, upright.
+// Texture coordinates that show the whole picture, upright, on each of the six sides of a part's box.
 Eigen::Vector2d side_coordinates(const Mesh& mesh, const std::array<int, 3>& face, const Point& p)
 {
   Point low = mesh.points[0], high = low;

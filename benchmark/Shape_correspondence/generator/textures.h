@@ -20,10 +20,10 @@ namespace Shape_correspondence {
 namespace generator {
 
 /// A picture on which seams, flips and stretching show: 8 by 8 squares, redder to the right, greener downwards, every
-/// other one bluer, with a dark upper left corner each.
+/// other one bluer, each with a dark upper left corner.
 std::string test_picture();
 
-/// One file for the shape, with its material and its texture.
+/// The OBJ file of the shape, its material and its texture.
 Files textured_file(const Assembly& shape);
 
 } // namespace generator

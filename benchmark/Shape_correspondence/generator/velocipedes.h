@@ -15,10 +15,10 @@ namespace generator {
 
 Solid tyre(const Point& middle, double radius, double thickness, int n = 36);
 
-/// A post laid along x, its height from -1/2 to 1/2 about `middle`.
+/// A solid of revolution along x; height 0 of its profile is at `middle`.
 Solid along_x(const Profile& profile, const Point& middle, int n = 12);
 
-/// Wire spokes of a wheel in the plane of y and z, from both flanges of the hub; many pieces, one sheet.
+/// Wire spokes of a wheel in a plane of y and z, from both flanges of the hub: many components, of kind sheet.
 Solid spokes(const Point& middle, double hub_radius, double radius, double half_width, int n);
 
 /// A saddle pointing forward, its top at the origin: wide behind, a nose in front, sides turned down.
@@ -26,11 +26,11 @@ Solid saddle(double length, double width);
 
 Profile hub_profile(double half_length, double flange_radius, double flange);
 
-/// A chain around two sprockets in a plane of y and z, radii first, as a closed path.
+/// The closed path of a chain around two sprockets in a plane of y and z.
 Path chain_path(const Point& front, double front_radius, const Point& rear, double rear_radius);
 
-/// Two cranks with pedals, each other's copy by half a turn about the vertical axis through `axle`: from `start` left
-/// of the axle over `elbow` to `end`, both relative to it.
+/// Adds two cranks with pedals, copies by half a turn about the vertical axis through `axle`. Relative to `axle`, the
+/// left crank leads from `start` in x over `elbow` to `end`.
 void add_cranks(Assembly& shape, const Names& cranks, const Names& pedals, const Point& axle, double start,
                 const Point& elbow, const Point& end);
 

@@ -16,7 +16,7 @@ namespace {
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-// `items` between brackets, commas between.
+// A JSON array of `items`.
 std::string json_array(const std::vector<std::string>& items, const std::string& separator = ", ")
 {
   std::string text = "[";
@@ -51,7 +51,7 @@ std::string json_names(const Names& names)
   return json_array(items);
 }
 
-// All parts in one OBJ, an `o` each.
+// The parts in one OBJ file, each with a line `o`.
 std::string single_obj_text(const Assembly& shape)
 {
   std::string text;
@@ -99,7 +99,7 @@ std::string group_text(const Part_group& group)
   }
 }
 
-// What is known about the shape from its making, with the keys of a structural graph.
+// The curves, sheets, groups and contacts of the shape as it was constructed, with the keys of a structural graph.
 std::string structure_text(const Assembly& shape)
 {
   std::vector<std::string> parts, groups, contacts;
@@ -177,7 +177,7 @@ Files raw_file(const Assembly& shape)
     for (Point& p : part.solid.mesh.points)
       p = Point(p.x(), -p.z(), p.y());
     std::string object = obj_text(part, shift);
-    if (i > 0 && parts[i - 1].name == part.name) object.erase(0, object.find('\n') + 1); // goes on with the object
+    if (i > 0 && parts[i - 1].name == part.name) object.erase(0, object.find('\n') + 1); // part of the same object
     text += object;
     shift += int(part.solid.mesh.points.size());
   }

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace peers {
 
-/// Parts of the shape with fewer parts are assigned one to one at the least sum of chamfer distances in unit boxes.
+/// Assigns each part of the shape with fewer parts to another part, at least sum of chamfer distances in unit boxes.
 inline Part_pairs match_by_assignment(const Boxed_shape& source, const Boxed_shape& target)
 {
   const Eigen::MatrixXd cost = part_distances(source, target, chamfer);
@@ -26,7 +26,7 @@ inline Part_pairs match_by_assignment(const Boxed_shape& source, const Boxed_sha
   return pairs;
 }
 
-/// Members of two sets of parts that correspond: one to one where they are as many, otherwise all to all.
+/// Adds pairs of members of two corresponding sets of parts: one to one if the sets have equal sizes, else all to all.
 inline void add_set_pairs(const Eigen::MatrixXd& cost, const std::vector<std::size_t>& a,
                           const std::vector<std::size_t>& b, Part_pairs& pairs)
 {

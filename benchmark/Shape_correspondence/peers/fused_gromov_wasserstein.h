@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace peers {
 
-/// Steps along contacts between all parts, over the most there are; what is not connected is one step farther.
+/// Numbers of contacts on shortest paths between parts; one more than the greatest, if unconnected; scaled to [0, 1].
 inline Eigen::MatrixXd contact_distances(const Boxed_shape& shape)
 {
   const auto n = Eigen::Index(shape.neighbours.size());

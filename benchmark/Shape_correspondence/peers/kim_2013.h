@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace peers {
 
-/// A part of a template: where its parts are in unit boxes, and how much that varies.
+/// A part of a template: mean and variance of the placements in unit boxes of the parts that it labels.
 struct Template_part
 {
-  Eigen::Array<double, 6, 1> mean, variance; ///< of middles and extents
+  Eigen::Array<double, 6, 1> mean, variance; ///< middle and extents of a box
 };
 
 inline Eigen::Array<double, 6, 1> placement(const Eigen::AlignedBox3d& box)
@@ -30,7 +30,7 @@ inline Eigen::Array<double, 6, 1> placement(const Eigen::AlignedBox3d& box)
   return result;
 }
 
-/// Minus the logarithm of how probable a placement is, but for a constant.
+/// Negative logarithm of the probability density of a placement, up to a constant.
 inline double misfit(const Template_part& part, const Eigen::Array<double, 6, 1>& placement)
 {
   return ((placement - part.mean).square() / part.variance + part.variance.log()).sum() / 2;

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace peers {
 
-/// Every source part goes to the target part of least Hausdorff distance in the shapes' unit boxes.
+/// Matches every source part with the target part of least Hausdorff distance in the shapes' unit boxes.
 inline Part_pairs match_nearest_parts(const Boxed_shape& source, const Boxed_shape& target)
 {
   const Eigen::MatrixXd distance = part_distances(source, target, hausdorff);

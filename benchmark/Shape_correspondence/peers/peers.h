@@ -22,7 +22,7 @@ namespace peers {
 
 struct Named_peer
 {
-  std::string name, simplified; ///< in tables: what it is, and what of it is left out
+  std::string name, simplified; ///< name, and simplifications against the paper; for tables
   Peer match;
 };
 

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace peers {
 
-/// A pair of groups that may correspond.
+/// A pair of symmetry groups that may correspond.
 struct Group_pair
 {
   std::size_t source, target;
@@ -29,7 +29,7 @@ inline Eigen::AlignedBox3d box_of_group(const Boxed_shape& shape, std::size_t gr
   return box;
 }
 
-/// How alike two symmetry groups are: of one type about directions that agree, of extents that agree.
+/// Similarity of two symmetry groups in [0, 1], by types, directions and extents.
 inline double group_affinity(const Boxed_shape& a, std::size_t g, const Boxed_shape& b, std::size_t h)
 {
   constexpr double other_type = 0.3, extent_width = 0.3;
@@ -41,7 +41,8 @@ inline double group_affinity(const Boxed_shape& a, std::size_t g, const Boxed_sh
   return kind * std::exp(-difference.squaredNorm() / (extent_width * extent_width));
 }
 
-/// How well two pairs of groups go together: the groups' arrangement to each other, and whether they touch.
+/// Compatibility of the pairs (g, h) and (g2, h2) of groups, in [0, 1]: by the difference of the offsets from g to g2
+/// and from h to h2, halved if groups touch in only one of the two shapes.
 inline double arrangement_affinity(const Boxed_shape& a, std::size_t g, std::size_t g2, const Boxed_shape& b,
                                    std::size_t h, std::size_t h2)
 {

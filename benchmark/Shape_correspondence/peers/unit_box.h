@@ -31,10 +31,10 @@ using Peer = std::function<std::vector<Part_pairs>(const std::vector<Structural_
 /// A shape in its own frame, stretched to the unit box per axis; parts and groups by their index in the graph.
 struct Boxed_shape
 {
-  std::vector<Points> surfaces; ///< some points of each part
+  std::vector<Points> surfaces; ///< sample points of each part
   std::vector<Eigen::AlignedBox3d> boxes;
   std::vector<std::vector<std::size_t>> groups;
-  std::vector<Symmetry> symmetries; ///< by group
+  std::vector<Symmetry> symmetries; ///< symmetry of each group
   std::vector<std::size_t> group_of;
   std::vector<std::vector<std::size_t>> neighbours; ///< parts in contact, by part
 };
@@ -75,14 +75,14 @@ inline Boxed_shape boxed(const Structural_graph& graph, int quarter_turns)
   return shape;
 }
 
-/// Both shapes of a pair, the second turned to the first as their orientations in the files say.
+/// Both shapes of a pair; the target is turned to the orientation of the source, according to their files.
 inline std::array<Boxed_shape, 2> boxed_pair(const Structural_graph& source, const Structural_graph& target)
 {
   const int turns = alignment_turns(structure(source).frame, structure(target).frame).front();
   return {boxed(source, 0), boxed(target, turns)};
 }
 
-/// By point of the one set, its distance from the other.
+/// The distance of each point of `from` from the nearest point of `to`.
 inline Eigen::ArrayXd distances(const Points& from, const Points& to)
 {
   Eigen::ArrayXd result(from.cols());
@@ -96,13 +96,13 @@ inline double hausdorff(const Points& a, const Points& b)
   return std::max(distances(a, b).maxCoeff(), distances(b, a).maxCoeff());
 }
 
-/// The mean of both mean distances.
+/// Chamfer distance: half the sum of the mean distances in both directions.
 inline double chamfer(const Points& a, const Points& b)
 {
   return (distances(a, b).mean() + distances(b, a).mean()) / 2;
 }
 
-/// Of every part of the one shape from every part of the other.
+/// Distances of all parts of `a` (rows) from all parts of `b` (columns).
 template <typename Distance>
 Eigen::MatrixXd part_distances(const Boxed_shape& a, const Boxed_shape& b, const Distance& distance)
 {
@@ -113,7 +113,7 @@ Eigen::MatrixXd part_distances(const Boxed_shape& a, const Boxed_shape& b, const
   return result;
 }
 
-/// The entries of at least `share` of the largest in their row and in their column.
+/// Row and column of the entries that are at least `share` of the largest one of their row and of their column.
 inline Part_pairs strong_entries(const Eigen::MatrixXd& weights, double share)
 {
   Part_pairs pairs;
@@ -124,7 +124,7 @@ inline Part_pairs strong_entries(const Eigen::MatrixXd& weights, double share)
   return pairs;
 }
 
-/// A method that looks at two shapes at a time.
+/// A method that matches each pair of shapes on its own.
 template <typename Match>
 Peer pairwise(const Match& match)
 {

@@ -13,12 +13,12 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace peers {
 
-/// A group beside a group that it touches: what it looks like from there.
+/// A symmetry group and one of the groups that it touches, its neighbour.
 struct Arrangement
 {
   std::size_t group;
   Symmetry_type type, neighbour_type;
-  Eigen::Matrix<double, 9, 1> geometry; ///< middle and extents of the group, middle of the neighbour; in the unit box
+  Eigen::Matrix<double, 9, 1> geometry; ///< middle and extents of the group, middle of the neighbour; in unit boxes
 };
 
 inline std::vector<Arrangement> arrangements(const Boxed_shape& shape)
@@ -47,7 +47,7 @@ inline double similarity(const Arrangement& a, const Arrangement& b)
   return kind * std::exp(-(a.geometry - b.geometry).squaredNorm() / (width * width));
 }
 
-/// In how many of the shapes there is an arrangement like this one.
+/// Number of shapes of the collection that have an arrangement similar to `a`.
 inline int recurrence(const Arrangement& a, const std::vector<std::vector<Arrangement>>& shapes)
 {
   constexpr double alike = 0.5;
@@ -62,9 +62,9 @@ inline int recurrence(const Arrangement& a, const std::vector<std::vector<Arrang
 }
 
 /// Y. Zheng et al., *Recurring part arrangements in shape collections*, 2014: groups of parts correspond when they take
-/// part in like arrangements, the more the oftener these recur in the collection. Simplified: an arrangement is a group
-/// and a group that it touches, compared by place and size in unit boxes; a group goes to where its arrangements' votes
-/// are most, if that is mutual.
+/// part in similar arrangements, weighted by how often these recur in the collection. Simplified: an arrangement is a
+/// group and a group that it touches, compared by place and size in unit boxes; two groups are matched if each has most
+/// votes of the arrangements of the other.
 inline std::vector<Part_pairs> match_zheng_2014(const std::vector<Structural_graph>& graphs,
                                                 const std::vector<Shape_pair>& pairs)
 {

@@ -17,7 +17,7 @@ struct Hull_design
   int thwarts;
 };
 
-/// Half of the width of a hull, `t` from the stern (0) to the bow (1), for one of 1 amidships.
+/// Half width of a hull relative to its greatest one, at `t` from the stern (0) to the bow (1).
 double hull_width(double t)
 {
   const double bow_begins = .4, stern = .75, bow = .03;
@@ -26,7 +26,8 @@ double hull_width(double t)
   return 1 - (1 - bow) * forward * forward;
 }
 
-/// A point of the left side: on the edge of the bottom at `v` = 0, on the upper edge, which rises to the bow, at 1.
+/// A point of the left side at `t` along the hull; `v` = 0: on the edge of the bottom, 1: on the upper edge, which
+/// rises towards the bow.
 Point on_side(const Hull_design& hull, double t, double v)
 {
   const double bottom = .6, rise = .35 * hull.depth;

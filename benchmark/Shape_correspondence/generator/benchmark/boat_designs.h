@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// A rowing boat with a pair of oars, a dinghy with one mast, and a yawl with two; bows look to +z.
+/// A rowing boat with a pair of oars, a dinghy with one mast, and a yawl with two; bows point to +z.
 std::vector<Assembly> boats();
 
 } // namespace generator

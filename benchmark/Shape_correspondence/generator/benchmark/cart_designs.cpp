@@ -10,7 +10,7 @@ namespace Shape_correspondence {
 namespace generator {
 namespace {
 
-// A wheel with spokes, or a pair of them.
+// Adds a wheel: tyre, spokes and hub.
 void add_wheel(Assembly& shape, const std::string& where, const Point& axle, double radius, double tyre_radius, int n)
 {
   shape.add("tyre_" + where, {"wheel", "wheel_" + where}, tyre(axle, radius, tyre_radius));
@@ -32,7 +32,7 @@ void add_wheel_pair(Assembly& shape, const std::string& where, const Point& axle
   add("hub", along_x(hub_profile(.045, .022, .02), axle));
 }
 
-/// What carries the load: its floor at `height`, its middle at `z`.
+/// The box that carries the load: height of the floor, `z` of the middle, height of the walls.
 struct Box_design
 {
   double half_width, length, height, z, wall;
@@ -64,7 +64,7 @@ void add_boarded_sides(Assembly& cart, const Box_design& box, double flare)
   cart.add("front_wall", {"box", "front_wall"}, cross_board(box, box.front(), flare));
 }
 
-/// Rails on stakes.
+/// Adds rails on stakes at both sides, and a rail across each end.
 void add_railed_sides(Assembly& cart, const Box_design& box, int stakes)
 {
   const double step = (box.length - .06) / (stakes - 1), x = box.half_width;
@@ -82,7 +82,7 @@ void add_railed_sides(Assembly& cart, const Box_design& box, int stakes)
     cart.add(name + "_rail", {"box", name + "_rail"}, beam({-x, box.top(), z}, {x, box.top(), z}, bar(.045, .022), 6));
 }
 
-/// An axle with a wheel at either end, and what holds it under the floor.
+/// Adds an axle with a wheel at either end, and the hangers that hold it under the floor.
 void add_axle(Assembly& cart, const std::string& where, const Box_design& box, double z, double radius, int spokes)
 {
   const double x = box.half_width + .07, tyre_radius = .022;

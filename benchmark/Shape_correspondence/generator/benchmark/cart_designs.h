@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// A wheelbarrow, a handcart with two wheels, and a wagon with four; what one pulls or pushes looks to +z, but for the
-/// barrow, whose wheel does.
+/// A wheelbarrow, a handcart with two wheels, and a wagon with four. The handles are in front (+z), but for the
+/// wheelbarrow, which has its wheel in front.
 std::vector<Assembly> carts();
 
 } // namespace generator

@@ -13,15 +13,15 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// What makes shapes worse, as shapes from other people are.
+/// Ways of degrading shapes, which give them flaws of real models.
 struct Degradation
 {
   bool segmentation = false; ///< parts cut in two, and touching parts of one label joined
   bool openings = false;     ///< surfaces that lack a patch
   bool gaps = false;         ///< parts that stop short of their neighbours
-  bool noise = false;        ///< vertices off their places
-  bool scale = false;        ///< other proportions
-  bool rotation = false;     ///< turned about the up axis, by any angle
+  bool noise = false;        ///< vertices moved by random offsets
+  bool scale = false;        ///< axes scaled by random factors
+  bool rotation = false;     ///< shape turned about the up axis by a random angle
 };
 
 double diagonal(const Mesh& mesh);
@@ -46,25 +46,25 @@ Mesh faces_where(const Mesh& mesh, const Keep& keep)
   return result;
 }
 
-/// A part in two pieces, cut across its longest extent; the part alone where a piece would be next to nothing.
+/// The two pieces of a part that is cut across its longest extent; the part itself if a piece would have too few faces.
 std::vector<Part> cut(const Part& part);
 
-/// Two parts as one; its fine label is that of both.
+/// Joins two parts to one, whose fine label is empty unless both have the same.
 Part joined(Part part, const Part& other);
 
 void degrade_segmentation(Assembly& shape, Random& random);
 
-/// Takes the faces at one end of the part's box away, where enough of it is left.
+/// Removes the faces at a random side of the part's box, if more than half of the faces remain.
 void open_surface(Mesh& mesh, Random& random);
 
-/// Draws every side of the part's box in by `gap`, at most by a tenth of the extent.
+/// Scales a part so that each side of its box moves inwards by `gap`, at most by a tenth of the extent.
 void shrink(Mesh& mesh, double gap);
 
-/// Moves every vertex by at most a fifth of the part's median edge, and by at most a part in two hundred of its size.
+/// Moves every coordinate by a random offset of at most 0.2 of the median edge length and 0.005 of the part's diagonal.
 void add_noise(Mesh& mesh, Random& random);
 
-/// The shape made worse in the ways that are asked for; each way draws from a seed of its own, so that asking for one
-/// more changes nothing about the others. What is known of groups, contacts and mid-lines is lost.
+/// The shape degraded in the given ways. Each way has a seed of its own, so that a further way does not change the
+/// effects of the others. Symmetry groups, contacts and mid-lines are removed.
 Assembly degraded(Assembly shape, const Degradation& ways, std::uint64_t seed);
 
 } // namespace generator

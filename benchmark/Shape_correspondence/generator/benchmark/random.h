@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// Numbers that are the same with every standard library.
+/// Random numbers that are the same with every standard library.
 class Random
 {
 public:
@@ -21,10 +21,10 @@ public:
 
   double between(double low, double high)
   {
-    return low + (high - low) * double(engine_() >> 11) * 0x1p-53; // 53 bits are a double's
+    return low + (high - low) * double(engine_() >> 11) * 0x1p-53; // a double has a mantissa of 53 bits
   }
 
-  /// The value, changed by at most `fraction` of it.
+  /// A random number that differs from `value` by at most `fraction` of it.
   double about(double value, double fraction = 0.12) { return between(value * (1 - fraction), value * (1 + fraction)); }
 
   std::size_t below(std::size_t n) { return std::size_t(engine_() % n); }

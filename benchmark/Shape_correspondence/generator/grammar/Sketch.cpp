@@ -106,7 +106,7 @@ Assembly Sketch::finished(const std::string& name) const
     ++of_role[part.label.coarse];
   }
   const auto third = [&](const Point& p, int axis) {
-    constexpr double margin = .08; // of the size of the shape: what is nearer to the middle is in the middle
+    constexpr double margin = .08; // over the shape's size: what is nearer to its middle is "mid" or "center"
     const double off = (p[axis] - bounds.center()[axis]) / std::max(bounds.sizes()[axis], grid_step);
     return off > margin ? 2 : off < -margin ? 0 : 1;
   };

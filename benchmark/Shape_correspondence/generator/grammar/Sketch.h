@@ -20,15 +20,15 @@ namespace generator {
 
 using Solids = std::vector<Solid>;
 
-/// What a fine label says of the place of a part, after its stem.
+/// The place of a part that is appended to the stem of its fine label.
 enum class Place {
   none,
   side,  ///< left or right
   corner ///< front, mid or back, and left, center or right
 };
 
-/// A shape in the making: what is drawn for it, and its parts. All are symmetric in the plane x = 0 unless the grammar
-/// says otherwise.
+/// A shape that a grammar generates: its random numbers and its parts. Shapes are symmetric in the plane x = 0 unless
+/// their grammar says otherwise.
 class Sketch
 {
 public:
@@ -44,34 +44,34 @@ public:
   }
 
   void add(const std::string& role, const Solid& solid, const std::string& fine = "", Place place = Place::none);
-  /// And its mirror image in the plane x = 0.
+  /// Adds a part and its mirror image in the plane x = 0.
   void add_pair(const std::string& role, const Solid& solid, const std::string& fine = "", Place place = Place::side);
-  /// And its mirror images in the planes x = 0 and z = 0.
+  /// Adds a part and its mirror images in the planes x = 0 and z = 0.
   void add_four(const std::string& role, const Solid& solid, const std::string& fine = "");
-  /// One part each, or at times one for all.
+  /// Adds one part for each solid or, with probability `chance_of_one`, one part of all solids.
   void add_several(const std::string& role, const Solids& solids, const std::string& fine = "",
                    Place place = Place::none, double chance_of_one = 0.25);
 
-  /// A straight piece, round or square as all of the shape; `from_width` and `to_width` are diameters.
+  /// A straight bar, round or square like all bars of the shape; `from_width` and `to_width` are diameters.
   Solid stick(const Point& from, const Point& to, double from_width, double to_width);
   Solid stick(const Point& from, const Point& to, double width) { return stick(from, to, width, width); }
-  /// A curved piece through the knots.
+  /// A bar along a smooth curve through the knots.
   Solid rod(const Path& knots, double width);
-  /// Something with edges as round as all of the shape's.
+  /// A block whose edges are as round as those of all blocks of the shape.
   Solid block(const Point& middle, const Point& size) { return block(middle, size, roundness_); }
-  /// Between a box (0) and an ellipsoid (1).
+  /// A block. \param roundness from 0 (a box) to 1 (an ellipsoid)
   static Solid block(const Point& middle, const Point& size, double roundness);
-  /// A thing that is soft: a block of its own roundness.
+  /// A block of random roundness, for soft parts.
   Solid cushion(const Point& middle, const Point& size) { return block(middle, size, in(.2, .7)); }
-  /// A solid of revolution from one point to the other, of radii that are drawn between two.
+  /// A solid of revolution about the segment between two points, with random radii between the two given ones.
   Solid turned(const Point& from, const Point& to, double least_radius, double most_radius);
 
   bool is_square() const { return is_square_; }
 
-  /// All that was drawn, turned so that +z comes to +x.
+  /// Turns all parts by 90° about the y axis, which takes +z to +x.
   void turn_quarter();
 
-  /// The shape, with fine labels where they tell parts of a role apart.
+  /// The shape; fine labels are kept only if they distinguish parts of one role.
   Assembly finished(const std::string& name) const;
 
 private:
@@ -83,17 +83,17 @@ private:
 
   Random random_;
   Assembly shape_;
-  std::vector<Word> words_; // by part
+  std::vector<Word> words_; // stem and place of the fine label, by part
   bool is_square_;
   double roundness_;
 };
 
 Solid joined(const Solids& solids);
 
-/// Copies, evenly spaced between two shifts of the first.
+/// Copies of a solid, shifted by vectors that are evenly spaced between `from` and `to`.
 Solids row(const Solid& first, const Point& from, const Point& to, int count);
 
-/// Copies about a line along y.
+/// Copies of a solid, evenly spaced about the vertical line through `centre`.
 Solids ring(const Solid& first, int count, const Point& centre = Point::Zero());
 
 } // namespace generator

@@ -11,13 +11,13 @@ namespace generator {
 
 namespace {
 
-// An aeroplane in the making, its nose at +z: length and radius of the body, half span and chord of the wing, and where
-// the wing is; half span and place of the tail.
+// Proportions of an aeroplane, its nose at +z: length and radius of the body; half span, chord, sweep (shift to the
+// rear over half span) and place of the wing; half span and place of the tail; height of the fin.
 struct Plane
 {
   double length, radius, span, chord, sweep, wing_z, wing_y, tail, tail_z, fin;
 
-  double z(double t) const { return length * (.5 - t); } // from nose to tail
+  double z(double t) const { return length * (.5 - t); } // t: from the nose (0) to the tail (1)
 };
 
 Plane plane_proportions(Sketch& s)
@@ -80,7 +80,7 @@ void add_wings(Sketch& s, const Plane& at)
 void add_tail(Sketch& s, const Plane& at)
 {
   const double chord = at.fin * s.in(.4, .9), sweep = s.in(0, .9), tip = chord * s.in(.3, .9);
-  const int kind = s.count(0, 9); // low, on the fin, two fins, none
+  const int kind = s.count(0, 9); // of tail: 0 to 5 low, 6 and 7 on the fin, 8 with two fins, 9 fin only
   const double y = kind < 6 ? s.in(0, .5) * at.radius : kind < 8 ? at.fin : at.radius * .3;
   const double back = kind >= 6 && kind < 8 ? at.fin * sweep : 0;
   const Solid half = half_wing({0, y, at.tail_z - back}, at.tail, chord * s.in(.7, 1), tip * .8, s.in(0, .6), 0, .1);
@@ -131,7 +131,8 @@ void add_engines(Sketch& s, const Plane& at)
                  at.wing_z - at.span * t * at.sweep + length * s.in(.1, .6));
   };
   const int kind = s.count(0, 5);
-  if (kind == 0) return add_propeller(s, {0, 0, at.z(0) + .1}, at.radius * s.in(1.3, 3), false); // in the nose
+  if (kind == 0)
+    return add_propeller(s, {0, 0, at.z(0) + .1}, at.radius * s.in(1.3, 3), false); // propeller at the nose
   if (kind == 1) {
     const Point front(0, 0, at.z(.2));
     s.add("engine", nacelle({0, at.radius * s.in(0, 1.2), at.z(.02)}));
@@ -141,7 +142,7 @@ void add_engines(Sketch& s, const Plane& at)
     const Point front(at.radius + radius * s.in(.6, 1.2), at.radius * s.in(0, .8), at.z(s.in(.6, .75)));
     return s.add_pair("engine", translated(nacelle({0, front.y(), front.z()}), {front.x(), 0, 0}));
   }
-  if (kind == 3 && s.chance(.5)) return; // inside
+  if (kind == 3 && s.chance(.5)) return; // engines inside the body are no parts
   const int count = s.chance(.3) ? 2 : 1;
   for (int i = 0; i < count; ++i) {
     const Point front = under_wing(i == 0 ? s.in(.25, .4) : s.in(.5, .7));

@@ -12,8 +12,8 @@ namespace generator {
 
 namespace {
 
-// A bed in the making: half width, half length, the upper height of the rails, the height of the ends, thickness of
-// wood.
+// Proportions of a bed: half width, half length; heights of the frame's upper edge, of head and foot; thickness of
+// wood; height of the rails themselves.
 struct Bed
 {
   double x, z, frame, head, foot, wood, rail;
@@ -32,7 +32,7 @@ Bed bed_proportions(Sketch& s)
   return at;
 }
 
-// A board, or rails and bars between posts, at one end.
+// Adds the headboard or footboard: a board, or rails and bars between posts.
 void add_end(Sketch& s, const Bed& at, const std::string& role, double z, double height, bool is_framed)
 {
   if (!is_framed) {
@@ -165,7 +165,7 @@ void add_bedding(Sketch& s, const Bed& at, double top, double x)
   if (pillows == 2) s.add_pair("pillow", s.cushion({x * .48, top + height / 2, z}, {x * s.in(.7, .92), height, size}));
   if (pillows == 2 && s.chance(.2))
     s.add_pair("pillow", s.cushion({x * .45, top + height, z + .2}, {x * .7, height, size * .8}));
-  if (pillows == 3) { // several in rows, or a roll
+  if (pillows == 3) { // rows of pillows, at times with a roll
     if (s.chance(.3))
       s.add("pillow",
             beam({-x * .8, top + size * .3, z}, {x * .8, top + size * .3, z}, round_section(size * .3, 12), 2));
@@ -184,7 +184,7 @@ void add_bedding(Sketch& s, const Bed& at, double top, double x)
       s.chance(.6)
           ? s.block({0, top + thickness / 2 - hang / 2, (from + end) / 2}, {2 * x * 1.03, thickness + hang, end - from})
           : slab(
-                [=](double u, double v) { // hangs down at the sides
+                [=](double u, double v) { // the blanket hangs down at the sides
                   const double across = 2 * u - 1, fall = std::max(0., std::abs(across) - .8) / .2;
                   return Point(across * x * 1.05, top + thickness - fall * (hang + thickness), from + v * (end - from));
                 },
@@ -198,7 +198,7 @@ void add_mattress(Sketch& s, const Bed& at)
 {
   const double height = s.in(.1, .32), sunk = s.in(0, .5) * at.rail, x = at.x - at.wood * s.in(.5, 1.2),
                top = at.frame - sunk + height;
-  if (s.chance(.08)) // two side by side
+  if (s.chance(.08)) // two mattresses side by side
     s.add_pair("mattress", s.block({x / 2, top - height / 2, 0}, {.99 * x, height, 1.96 * at.z}));
   else if (s.chance(.92))
     s.add("mattress", s.block({0, top - height / 2, 0}, {2 * x, height, 1.96 * at.z}));
@@ -207,7 +207,7 @@ void add_mattress(Sketch& s, const Bed& at)
   add_bedding(s, at, top, x);
 }
 
-// An upper bed on the same posts, with guards and a ladder.
+// Adds an upper bed on the same posts, at times with guards and a ladder.
 void add_upper_bed(Sketch& s, const Bed& at)
 {
   Bed upper = at;

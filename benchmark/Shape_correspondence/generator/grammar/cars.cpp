@@ -12,15 +12,15 @@ namespace generator {
 
 namespace {
 
-// A car in the making, seen from its left: half width, heights of its belly, belt and roof; along z its ends and where
-// the cabin begins and ends, at the belt and at the roof.
+// Proportions of a car: half width; heights of underside, belt line and roof; z of both ends, and of windscreen and
+// rear window at the belt line (`low`) and the roof (`high`); radius of the wheels, z of the axles.
 struct Car
 {
   double x, low, belt, roof, front, rear;
   double screen_low, screen_high, rear_high, rear_low;
   double wheel, front_axle, rear_axle;
 
-  double inner_x() const { return x * .82; } // of the roof
+  double inner_x() const { return x * .82; } // half width of the roof
 };
 
 Car car_proportions(Sketch& s)
@@ -43,7 +43,7 @@ Car car_proportions(Sketch& s)
   return at;
 }
 
-// A prism across the car with a side view of so many points, narrower at the roof.
+// A prism across the car with side view `outline` (z, y), narrower at the roof. \param widest half width at the belt
 Solid side_view(const Car& at, const std::vector<Point_2>& outline, double widest)
 {
   std::vector<Path> rings;
@@ -85,7 +85,7 @@ void add_wheels(Sketch& s, const Car& at)
   }
 }
 
-// A pane on the side, between two heights and along z.
+// A window pane on the left side, between two values of z.
 Solid side_pane(const Car& at, double from, double to)
 {
   const double low = at.belt + .05, high = at.roof - .08;

@@ -12,7 +12,7 @@ namespace generator {
 
 namespace {
 
-// A case in the making: half width, half depth, heights of its bottom and top, thickness of boards.
+// Proportions of a shelf or cupboard: half width, half depth, heights of bottom and top, thickness of boards.
 struct Case
 {
   double x, z, low, high, board;
@@ -22,7 +22,7 @@ struct Case
   double height() const { return high - low; }
 };
 
-// A field of the front: its middle and size.
+// A rectangle of the front that boards, doors or drawers fill: its middle and size.
 struct Field
 {
   double x, y, width, height;
@@ -107,13 +107,13 @@ void add_boards(Sketch& s, const Case& at, const Field& field)
   s.add_several("shelf", row(one, Point::Zero(), {0, (count - 1) * step, 0}, count), "", Place::none, .1);
 }
 
-// Fields one over the other or side by side, each with boards, doors or drawers.
+// Divides the inside into fields one above the other or side by side, and fills each with boards, doors or drawers.
 void fill(Sketch& s, const Case& at, bool is_of_boards)
 {
   const int count = s.count(1, 3);
   const bool side_by_side = s.chance(.4), has_handles = s.chance(.75), is_deep = is_of_boards && s.chance(.5);
   const double w = at.width() - 2 * at.board, h = at.height() - 2 * at.board, y = (at.low + at.high) / 2;
-  const int kind = s.count(0, 4); // the same in all fields, or 3 and 4: drawn for each
+  const int kind = s.count(0, 4); // 0 to 2: the same filling in all fields; 3, 4: drawn for each field
   for (int i = 0; i < count; ++i) {
     const double t = (i + .5) / count - .5;
     const Field field = side_by_side ? Field{t * w, y, w / count, h} : Field{0, y + t * h, w, h / count};
@@ -163,7 +163,7 @@ void add_extras(Sketch& s, const Case& at)
     s.add("backsplash", s.block({0, at.high + height, -at.z}, {at.width(), 2 * height, .02}));
 }
 
-// Boards between four posts or on two ladders.
+// A rack: boards between four posts, at times with rails.
 void draw_rack(Sketch& s, const Case& at)
 {
   const double width = s.in(.015, .05), x = at.x - width / 2, z = at.z - width / 2;

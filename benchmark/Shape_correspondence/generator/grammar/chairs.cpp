@@ -12,12 +12,12 @@ namespace generator {
 
 namespace {
 
-// A chair in the making: half sizes of the seat, its upper and lower height, the height of the back.
+// Proportions of a chair: half sizes of the seat, its upper and lower height, the height of the back.
 struct Chair
 {
   double x, z, low, high, top;
-  double lean;          // of the back, to the rear
-  double thickness = 0; // of bars of the back
+  double lean;          // shift of the top of the back to the rear
+  double thickness = 0; // width of the bars of the back
 
   Point back(double side, double t) const { return {side * x, high + t * (top - high), -z - lean * t}; }
   Carried carried() const { return {x, z, low}; }
@@ -58,7 +58,7 @@ void add_seat(Sketch& s, const Chair& at)
   }
 }
 
-// A leg at each corner, those behind going on as posts of the back.
+// Adds a leg at each corner; the rear legs continue as posts of the back.
 void add_legs_with_posts(Sketch& s, const Chair& at, double width)
 {
   const double x = at.x - width / 2, z = at.z - width / 2;
@@ -71,7 +71,7 @@ void add_legs_with_posts(Sketch& s, const Chair& at, double width)
 void add_support(Sketch& s, const Chair& at)
 {
   switch (s.count(0, 7)) {
-  case 0: // of an office
+  case 0: // a star on casters, as of an office chair
     if (s.chance(.7)) {
       const double height = s.in(.02, .06);
       s.add("seat_frame", s.block({0, at.low - height / 2, 0}, {at.x * s.in(.5, 1.2), height, at.z * s.in(.5, 1.2)}),
@@ -91,7 +91,7 @@ void add_support(Sketch& s, const Chair& at)
   }
 }
 
-// Bars of a back: level ones (a ladder) or upright ones.
+// The bars of a back: level (a ladder) or upright.
 Solids back_bars(Sketch& s, const Chair& at, double low, double high, double x)
 {
   const int count = s.count(2, 8);

@@ -11,7 +11,7 @@ namespace generator {
 
 namespace {
 
-// A cycle in the making, in its middle plane; the wheels' radii, and how thick tubes are.
+// Proportions of a cycle: radii of the wheels, thickness of tubes, joints in the plane of symmetry.
 struct Cycle
 {
   double front_wheel, rear_wheel, tube;
@@ -71,14 +71,14 @@ void add_frame(Sketch& s, const Cycle& at)
   const Solids tubes{
       s.stick(at.head_low, at.head, t * 1.2), s.stick(at.head, top, t), s.stick(at.head_low, at.crank, t),
       s.stick(at.crank, at.seat, t),          stay(at.crank, .04),      stay(at.seat, .04)};
-  if (s.chance(.12)) { // one beam in place of triangles
+  if (s.chance(.12)) { // one beam in place of a frame of triangles
     const Solid beam_of_frame =
         s.rod({at.head_low, between(at.head_low, at.crank, .6), at.crank, at.rear}, t * s.in(1.2, 2.5));
     return s.add("frame",
                  joined({beam_of_frame, s.stick(at.crank, at.seat, t), s.stick(at.head_low, at.head, t * 1.2)}),
                  "frame");
   }
-  if (s.chance(.2)) { // the front triangle, and the rear one
+  if (s.chance(.2)) { // two parts: the front and the rear triangle
     s.add("frame", joined({tubes[0], tubes[1], tubes[2], tubes[3]}), "frame");
     return s.add("frame", joined({tubes[4], tubes[5]}), "frame_rear");
   }
@@ -126,7 +126,7 @@ void add_saddle(Sketch& s, const Cycle& at)
   const double width = s.in(.12, .28), length = s.in(.2, .4);
   s.add("saddle",
         mapped(s.cushion(at.saddle, {width, s.in(.04, .1), length}),
-               [&, narrow = s.in(0, .8)](const Point& p) { // towards the front
+               [&, narrow = s.in(0, .8)](const Point& p) { // narrower towards the front
                  const double t = std::clamp((p.z() - at.saddle.z()) / length + .5, 0., 1.);
                  return Point(p.x() * (1 - narrow * t), p.y(), p.z());
                }),
@@ -199,7 +199,7 @@ void add_fittings(Sketch& s, const Cycle& at)
   if (s.chance(.15)) s.add("brake", s.block(at.head_low + Point(0, -.02, .03), {.06, .06, .03}), "brake_front");
 }
 
-// No saddle: a board to stand on.
+// A kick scooter: a board to stand on in place of a saddle.
 void draw_scooter(Sketch& s, Cycle at)
 {
   at.front_wheel = at.rear_wheel = s.in(.05, .14);
@@ -229,7 +229,7 @@ void draw_velocipede(Sketch& s)
   add_steering(s, at);
   add_saddle(s, at);
   add_wheel(s, at.front, at.front_wheel, "wheel_front", is_led_by_two ? s.in(.15, .35) : 0);
-  if (!is_tricycle && s.chance(.05)) // of a child that learns
+  if (!is_tricycle && s.chance(.05)) // training wheels
     add_wheel(s, {0, at.rear_wheel * .4, at.rear.z()}, at.rear_wheel * .4, "wheel_training", s.in(.1, .2));
   add_wheel(s, at.rear, at.rear_wheel, "wheel_rear", is_tricycle ? s.in(.15, .35) : 0);
   if (s.chance(.85)) add_drive(s, at, is_tricycle && s.chance(.5) ? at.front : at.crank);

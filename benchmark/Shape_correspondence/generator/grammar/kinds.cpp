@@ -25,7 +25,7 @@ const std::map<std::string, Draw>& draws()
   return result;
 }
 
-constexpr std::uint64_t seeds_of_a_set = 1000000; // far more than a set has shapes
+constexpr std::uint64_t seeds_of_a_set = 1000000; // seeds reserved for each set: more than it has shapes
 
 } // namespace
 

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-// Each adds the parts of a shape to an empty sketch.
+// Each function adds the parts of a shape of its category to an empty sketch.
 void draw_aeroplane(Sketch& s);
 void draw_bed(Sketch& s);
 void draw_car(Sketch& s);
@@ -28,10 +28,10 @@ void draw_sofa(Sketch& s);
 void draw_table(Sketch& s);
 void draw_velocipede(Sketch& s);
 
-/// A shape of a category of the grammar, drawn by a seed.
+/// A shape of a category of the grammar; the seed determines it.
 Assembly drawn_shape(const std::string& category, std::uint64_t seed);
 
-/// The categories in turn, each shape by a seed of its own.
+/// `count` shapes of all categories in turn, each with a seed of its own.
 std::vector<Assembly> drawn_shapes(std::size_t count, std::uint64_t seed);
 
 /// The shapes that methods are compared on: fifteen of each of six categories.

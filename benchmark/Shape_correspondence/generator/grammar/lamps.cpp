@@ -12,7 +12,7 @@ namespace generator {
 
 namespace {
 
-// A hollow shade about the y axis, closed above, open below: a cone, a drum, a dome, a bell; at times with four sides.
+// A hollow shade about the y axis, closed above, open below: a cone, drum, dome or bell; at times with four sides.
 Solid hood(Sketch& s, double low, double high, double low_radius, double high_radius)
 {
   const double wall = std::max(low_radius, high_radius) * .03, power = s.chance(.5) ? 1 : s.in(.3, 2.2);
@@ -33,13 +33,13 @@ Solid hood(Sketch& s, double low, double high, double low_radius, double high_ra
 
 Solid globe(const Point& middle, double radius) { return Sketch::block(middle, Point::Constant(2 * radius), 1); }
 
-// Any shade, with its bulb inside or below; it hangs from or stands on the origin.
+// The solids of a light that hangs from or stands on the origin.
 struct Light
 {
   Solids shades, bulbs, sockets;
 };
 
-// One shade from the origin up to a height; the caller turns it over where it hangs.
+// The solids of a shade from the origin up to `height`; for a hanging light, the caller mirrors them.
 Solids drawn_shades(Sketch& s, double size, double height, bool opens_up)
 {
   const double wide = size * s.in(.8, 1.3), narrow = wide * s.in(.1, 1);
@@ -61,7 +61,7 @@ Solids drawn_shades(Sketch& s, double size, double height, bool opens_up)
                                    : Sketch::block({0, 0, 0}, {2 * wide, size * .15, 2 * wide}, .5);
     return row(one, {0, size * .1, 0}, {0, height, 0}, count);
   }
-  case 5: // within another
+  case 5: // a shade within another one
     return {hood(s, 0, height, wide, narrow), Sketch::block(middle, {wide, height * .6, wide}, s.in(.3, 1))};
   case 6: // a tube of glass or metal
     return {s.turned({0, 0, 0}, {0, height, 0}, size * .3, size * s.in(.4, .9))};
@@ -113,7 +113,7 @@ void add_light(Sketch& s, const Light& light, const std::vector<Eigen::Isometry3
 
 Eigen::Isometry3d moved(const Point& to) { return Eigen::Isometry3d(Eigen::Translation3d(to)); }
 
-// What a lamp stands on; \return its height.
+// Adds the foot of a lamp; returns its height.
 double add_foot(Sketch& s, double radius)
 {
   const double height = radius * s.in(.06, .7);
@@ -153,7 +153,7 @@ double add_foot(Sketch& s, double radius)
   }
 }
 
-// Beads, knobs and rings on a post or vase.
+// Adds balls and rings on a post or vase.
 void add_ornaments(Sketch& s, double low, double high, double radius)
 {
   for (int i = s.count(1, 3); i > 0; --i) {
@@ -164,7 +164,7 @@ void add_ornaments(Sketch& s, double low, double high, double radius)
   }
 }
 
-// A post in one piece, or in several that follow each other.
+// Adds a post: one part, or two to four parts one above the other.
 void add_post(Sketch& s, double low, double high, double width, const std::string& fine)
 {
   if (!s.chance(.25))
@@ -180,7 +180,7 @@ void add_post(Sketch& s, double low, double high, double width, const std::strin
   }
 }
 
-// Three long legs, a joint, a shade on top.
+// A tripod lamp: three or four long legs, a joint, a shade on top.
 void draw_tripod_lamp(Sketch& s)
 {
   const double height = s.in(.4, 1.6), reach = height * s.in(.15, .4), width = height * s.in(.015, .04),
@@ -192,7 +192,7 @@ void draw_tripod_lamp(Sketch& s)
   add_light(s, drawn_light(s, size, false, s.chance(.4), s.chance(.4)), {moved({0, height, 0})});
 }
 
-// Standing: a foot, a post or a vase, a shade above.
+// A standing lamp: a foot, a post or a vase, a shade above.
 void draw_standing_lamp(Sketch& s)
 {
   const double height = s.in(.2, 1.9), size = height * (height > 1 ? s.in(.07, .2) : s.in(.15, .5)),
@@ -237,7 +237,7 @@ void draw_standing_lamp(Sketch& s)
     s.add("chain", s.stick({size * .4, height + gap - .1, 0}, {size * .4, height + gap + .05, 0}, .006));
 }
 
-// A post with one or two arms high above: in a street, over a table, of a banker.
+// A post with one or two arms at its top: a street lamp or a banker's lamp.
 void draw_hooked_lamp(Sketch& s)
 {
   const double height = s.in(.3, 2.5), reach = height * s.in(.08, .5), width = height * s.in(.015, .05),
@@ -261,7 +261,7 @@ void draw_hooked_lamp(Sketch& s)
   if (is_pair || s.chance(.4)) s.turn_quarter();
 }
 
-// On a desk or a floor: a foot, arms with joints or a bow, a shade that looks down.
+// A desk or floor lamp: a foot, arms with joints or one bow, a shade that hangs from the end.
 void draw_reaching_lamp(Sketch& s)
 {
   const double scale = s.chance(.3) ? s.in(1, 1.8) : s.in(.35, .7), width = scale * s.in(.02, .06),
@@ -292,7 +292,7 @@ void draw_reaching_lamp(Sketch& s)
   if (s.chance(.35)) s.turn_quarter();
 }
 
-// A heavy foot, a bow, a shade that hangs from its end.
+// An arc lamp: a foot, a bow, a shade that hangs from its end.
 void draw_arc_lamp(Sketch& s)
 {
   const double height = s.in(.5, 2.1), reach = height * s.in(.3, .9), width = height * s.in(.012, .03),
@@ -311,7 +311,7 @@ void draw_arc_lamp(Sketch& s)
   if (s.chance(.5)) s.turn_quarter();
 }
 
-// A plate at a ceiling, y = 0; \return its height.
+// Adds a mount at a ceiling, y = 0; returns its height.
 double add_ceiling_mount(Sketch& s, double radius)
 {
   const double height = radius * s.in(.1, .8);
@@ -322,7 +322,7 @@ double add_ceiling_mount(Sketch& s, double radius)
   return height;
 }
 
-// A rod, a cable, or links of a chain, each a part or all one; from `high` down to `low`.
+// Adds a hanger from `high` down to `low`: a rod, or a chain, which is one part or one part for each link.
 void add_hanger(Sketch& s, const Point& high, const Point& low, double width)
 {
   if (s.chance(.6))
@@ -386,7 +386,7 @@ void draw_chandelier(Sketch& s)
   if (s.chance(.25)) s.add("ornament", globe({0, y - body - width, 0}, width * s.in(.8, 2)));
 }
 
-// On a wall: a plate behind, an arm to the front, a light; or spots along a track below a ceiling.
+// A wall lamp: a plate behind, an arm to the front, a light; or spotlights along a track below a ceiling.
 void draw_wall_lamp(Sketch& s)
 {
   const double size = s.in(.06, .16), reach = s.in(.08, .35), width = s.in(.01, .035);
@@ -416,7 +416,7 @@ void draw_wall_lamp(Sketch& s)
   add_light(s, drawn_light(s, size, hangs, s.chance(.6), s.chance(.4)), places);
 }
 
-// Flat below a ceiling: a plate, a bowl or box, or tubes.
+// A ceiling lamp: a mount, and a light or fluorescent tubes.
 void draw_ceiling_lamp(Sketch& s)
 {
   const double radius = s.in(.12, .4), low = add_ceiling_mount(s, radius * s.in(.4, 1.1));
@@ -431,7 +431,7 @@ void draw_ceiling_lamp(Sketch& s)
   if (s.chance(.25)) s.add("ornament", globe({0, -low - radius * s.in(.8, 1.8), 0}, radius * .08));
 }
 
-// A drum that turns in a bow: a spotlight, on a foot, a tripod or below a bar.
+// A spotlight: a drum that turns in a bow, on a foot, at times with a post.
 void draw_spotlight(Sketch& s)
 {
   const double size = s.in(.06, .16), length = size * s.in(1.2, 3), y = s.chance(.5) ? s.in(.6, 1.6) : s.in(.12, .3),
@@ -451,7 +451,7 @@ void draw_spotlight(Sketch& s)
     s.add("bulb", transformed(beam(front, front + Point(0, 0, .01), round_section(size * .8, 12), 1), aim));
 }
 
-// A tank, a burner, a chimney of glass, at times with a handle and a shade.
+// An oil lamp: a tank, a burner, a glass chimney, at times with a flame and a handle.
 void draw_oil_lamp(Sketch& s)
 {
   const double radius = s.in(.06, .14), tank = radius * s.in(.6, 2), neck = radius * s.in(.2, .5);
@@ -472,7 +472,7 @@ void draw_oil_lamp(Sketch& s)
           "handle");
 }
 
-// A cage or panes between a floor and a roof, with a light inside; it stands, hangs, or is on a post or a wall.
+// A lantern: a cage or panes between a floor and a roof, a bulb inside; it stands, hangs, or is on a post or a wall.
 void draw_lantern(Sketch& s)
 {
   const double width = s.in(.08, .2), height = width * s.in(1.2, 3), bar = width * s.in(.05, .12);

@@ -11,7 +11,7 @@ namespace generator {
 
 namespace {
 
-// A leaf from its root along z, bent down, as wide as it is at half its length.
+// A leaf from the origin along z, bent down by about `bend` times its length; `width` is its greatest width.
 Solid leaf(Sketch& s, double length, double width, double bend)
 {
   const int kind = s.count(0, 2);
@@ -54,7 +54,7 @@ void draw_plant(Sketch& s)
     s.add("stem", s.rod({{0, height, 0}, {s.in(-.05, .05), height + tall / 2, 0}, {0, top, 0}}, s.in(.02, .06)));
   else if (has_stem)
     s.add_several("stem", ring(s.stick({0, height, 0}, {0, top, radius * .5}, .02), s.count(2, 4)));
-  if (s.chance(.2)) // a crown
+  if (s.chance(.2)) // one crown of foliage
     return s.add_several("leaf", row(Sketch::block({0, top, 0}, {length * 2, length * 1.5, length * 2}, s.in(.5, 1)),
                                      Point::Zero(), {0, length * s.in(0, 2), 0}, s.count(1, 3)));
   if (s.chance(.12)) // a cactus or a ball of shoots

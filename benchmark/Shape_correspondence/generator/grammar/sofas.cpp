@@ -12,7 +12,7 @@ namespace generator {
 
 namespace {
 
-// A sofa in the making: half width and half depth of what people sit on, heights, and the thickness of arms and back.
+// Proportions of a sofa: half width and half depth of the seats, heights, thickness of arms and back, number of seats.
 struct Sofa
 {
   double x, z, low, seat, top, arm, arm_height, back;
@@ -36,7 +36,7 @@ Sofa sofa_proportions(Sketch& s)
   return at;
 }
 
-// An arm on the left: a block, a roll, a panel, boards, a frame of bars, or a bar on posts; at times with a pad on it.
+// Adds both arms: a block, a roll on a panel, a frame of bars, a bow, slats under a bar, or a body with a pad.
 void add_arms(Sketch& s, const Sofa& at, double low, double front, double rear)
 {
   const double x = at.x + at.arm / 2, height = at.arm_height - low, z = (front + rear) / 2, depth = front - rear;
@@ -89,7 +89,7 @@ void add_arms(Sketch& s, const Sofa& at, double low, double front, double rear)
   if (s.chance(.06)) s.add_pair("cushion", s.cushion({at.x - .06, at.seat + .1, z}, {.12, .2, depth * s.in(.4, .8)}));
 }
 
-// The back: a block for all, one a seat, a rail over bars, or a bow that leans.
+// Adds the back: one block, one for each seat, a rail over bars, or a block with a roll or rail; at times it leans.
 void add_back(Sketch& s, const Sofa& at, double low, double half_width)
 {
   const double height = at.top - low, y = (low + at.top) / 2, z = -at.z - at.back / 2,
@@ -101,7 +101,7 @@ void add_back(Sketch& s, const Sofa& at, double low, double half_width)
   const std::string fine = s.any({"", "", "back_frame"});
   const double wood = s.in(.02, .06);
   switch (s.count(0, 7)) {
-  case 0: { // one a seat
+  case 0: { // one block for each seat
     const double step = 2 * half_width / at.places;
     const Solid one = leant(s.block({0, y, z}, {step * .99, height, at.back}));
     return s.add_several("back", row(one, {-half_width + step / 2, 0, 0}, {half_width - step / 2, 0, 0}, at.places), "",
@@ -154,7 +154,7 @@ void add_arms_and_back(Sketch& s, const Sofa& at, double base_top)
   if (at.arm > 0) add_arms(s, at, low, at.z + s.in(-.1, .08), rear);
 }
 
-// The base, or one body of base, back and arms.
+// Adds the base, with back and arms, or one body of them all; returns the height of the top of the base.
 double add_base(Sketch& s, const Sofa& at)
 {
   const double height = (at.seat - at.low) * s.in(.15, .7), top = at.low + height;
@@ -166,7 +166,7 @@ double add_base(Sketch& s, const Sofa& at)
     const Solid arm = s.block({at.x + at.arm / 2, (at.low + at.arm_height) / 2, 0},
                               {std::max(at.arm, .01), at.arm_height - at.low, 2 * at.z});
     s.add("base", at.arm > 0 ? joined({base, back, arm, mirrored(arm)}) : joined({base, back}), "body");
-  } else if (s.chance(.12)) { // bars around
+  } else if (s.chance(.12)) { // rails around
     add_rails(s, {at.outer_x(), at.z, top}, "base");
     add_arms_and_back(s, at, top);
   } else {
@@ -179,7 +179,7 @@ double add_base(Sketch& s, const Sofa& at)
   return top;
 }
 
-// A part of a sofa that reaches to the front at one side: a chaise longue, or the other wing of a corner.
+// Adds the parts that reach to the front at one side: a chaise longue, or the second wing of a corner sofa.
 void add_wing(Sketch& s, const Sofa& at, double low, double height, double roundness)
 {
   const double side = s.any({-1., 1.}), width = s.in(.5, .75), length = s.in(.3, 1.6),
@@ -212,7 +212,7 @@ void add_seats(Sketch& s, const Sofa& at, double low)
   const Solid one = Sketch::block({0, low + height / 2, front / 2}, {step * .98, height, 2 * at.z + front}, roundness);
   s.add_several("seat", row(one, {-at.x + step / 2, 0, 0}, {at.x - step / 2, 0, 0}, count), s.any({"", "seat_cushion"}),
                 Place::side, .1);
-  if (s.chance(.08)) // two layers
+  if (s.chance(.08)) // a second layer of cushions below
     s.add("seat", Sketch::block({0, low - height * .3, front / 2}, {2 * at.x, height * .6, 2 * at.z}, roundness),
           "seat_lower");
   if (at.places > 1 && s.chance(.15)) add_wing(s, at, low, height, roundness);

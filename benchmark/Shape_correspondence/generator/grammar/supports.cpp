@@ -11,7 +11,7 @@ namespace generator {
 
 namespace {
 
-// Bars between legs at corners: around, across, or only between front and back legs and in the middle.
+// Adds bars between legs at corners: at all sides, left and right with or without one across, or only in front.
 void add_stretchers(Sketch& s, const Point& corner, double width)
 {
   const double x = corner.x(), y = corner.y(), z = corner.z();

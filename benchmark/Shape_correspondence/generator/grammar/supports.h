@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {
 
-/// What a support carries: a rectangle about the y axis.
+/// The rectangle about the y axis that a support carries, at a height above the floor.
 struct Carried
 {
   double half_width, half_depth, height;
@@ -23,22 +23,22 @@ struct Carried
 /// One leg: straight, tapered, curved, turned, or with a foot or caster.
 Solid leg(Sketch& s, const Point& foot, const Point& top, double width);
 
-/// Four legs, or five to eight under something long; may be joined by stretchers.
+/// Adds four legs, or six under a long rectangle; at times joined by stretchers.
 void add_legs(Sketch& s, const Carried& at, bool may_have_stretchers = true);
 
-/// A column on a disc, a block, or three to six branches with or without casters; in one part or in several.
+/// Adds a column on a plate, or on a star of three to six branches with or without casters; in one part or several.
 void add_column(Sketch& s, const Carried& at, bool on_casters = false);
 
-/// Two sides: panels, loops, sledges, trestles or crossed bars; may be joined by a bar.
+/// Adds two sides: panels, loops, trestles or crossed bars; at times joined by a bar.
 void add_sides(Sketch& s, const Carried& at, const std::string& role_of_bar = "stretcher");
 
-/// One frame of bent tubes.
+/// Adds a frame in one part: two loops joined by two bars.
 void add_leg_frame(Sketch& s, const Carried& at);
 
-/// Rails or aprons along the four edges, in four parts or in one.
+/// Adds rails or aprons along the edges, each a part, or a frame of four in one part.
 void add_rails(Sketch& s, const Carried& at, const std::string& role);
 
-/// A knob, a bar or a bow on something that looks to +z.
+/// A knob, a bar or a bow at a point of a front that faces +z.
 Solid handle(Sketch& s, const Point& at, double length);
 
 } // namespace generator

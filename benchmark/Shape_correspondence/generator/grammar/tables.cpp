@@ -12,7 +12,7 @@ namespace generator {
 
 namespace {
 
-// A table in the making: half sizes of the top, its upper and lower height.
+// Proportions of a table: half sizes of the top, heights of its lower and upper side.
 struct Table
 {
   double x, z, low, high;
@@ -65,7 +65,7 @@ void add_top(Sketch& s, const Table& at, bool is_round)
   if (s.chance(.08)) s.add("tabletop", s.block({0, at.high + .01, 0}, {1.7 * at.x, .02, 1.7 * at.z}));
 }
 
-// A drawer that looks to +z; with a handle or without one.
+// Adds a drawer or door that faces +z, with or without a handle.
 void add_drawer(Sketch& s, const Point& middle, const Point& size, const std::string& role, bool has_handle)
 {
   s.add(role, s.block(middle, size));
@@ -84,7 +84,7 @@ void add_drawers_under_top(Sketch& s, const Table& at)
                {.94 * width, height, depth}, "drawer", has_handles);
 }
 
-// What a desk stands on at one side: boards or a body with drawers or a door.
+// Adds the pedestal of a desk at one side: boards or a body, with drawers or a door. \param side 1: left, -1: right
 void add_cabinet(Sketch& s, const Table& at, double side, double width, bool is_of_boards)
 {
   const double low = s.in(0, .1), height = at.low - low, x = side * (at.x - width / 2), board = .02,
@@ -106,7 +106,7 @@ void add_cabinet(Sketch& s, const Table& at, double side, double width, bool is_
                {width - 2 * board, .92 * step, deep}, count == 1 ? "door" : "drawer", has_handles);
 }
 
-// One block, or boards of one thickness around: a cube, a bridge, a C.
+// Adds one block below the top, or boards of one thickness: a cube, a bridge, a C.
 void add_box(Sketch& s, const Table& at)
 {
   if (s.chance(.35))
@@ -128,7 +128,7 @@ void add_box(Sketch& s, const Table& at)
           "back_panel");
 }
 
-// Three legs, or bars that cross in the middle.
+// Adds three or four slanted legs about the middle, which may cross.
 void add_spread_legs(Sketch& s, const Table& at)
 {
   const double reach = std::min(at.x, at.z) * s.in(.5, 1), width = reach * s.in(.05, .15), top = s.in(-.8, 1) * reach;
@@ -157,7 +157,7 @@ void add_desk(Sketch& s, const Table& at)
   if (s.chance(.2)) s.add("shelf", s.block({-width / 2, at.low - .08, at.z * .4}, {at.x, .02, at.z}), "keyboard_tray");
 }
 
-// A shelf between the legs, or one above the top on two boards.
+// Adds a shelf between the legs, or one above the top on two boards.
 void add_shelves(Sketch& s, const Table& at)
 {
   const double inset = s.in(.75, 1), y = at.low * s.in(.12, .6);
