@@ -56,7 +56,7 @@ Shape_blend blend_of(const Model& source, const Model& target, const Name_pairs&
   return Shape_blend(source.graph, source.shape, target.graph, target.shape, correspondence, options);
 }
 
-/// The distance between the parts whose names start with `first` and `second`, over the height of the shape.
+/// The distance between the parts whose names start with `first` and `second`, divided by the height of the shape.
 double distance(const Segmented_shape& shape, const std::string& first, const std::string& second)
 {
   const std::vector<Triangle_tree> trees = trees_of(shape);
@@ -240,7 +240,7 @@ TEST_CASE("Legs stay attached to a seat that becomes far higher")
   CHECK(seen > 2);
 }
 
-TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
+TEST_CASE("Parts in one place are exchanged at one time, and so are parts needed to stand")
 {
   Segmented_shape legged("legged"), pedestal("pedestal");
   for (Segmented_shape* shape : {&legged, &pedestal})
@@ -270,7 +270,7 @@ TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
       return (part.name == "left~" || part.name == "~column") && part.mesh.points.row(1).minCoeff() < 0.02;
     });
   }
-  CHECK(supports == steps - 1); // at any time, one part stands
+  CHECK(supports == steps - 1); // at any time, a support reaches the ground
 }
 
 TEST_CASE("While all is exchanged, the shape is as high as before and after")
