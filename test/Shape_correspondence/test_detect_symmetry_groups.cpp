@@ -46,7 +46,7 @@ const Part_group& group_with(const std::vector<Part_abstraction>& parts, const s
   throw std::logic_error("no group has " + name);
 }
 
-/// A group with the names of its parts, its kind, and its generator, which changes under motion.
+/// The symmetry of a group, whose generator moves with the shape, and the names of the parts in their order.
 struct Named_group
 {
   Symmetry symmetry;
@@ -112,7 +112,7 @@ bool is_same_generator(const Symmetry& a, const Symmetry& b, double diagonal)
   }
 }
 
-/// Whether one order equals the other up to the first member and the sense of a ring, or the direction of a row.
+/// Whether two orders are equal up to the first member and the sense of rotation of a ring, or the direction of a row.
 bool is_same_order(const Named_group& a, std::vector<std::string> order)
 {
   if (a.symmetry.type == Symmetry_type::REFLECTION) return true; // ordered by pairs, front or left first
@@ -136,7 +136,7 @@ double diagonal_of(const Segmented_shape& shape)
   return box.diagonal().norm();
 }
 
-/// Whether a vertical plane is another mirror plane than the expected one: a square shape has more than two.
+/// Whether a plane is vertical and goes through the expected centre: a square shape has further mirror planes.
 bool is_other_plane(const Symmetry& a, const Symmetry& expected, double diagonal)
 {
   Point apart = a.point - expected.point;
@@ -297,7 +297,7 @@ TEST_CASE("Three unevenly spaced parts are no row, slightly uneven ones are")
   CHECK(groups_of(shelf(0.25)).begin()->first.size() == 2);
 }
 
-TEST_CASE("Kinds can be switched off")
+TEST_CASE("Detection of groups, and of single kinds of symmetry, can be switched off")
 {
   const std::vector<Part_abstraction> parts = quick_parts(chair());
   Symmetry_options options;
