@@ -104,7 +104,7 @@ Segmented_shape boxes()
   return shape;
 }
 
-/// A chain of parts, each a single group.
+/// A chain of parts, each a group of its own.
 Structural_graph chain()
 {
   std::vector<Point> places;
@@ -323,7 +323,7 @@ TEST_CASE("Lists of pieces and their parts read back")
 {
   const Temporary_folder folder;
   Segmented_shape objects("<b>");
-  for (const std::string& name : in_utf8(hostile_names())) // in the encoding of files' readers
+  for (const std::string& name : in_utf8(hostile_names())) // in UTF-8, as readers of files give them
     objects.add_part(name, box_shapes::box(Point(2. * double(objects.parts().size()), 0, 0), Point::Ones()));
   const Part_split split = split_parts(objects);
   const std::string file =
