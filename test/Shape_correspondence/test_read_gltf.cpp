@@ -190,7 +190,7 @@ TEST_CASE("Materials of glTF have their colours, textures and wrap modes")
   const Part_appearance& part = looks.parts[0];
   CHECK(part.materials == std::vector<int>(4, 0));
   REQUIRE(part.coordinates.size() == 12);
-  CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // corner 2
+  CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // of vertex 2, the second corner of the first triangle
   CHECK(part.coordinates[5].isApprox(Eigen::Vector2f(0.2f, 0.2f)));
   CHECK(part.colours == std::vector<Eigen::Vector3f>(12, Eigen::Vector3f(1, 0, 0)));
 }
@@ -315,7 +315,7 @@ TEST_CASE("Parts that are only numbered have the name of the node above that say
                     {0});
   };
   CHECK(named("Object_4", "arm", "node_3") == Names{"leg.001_3", "arm", "rail", "rail#2"});
-  // The node `chair` contains all parts
+  // `Object_5` is in `Group_2`, which only has a number, and in `chair`, which has all parts: its mesh names it
   CHECK(named("mesh17", "Object_5", "12") == Names{"leg.001_3", "wedge", "rail", "rail#2"});
   CHECK(named("Cube.001", "Object5b", "seat") == Names{"Cube.001", "Object5b", "seat", "rail"});
 }
