@@ -49,7 +49,7 @@ inline std::vector<Triangle_tree> trees_of(const Segmented_shape& shape, double 
   return result;
 }
 
-/// The width of the widest gap that has to be bridged to join all parts, over the shape's height.
+/// The width of the widest gap that has to be bridged to join all parts, divided by the shape's height.
 inline double widest_gap(const Segmented_shape& shape, double height)
 {
   const std::vector<Triangle_tree> trees = trees_of(shape, 1 / height);
@@ -111,8 +111,8 @@ inline double hausdorff_distance(const Segmented_shape& a, const Segmented_shape
   return std::max(distance(a, b), distance(b, a));
 }
 
-/// The Hausdorff distance between the visible parts of an in-between shape and an input, without parts that have shrunk
-/// to nothing, and without what is inside the input's parts, where pieces of divided parts meet.
+/// The Hausdorff distance of an in-between shape and an input, divided by the height. Of the in-between shape, parts
+/// that have shrunk to nothing do not count, nor points inside the input's parts, where pieces of divided parts meet.
 inline double seen_distance(const Segmented_shape& blended, const Segmented_shape& input, double height)
 {
   constexpr double least_area = 1e-5; // over the squared height: the area below which a part has shrunk to nothing

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-// Kinds of tasks, and the times at which parts come, go and replace others.
+// Kinds of tasks, and the times at which parts appear, vanish and replace others.
 
 using namespace CGAL::Shape_correspondence;
 using namespace box_models;

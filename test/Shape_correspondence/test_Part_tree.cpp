@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parts of models without given parts: patches, their tree, its best cut, and features.
+// How parts are found in models that have none: patches, a tree of their unions, its best cut, learned models.
 #include "io/read/read_objects.h"
 #include "part_meshes.h"
 #include "roles/Boosted_trees.h"
@@ -160,7 +160,8 @@ TEST_CASE("Congruent patches have the same shape number")
   std::map<std::size_t, int> count;
   for (const Surface_patch& patch : surface.patches)
     ++count[patch.shape];
-  // Patches of each shape: 2 faces of the top, 2 long sides of it, 2 short ones with 16 sides of legs, 8 ends of legs
+  // Numbers of congruent patches: 2 faces of the top, its 2 long sides, its 2 short sides with 16 of legs, 8 ends of
+  // legs
   std::multiset<int> sizes;
   for (const auto& [shape, n] : count)
     sizes.insert(n);
@@ -193,7 +194,7 @@ TEST_CASE("Patches are merged in the order of their affinity")
 
 TEST_CASE("The best cut of a tree is worked out by hand")
 {
-  // 4 is the union of 0 and 1, 5 of 2 and 3, 6 of 4 and 5
+  // Node 4 is the union of 0 and 1, 5 that of 2 and 3, 6 that of 4 and 5
   std::vector<Part_node> nodes(7);
   const auto merge = [&](std::size_t a, std::size_t b, std::size_t c) {
     nodes[c].children = {a, b};

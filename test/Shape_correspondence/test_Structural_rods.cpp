@@ -26,7 +26,7 @@ TEST_CASE("Eq. 2 and 3: two rods, one turned by 60 degrees")
   const double c = 0.5, s = std::sqrt(3) / 2;
   // Lengths change as well, but only directions count
   const Rod_energy energy = rods.energy(points({{0, 0, 0}}), points({{4 * c, 4 * s, 0}, {0, 5, 0}}));
-  // D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
+  // Eq. 3 with D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
   CHECK(energy.distortion == Approx(1 - std::sqrt(1.25 / 2)));
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("Eq. 2: a short rod has a direction, too")
 
 TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
 {
-  // d = 1, f = 4
+  // Eq. 4 with d = 1 and f = 4
   const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}, {4, 0, 0}}));
   const auto moved = [&](double x) { return rods.energy(points({{0, 0, 0}}), points({{x, 0, 0}, {x + 3, 0, 0}})); };
   CHECK(moved(0.5).connectedness == 0);

@@ -66,7 +66,7 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
     CHECK(right == Approx(i == 3 ? .4 : .1 * double(i) + .05).margin(0.01));
   }
 
-  // Previous displacements do not matter: with only one end matched, all follow it; with none, they return
+  // Previous displacements do not matter: with only one end matched, all parts follow it; with none, all rest
   matched[chain.group_of[index_of(chain, 0)]] = 0;
   preserve_structure(matched, contact_displacement, motions);
   for (std::size_t i : {0, 1, 2, 3})

@@ -72,7 +72,7 @@ TEST_CASE("Values are transferred: numbers are interpolated, labels taken from t
   CHECK(labels[3] == std::vector<int>(labels[3].size(), -1));
 }
 
-TEST_CASE("A model that is not the graph's is refused")
+TEST_CASE("A model that does not belong to its graph is refused")
 {
   const Structural_graph graph = graph_of(knobbed_plate());
   CHECK_THROWS_AS(Surface_map(graph, three_laths(), graph, knobbed_plate(), pairing({{0, 0}})), Invalid_input);

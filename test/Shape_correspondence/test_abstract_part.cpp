@@ -286,7 +286,7 @@ TEST_CASE("Surface points are spread evenly and include corners")
   }
 }
 
-TEST_CASE("Hull volumes")
+TEST_CASE("Volumes of convex hulls, which are 0 for flat, collinear and empty sets of points")
 {
   CHECK(convex_hull_volume(leg.points) == Approx(0.01));
   CHECK(convex_hull_volume(leg.points.leftCols(4)) == 0);

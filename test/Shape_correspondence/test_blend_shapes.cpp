@@ -358,7 +358,7 @@ TEST_CASE("A part without mirror image grows by itself, though others vanish")
   CHECK(is_closed(blend(0.75).parts().back().mesh));
 }
 
-TEST_CASE("A model that is not the graph's is refused")
+TEST_CASE("A model that does not belong to its graph is refused")
 {
   const Model &stool = model("stool"), &chair = model("chair_spindle");
   CHECK_THROWS_AS(Shape_blend(stool.graph, chair.shape, chair.graph, chair.shape, {}), Invalid_input);

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// Parts without counterpart, and parts that touch at one end only.
+// Parts without counterpart, and parts that touch in the source or in the target only.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -259,7 +259,7 @@ TEST_CASE("Parts in one place are exchanged at one time, and so are parts needed
     if (task.type == Blend_task_type::GROW) come.emplace(task.begin, task.end);
     if (task.type == Blend_task_type::SHRINK) go.emplace(task.begin, task.end);
   }
-  REQUIRE(come.size() == 2); // below and above the top
+  REQUIRE(come.size() == 2); // one for the parts below the top, one for those above it
   REQUIRE(go.size() == 2);
   CHECK(come == go); // old and new are never in one place
   int supports = 0;

@@ -94,7 +94,7 @@ Part_mesh shuffled(const Part_mesh& mesh, Random& random)
 Part_mesh with_other_diagonals(const Part_mesh& mesh, Random&)
 {
   Triangles triangles = triangles_of_mesh(mesh);
-  std::map<Edge, std::vector<std::size_t>> sides; // 3 * triangle + side
+  std::map<Edge, std::vector<std::size_t>> sides; // indices: 3 * triangle + side
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       sides[edge(triangles[t][k], triangles[t][(k + 1) % 3])].push_back(3 * t + k);

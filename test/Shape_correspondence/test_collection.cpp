@@ -289,7 +289,7 @@ TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-b
   CHECK_THAT(no_folder.error, Contains("graphs/graphs: it cannot be used as a store"));
 }
 
-TEST_CASE("The nearest shapes of a query")
+TEST_CASE("--nearest lists the shapes nearest to a query")
 {
   const Temporary_folder folder;
   const std::string in = shape_folder(folder), query = in + "/2.json";

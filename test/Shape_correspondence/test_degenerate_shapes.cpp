@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Outcomes for degenerate shapes.
+// Degenerate shapes: each has a graph that matches itself, or is refused with a reason.
 
 #include "box_shapes.h"
 #include "model_files.h"

@@ -67,7 +67,7 @@ Segmented_shape two_boxes(double gap)
 
 } // namespace
 
-TEST_CASE("Contacts of shapes made of boxes")
+TEST_CASE("Contacts of shapes made of boxes are those of their construction")
 {
   const Found on_table = contacts_of(table());
   CHECK(on_table.pairs == TABLE_PAIRS);

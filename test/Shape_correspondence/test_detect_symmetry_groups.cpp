@@ -115,7 +115,7 @@ bool is_same_generator(const Symmetry& a, const Symmetry& b, double diagonal)
 /// Whether two orders are equal up to the first member and the sense of rotation of a ring, or the direction of a row.
 bool is_same_order(const Named_group& a, std::vector<std::string> order)
 {
-  if (a.symmetry.type == Symmetry_type::REFLECTION) return true; // ordered by pairs, front or left first
+  if (a.symmetry.type == Symmetry_type::REFLECTION) return true; // pairs have a fixed order: front or left first
   for (int sense = 0; sense < 2; ++sense) {
     for (std::size_t start = 0; start < order.size(); ++start) {
       if (a.order == order) return true;
@@ -188,7 +188,7 @@ const std::map<Names, Symmetry_type> STAR_GROUPS = {
 
 } // namespace
 
-TEST_CASE("Groups of shapes made of boxes")
+TEST_CASE("Groups of shapes made of boxes are those of their construction")
 {
   CHECK(groups_of(table()) == TABLE_GROUPS);
   CHECK(groups_of(chair()) == CHAIR_GROUPS);
@@ -248,7 +248,7 @@ TEST_CASE("The generator carries each member into the next")
   check(star_stool(), "foot_0");
 }
 
-TEST_CASE("Order, volume and hull of groups")
+TEST_CASE("Groups have the order, the volume and the hull of their parts")
 {
   std::vector<Part_abstraction> parts = quick_parts(table());
   for (Part_abstraction& part : parts)

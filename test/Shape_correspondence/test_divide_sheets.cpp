@@ -46,7 +46,7 @@ TEST_CASE("A box is divided along the axis of most spread, in proportion to exte
   const Box unit(Point::Zero(), Point::Ones());
   CHECK(divide_box(unit, {{{7, 7, 7}, {1, 1, 1}}})[0].isApprox(unit));
 
-  // The one in the middle is twice as wide as the other two; in any order
+  // The share in the middle is twice as wide as the other two; shares come in any order
   const auto three = divide_box(unit, {{{5, 0, 0}, {1, 1, 1}}, {{-5, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {2, 1, 1}}});
   CHECK(three[0].isApprox(Box(Point(.75, 0, 0), Point(1, 1, 1))));
   CHECK(three[1].isApprox(Box(Point(0, 0, 0), Point(.25, 1, 1))));

@@ -93,7 +93,7 @@ TEST_CASE("The distance of a shape from a moved copy of itself is 0")
   CHECK(part_pairs(matrix.map(0, 1).pairs) == part_pairs(identity_part_map(6).pairs));
 }
 
-TEST_CASE("The same bits in parallel, by every method")
+TEST_CASE("Results in parallel have the same bits, by every method")
 {
   for (Search_method method : {Search_method::PARTS, Search_method::BEAM, Search_method::EXACT}) {
     Energy_matrix_options options;

@@ -53,7 +53,7 @@ Eigen::MatrixXd features_of_chair()
   return result;
 }
 
-/// The same for `hand_made::slatted_chair()`, whose back is three slats.
+/// The same features for `hand_made::slatted_chair()`, whose back is three slats.
 Eigen::MatrixXd features_of_slatted_chair()
 {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 8);

@@ -153,7 +153,7 @@ Point image(const gen::Part_group& group, std::size_t k, const Point& p)
   case gen::Symmetry::reflection: {
     const Point once = p - 2 * group.direction.dot(p) * group.direction;
     const Point in_x = k % 2 == 1 ? once : p;
-    return k < 2 ? in_x : Point(in_x.x(), in_x.y(), -in_x.z()); // the back pair of four
+    return k < 2 ? in_x : Point(in_x.x(), in_x.y(), -in_x.z()); // of four members, the last two are at the back
   }
   case gen::Symmetry::rotation:
     return gen::rotation_about(group.point, group.direction, 2 * gen::pi * k / group.parts.size()) * p;

@@ -290,7 +290,7 @@ TEST_CASE("CSV: every name is one field")
   }
   fields.erase(fields.begin());
   Names expected = in_utf8(names);
-  for (std::string& name : expected) // names that a spreadsheet would take for formulas
+  for (std::string& name : expected) // a quote precedes names that a spreadsheet would take for formulas
     if (std::string("=+-@\t\r").find(name[0]) != std::string::npos) name.insert(0, "'");
   CHECK(fields == expected);
 }

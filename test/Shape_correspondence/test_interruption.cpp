@@ -3,8 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What an interrupted program leaves behind, and pipes and devices in place of outputs and of files of caches or
-// stores.
+// What an interrupted program leaves behind, and pipes or devices in place of outputs, caches and stores.
 
 #include "hand_made_graphs.h"
 #include "model_files.h"

@@ -113,7 +113,7 @@ TEST_CASE("Of eight legs in two groups, those at the places of the other table's
 TEST_CASE("Rows of slats at other places match all to all, and one to one if panels are switched off")
 {
   const Structural_graph slats = hand_made::slatted_chair();
-  Shape_structure shape = structure(slats); // lowers and tilts the slats
+  Shape_structure shape = structure(slats); // its slats will be lowered and tilted
   const double x[] = {-.15, 0, .15};
   for (std::size_t slat = 1; slat <= 3; ++slat)
     shape.parts[slat] = hand_made::curve("slat", {x[slat - 1], .6, -.25}, {x[slat - 1], .9, -.4});

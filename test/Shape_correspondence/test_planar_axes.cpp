@@ -57,7 +57,7 @@ TEST_CASE("Of equally small bounding rectangles the least rotated is taken, to t
       {4, 45, 0},   // parallel to the axes
       {4, 0, 45},   // stands on a corner
       {4, 65, 20},  // rotated slightly
-      {4, 15, -30}, // turned by 60° is turned by -30°
+      {4, 15, -30}, // rotated by 60°, which is the same as -30°
       {20, 9, 0},   // two of its edges are parallel to the axes
       {20, 0, 9},   // its edges are rotated by 9° and -9°
       {20, 2, -7},  // rotated by -7° and 11°

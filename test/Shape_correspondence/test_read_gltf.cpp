@@ -44,7 +44,7 @@ TEST_CASE("Nodes of glTF are parts, moved by all nodes that they are in, and rea
   const auto highest = [&](int part) { return Point(shape.parts()[part].mesh.points.rowwise().maxCoeff()); };
   CHECK(lowest(0).isApprox(Point(10, 5, 0)));
   CHECK(highest(0).isApprox(Point(12, 7, 2)));
-  CHECK(lowest(1).isApprox(Point(10 + 2 - 6, 5, 0))); // y is mapped to -x
+  CHECK(lowest(1).isApprox(Point(10 + 2 - 6, 5, 0))); // the rotation maps y to -x
   CHECK(highest(1).isApprox(Point(12, 7, 2)));
   CHECK(highest(2).isApprox(Point(11, 1, 1)));
   model.document["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
@@ -219,7 +219,7 @@ TEST_CASE("Instances of a mesh are parts, whichever of translations, rotations a
     const Points& points = all.parts()[std::size_t(part)].mesh.points;
     return std::pair<Point, Point>(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
   };
-  CHECK(extent(0).first.isApprox(Point(9, 5, 0), 1e-6)); // y is mapped to -x
+  CHECK(extent(0).first.isApprox(Point(9, 5, 0), 1e-6)); // the rotation maps y to -x
   CHECK(extent(0).second.isApprox(Point(10, 6, 3), 1e-6));
   CHECK(extent(1).second.isApprox(Point(22, 7, 2), 1e-6));
   CHECK(with({{"TRANSLATION", moves}}, "extensionsUsed").read().parts().size() == 2);

@@ -256,7 +256,7 @@ TEST_CASE("OBJ: groups of an object that share vertices name its faces, others a
   CHECK(names(IO::read_segmented_shape(folder.write("a.obj", box_of_sides("seat", 0, 0)))).size() == 6);
 }
 
-TEST_CASE("OBJ: six or seven numbers of a vertex are its colour, four its weight, and ZBrush paints in comments")
+TEST_CASE("OBJ: a vertex may have a colour or a weight after its coordinates, and ZBrush writes colours in comments")
 {
   const Temporary_folder folder;
   const std::string face = "f 1 2 3\n";
