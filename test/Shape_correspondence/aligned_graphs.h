@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Graphs written by hand, in the common frame.
+// Finds parts of aligned graphs by their indices in the handwritten graphs.
 #ifndef SHAPE_CORRESPONDENCE_TEST_ALIGNED_GRAPHS_H
 #define SHAPE_CORRESPONDENCE_TEST_ALIGNED_GRAPHS_H
 

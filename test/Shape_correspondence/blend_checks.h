@@ -49,7 +49,7 @@ inline std::vector<Triangle_tree> trees_of(const Segmented_shape& shape, double 
   return result;
 }
 
-/// The width of the widest gap that has to be bridged to join all parts, over the shape's height.
+/// The width of the widest gap that has to be bridged to join all parts, divided by the shape's height.
 inline double widest_gap(const Segmented_shape& shape, double height)
 {
   const std::vector<Triangle_tree> trees = trees_of(shape, 1 / height);
@@ -81,7 +81,7 @@ inline double area(const Part_mesh& mesh)
 }
 
 /// The largest distance of the vertices of one shape from the surface of another.
-/// \param is_left_out predicate of a part of `from` and a point of it
+/// \param is_left_out predicate of a part of `from` and one of its points: whether that point does not count
 template <typename Is_left_out>
 double distance(const Segmented_shape& from, const Segmented_shape& to, const Is_left_out& is_left_out)
 {
@@ -111,11 +111,11 @@ inline double hausdorff_distance(const Segmented_shape& a, const Segmented_shape
   return std::max(distance(a, b), distance(b, a));
 }
 
-/// The Hausdorff distance between the visible parts of an in-between shape and an input, without parts that have shrunk
-/// to nothing, and without what is inside the input's parts, where pieces of divided parts meet.
+/// The Hausdorff distance of an in-between shape and an input, divided by the height. Of the in-between shape, parts
+/// that have shrunk to nothing do not count, nor points inside the input's parts, where pieces of divided parts meet.
 inline double seen_distance(const Segmented_shape& blended, const Segmented_shape& input, double height)
 {
-  constexpr double least_area = 1e-5;
+  constexpr double least_area = 1e-5; // over the squared height: the area below which a part has shrunk to nothing
   const auto is_left_out = [&](const Shape_part& part, const Point& p) {
     return area(part.mesh) < least_area * height * height ||
            std::any_of(input.parts().begin(), input.parts().end(),
@@ -124,14 +124,15 @@ inline double seen_distance(const Segmented_shape& blended, const Segmented_shap
   return std::max(distance(blended, input, is_left_out), distance(input, blended)) / height;
 }
 
-/// Whether a shape is another one moved by a rotation and a translation, by distances of points from some fixed ones.
+/// Whether `b` is `a` moved by a rotation and a translation: compares the distances of all points from four points of
+/// the first part.
 inline bool is_moved(const Segmented_shape& a, const Segmented_shape& b)
 {
   constexpr double rounding = 1e-9;
   if (a.parts().size() != b.parts().size()) return false;
   const Points &first = a.parts()[0].mesh.points, &second = b.parts()[0].mesh.points;
   if (first.cols() != second.cols()) return false;
-  const auto orientation = [](const Segmented_shape& shape) { // a mirror image has another sign
+  const auto orientation = [](const Segmented_shape& shape) { // 6 times the volume; changes sign under reflection
     Point middle = Point::Zero();
     for (const Shape_part& part : shape.parts())
       middle += part.mesh.points.rowwise().mean() / double(shape.parts().size());
@@ -156,7 +157,7 @@ inline bool is_moved(const Segmented_shape& a, const Segmented_shape& b)
   });
 }
 
-/// A blend with measures of its in-between shapes; lengths are over the height.
+/// A blend with measures of its in-between shapes; lengths are divided by the height of the shape.
 class Measured_blend
 {
 public:
@@ -169,7 +170,8 @@ public:
         tasks_(CGAL::Shape_correspondence::internal::ranked_schedules(blend_, {})[0].tasks)
   {}
 
-  /// The largest amount by which the gap of two parts that touch at both ends is wider than the interpolated gap.
+  /// For matched parts that touch in source and target: the largest excess of their gap at time t over the gap
+  /// interpolated between both.
   double gap(double t) const
   {
     const auto seen = Shape(blend_, tasks_, t).seen(); // matched parts come first
@@ -186,7 +188,7 @@ public:
     return worst;
   }
 
-  /// Distance from the mirror image, minus that of the ends.
+  /// Distance of the in-between shape from its mirror image, minus the larger one of source and target.
   double asymmetry(double t) const
   {
     CGAL::Shape_correspondence::internal::Tree_pointers trees;
@@ -221,7 +223,7 @@ private:
   std::vector<CGAL::Shape_correspondence::Blend_task> tasks_;
 };
 
-/// Deviation of the height of a shape of a blend from the geometric interpolation between the ends.
+/// Relative deviation of the height at time t from the geometric interpolation between the heights of both ends.
 inline double height_error(const CGAL::Shape_correspondence::Shape_blend& blend, double t)
 {
   const auto height = [&](double time) {

@@ -75,7 +75,7 @@ inline Segmented_shape knobbed_box(const Point& size)
   return shape;
 }
 
-/// A plate, and the same plate divided into three laths side by side along x.
+/// A plate with a knob, and three laths in its place, side by side along x with gaps between them.
 inline Segmented_shape knobbed_plate() { return knobbed_box({1.2, 0.1, 0.6}); }
 inline Segmented_shape three_laths()
 {
@@ -170,7 +170,7 @@ inline Segmented_shape noisy(const Segmented_shape& shape, double fraction, std:
   return result;
 }
 
-/// A part without a skeleton: the curve along its bounding box's longest axis, and its surface.
+/// Abstracts a part without skeletonization: the curve along its bounding box's longest axis, and surface points.
 inline Part_abstraction quick_part(const Shape_part& input)
 {
   Part_abstraction part;

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Structural graphs of shapes by bounding boxes, and correspondences given by hand.
+// Structural graphs whose parts are abstracted by their bounding boxes, and correspondences given by hand.
 #ifndef SHAPE_CORRESPONDENCE_TEST_BOXED_GRAPHS_H
 #define SHAPE_CORRESPONDENCE_TEST_BOXED_GRAPHS_H
 

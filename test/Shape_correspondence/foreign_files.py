@@ -17,7 +17,7 @@ import tempfile
 import time
 import zlib
 
-MOST_SECONDS = 60  # of a command
+MOST_SECONDS = 60  # time limit of a command
 RED, BLUE = (255, 0, 0), (0, 0, 255)
 
 
@@ -27,7 +27,7 @@ BOXES = {"seat": ((-.225, .425, -.225), (.225, .475, .225)), "back": ((-.225, .4
 for side, x in (("l", -.2), ("r", .2)):
     for end, z in (("f", .2), ("b", -.2)):
         BOXES[f"leg_{end}{side}"] = ((x - .02, 0, z - .02), (x + .02, .425, z + .02))
-QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]  # outwards
+QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]  # the faces of a box, oriented outwards
 
 
 def corners(box):
@@ -36,7 +36,7 @@ def corners(box):
 
 
 def lying(boxes):
-    """The same with z up."""
+    """The boxes, turned from y up to z up."""
     turned = {n: [(p[0], -p[2], p[1]) for p in box] for n, box in boxes.items()}
     return {n: tuple(tuple(f(a, b) for a, b in zip(*box)) for f in (min, max)) for n, box in turned.items()}
 
@@ -107,7 +107,7 @@ def strips(binary):
 
 
 def png(left, right, size=8):
-    """A picture, one colour left and one right."""
+    """A PNG picture whose left half has one colour, and whose right half another one."""
     row = b"\0" + bytes(left) * (size // 2) + bytes(right) * (size // 2)
     chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", size, size, 8, 2, 0, 0, 0)) +
@@ -170,7 +170,7 @@ def textured(texture_info, uv_sets, **document):
 
 
 def fbx(up, boxes=BOXES, unit=1):
-    """An FBX file in text, whose axis `up` (y 1, z 2) is upright. The unit is in centimetres."""
+    """An FBX file in text, whose axis `up` (y 1, z 2) is upright. `unit` is the unit of length in centimetres."""
     turn = lambda p: tuple(100 / unit * x for x in (p if up == 1 else (p[0], -p[2], p[1])))
     properties = {"UpAxis": up, "UpAxisSign": 1, "FrontAxis": 3 - up, "FrontAxisSign": 1 if up == 1 else -1, "CoordAxis": 0,
                   "CoordAxisSign": 1}
@@ -214,12 +214,12 @@ class Runner:
         return process.returncode, process.stdout.decode(), process.stderr.decode(), time.time() - begin
 
     def said(self, *words):
-        """What the command says where it fails; none where it does not."""
+        """The exit status and the message of a command that fails; None if it succeeds."""
         status, _, error, _ = self.run(*words)
         return f"{status}: {error.strip()[:90]}" if status else None
 
     def summary(self, path, *options):
-        """The parts and the upright axis that `parts` tells."""
+        """The number of parts and the upright axis, as `parts` prints them, or its error."""
         status, out, error, _ = self.run("parts", path, *options)
         line = out.split("\n")[0].split(": ", 1)[-1] if status == 0 else error.strip()
         return line[:110]
@@ -283,7 +283,7 @@ def pixels_of(data):
             yield tuple(row[x:x + 3])
 
 
-# The kinds: each returns what came out and what is wanted ---------------------------------------------------------------
+# The kinds of files: each function returns what came out and what is wanted --------------------------------------------
 
 KINDS = []
 
@@ -296,7 +296,7 @@ def kind(name):
 
 
 def parts_wanted(runner, files, wanted=6):
-    """Each file, (name, content), has so many parts."""
+    """Checks that each file, (name, content), has the wanted number of parts."""
     got = []
     for name, content in files:
         runner.write(name, content)
@@ -309,7 +309,7 @@ def parts_wanted(runner, files, wanted=6):
 @kind("exactly flat triangle")
 def _(r):
     points = corners(((0, 0, 0), (1, 1, 1))) + [(2, y, z) for y in (0, 1) for z in (0, 1)]
-    sides = [[0, 4, 8, 9, 5, 1], [1, 5, 9, 11, 7, 3], [3, 7, 11, 10, 6, 2], [2, 6, 10, 8, 4, 0]]  # corners on edges
+    sides = [[0, 4, 8, 9, 5, 1], [1, 5, 9, 11, 7, 3], [3, 7, 11, 10, 6, 2], [2, 6, 10, 8, 4, 0]]  # with corners on their edges
     for start in range(6):
         faces = [[0, 1, 3, 2], [10, 11, 9, 8]] + [side[start:] + side[:start] for side in sides]
         r.write("box.obj", "o box\n" + "".join("v %g %g %g\n" % p for p in points) +
@@ -471,7 +471,7 @@ def _(r):
 
 @kind("parts written and read back")
 def _(r):
-    order = ["back", "left legs", "right%41legs", "seat"]  # legs of two pieces each
+    order = ["back", "left legs", "right%41legs", "seat"]  # either part of legs has two pieces
     pairs = obj(lying(BOXES), name=lambda n: {"leg_fl": "o left legs", "leg_fr": "o right%41legs"}.get(n, "" if n[:3] == "leg" else f"o {n}"))
     r.write("z.obj", pairs)
     r.run("parts", "z.obj", "--parts", "file", "--parts-json", "list.json")
@@ -524,7 +524,7 @@ def _(r):
     rows = rest.split("\n")
     rows = [f"{row} {i // 8}" for i, row in enumerate(rows[:48])] + rows[48:]
     head = head.replace("element face", "property uchar label\nelement face")
-    # The pieces of one object would be six parts, too: three labels
+    # Three labels, since the pieces of the object would be six parts as well
     files3 = [("vertices.ply", head + "end_header\n" + "\n".join(f"{row.rsplit(' ', 1)[0]} {i // 16}" if i < 48 else row
                                                                for i, row in enumerate(rows)))]
     one, six = parts_wanted(r, files3, 3), parts_wanted(r, files)

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The models of data/ as shapes, with the structure given by their generator.
+// Converts meshes and assemblies of the generator to meshes and shapes of the library.
 #ifndef SHAPE_CORRESPONDENCE_TEST_GENERATED_SHAPES_H
 #define SHAPE_CORRESPONDENCE_TEST_GENERATED_SHAPES_H
 

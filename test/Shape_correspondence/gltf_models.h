@@ -92,7 +92,7 @@ inline Model tetrahedron()
   return model;
 }
 
-/// The error for a file with these bytes; empty: it is read.
+/// The error of reading a file with these bytes; empty if the file is read.
 inline std::string refused(const std::string& bytes)
 {
   return complaint([&] { IO::read_gltf_parts(bytes, "input.glb"); });

@@ -72,10 +72,10 @@ inline Part_group group(std::vector<std::size_t> parts, Symmetry_type type = Sym
   return result;
 }
 
-// A graph of parts without extent, by default one group each, with given contacts. All samples of a part are at one
-// place, so that energies can be computed by hand. A contact whose rod turns by an angle t has E_d = 1 - cos t (1
+// A graph of points with given contacts, by default each a group of its own. All samples of a part are at one place, so
+// that energies can be computed by hand. A contact whose rod turns by an angle t has E_d = 1 - cos t (1
 // beyond a right angle) and, if the rod grows, E_c = 1; a contact whose parts coincide has E_d = 1 and E_c = 1/2.
-// \param places by part, ascending in y, then x, then z, so that labels are the indices of target groups
+// \param places positions of the parts, ascending in y, then x, then z, so that labels are the indices of target groups
 inline Structural_graph point_graph(const std::vector<Point>& places,
                                     const std::vector<std::array<std::size_t, 2>>& contacts,
                                     std::vector<Part_group> groups = {})
@@ -141,7 +141,7 @@ inline Structural_graph slatted_chair()
                                 group({4, 5}, pair, Point::UnitX(), .1), group({6, 7}, pair, Point::UnitX(), .1)});
 }
 
-// A square top (part 0) on four legs (1 to 4) at its corners, of height 1. \param grouped legs are one group
+// A square top (part 0) on four legs (1 to 4) at its corners, of height 1. \param grouped whether legs are a group
 inline Structural_graph table(bool grouped = true)
 {
   Shape_structure shape;

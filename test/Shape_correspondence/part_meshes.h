@@ -100,7 +100,7 @@ inline Part_mesh turned(const std::vector<Eigen::Vector2d>& profile, int n = 24)
 }
 
 /// A cushion in the plane y = 0 with a superellipse as outline: an ellipse for exponent 2, nearly a rectangle for
-/// large.
+/// a large one.
 inline Part_mesh cushion(const Point& size, double exponent)
 {
   const int rings = 16;

@@ -25,7 +25,7 @@ struct Run
   std::string error;
 };
 
-/// Takes the word by value, so that overload resolution prefers it to std::quoted().
+/// The word, quoted for the shell. It is taken by value, so that overload resolution prefers this to std::quoted().
 inline std::string quoted(std::string word) { return "'" + word + "'"; }
 
 /// Runs the program. \param arguments in the syntax of the shell
@@ -39,7 +39,7 @@ inline Run run(const std::string& arguments)
   return {WEXITSTATUS(status), model_files::text_of(folder.path("out")), model_files::text_of(folder.path("error"))};
 }
 
-/// The text of a graph file. \param name name of the shape; empty: its own
+/// The text of a graph file. \param name name of the shape; empty: the graph keeps its own
 inline std::string graph_text(CGAL::Shape_correspondence::Structural_graph graph, const std::string& name = "")
 {
   if (!name.empty()) structure(graph).name = name;

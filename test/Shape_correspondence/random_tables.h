@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <random>
 
-// Random tables on a random graph in which every variable has up to `width` earlier neighbours.
+// A pairwise energy of random costs in which every variable has edges to the `width` variables before it.
 inline CGAL::Shape_correspondence::Pairwise_energy random_tables(std::mt19937& random, std::size_t variables,
                                                                  int labels, std::size_t width)
 {
@@ -23,7 +23,7 @@ inline CGAL::Shape_correspondence::Pairwise_energy random_tables(std::mt19937& r
   for (std::size_t v = 0; v < variables; ++v) {
     energy.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
     split.unary.push_back(Eigen::VectorXd::NullaryExpr(labels, [&] { return unit(random); }));
-    // Neighbours are among the `width` previous variables, which bounds the graph's width
+    // No edge spans more than `width` variables, which bounds the treewidth of the graph by `width`
     for (std::size_t u = v - std::min(v, width); u < v; ++u)
       energy.edges.push_back({u, v, Eigen::MatrixXd::NullaryExpr(labels, labels, [&] { return unit(random); })});
   }

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-// Kinds of tasks, and the times at which parts come, go and replace others.
+// Kinds of tasks, and the times at which parts appear, vanish and replace others.
 
 using namespace CGAL::Shape_correspondence;
 using namespace box_models;
@@ -32,7 +32,7 @@ Box_model shelf(double width_of_supports, double width)
                    {"box", {0, 0.8, 0}, {width, 0.32, width}}});
 }
 
-/// Begin and end of the tasks of some type, by place: that of the supports, 's', the lamp, 'l', or the box, 'b'.
+/// Begin and end of the tasks of a type at each place: 's' where the supports are, 'l' the lamp, 'b' the box.
 std::map<char, std::pair<double, double>> times(const Shape_blend& blend, const Box_model& model, Blend_task_type type)
 {
   std::map<char, std::pair<double, double>> result;
@@ -42,7 +42,7 @@ std::map<char, std::pair<double, double>> times(const Shape_blend& blend, const 
     const std::pair when(task.begin, task.end);
     const char place = name.find("support") == std::string::npos ? name[0] : 's';
     const auto [known, is_new] = result.emplace(place, when);
-    CHECK(known->second == when); // what stands changes at one time
+    CHECK(known->second == when); // both supports are exchanged at one time
   }
   return result;
 }
@@ -60,7 +60,7 @@ TEST_CASE("A task without times and parts is a morph over the whole time between
   CHECK((schedule.tasks.empty() && schedule.quality.support == 0 && schedule.quality.apart == 0));
 }
 
-TEST_CASE("What is exchanged changes place by place, and new parts come in the instant in which old ones go")
+TEST_CASE("Parts are exchanged one place after another, and new parts appear at the instant at which old ones vanish")
 {
   const Box_model source = shelf(0.7, 0.9), target = shelf(0.05, 0.06);
   const Shape_blend blend = blend_of(source, target, same_parts(1));

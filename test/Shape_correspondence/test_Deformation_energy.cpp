@@ -31,7 +31,7 @@ TEST_CASE("Eq. 2 by hand: the cosine of the angle by which a rod turns")
 TEST_CASE("Eq. 3 by hand: from the mean squared cosine of the rods")
 {
   CHECK(distortion_energy(1) == 0);
-  CHECK(distortion_energy(1 + 1e-7) == 0); // rounding in single precision
+  CHECK(distortion_energy(1 + 1e-7) == 0); // above 1 by rounding in single precision
   CHECK(distortion_energy(0) == 1);
   CHECK(distortion_energy((0.25 + 1) / 2) == Approx(1 - std::sqrt(1.25 / 2)));
 }

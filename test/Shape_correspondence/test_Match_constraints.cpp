@@ -63,7 +63,7 @@ TEST_CASE("A pinned pair corresponds, and its parts to nothing else, by every me
     CHECK(partners_of_source(c, 2) == Parts{3});
     CHECK(partners_of_target(c, 3) == Parts{2});
     CHECK(partners_of_source(c, 0) == Parts{0});
-    // The other legs are still a group
+    // Leg 3 takes the leg that is left, and the hind legs are still a pair
     if (method != Search_method::PARTS)
       CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {2, 3}, {3, 2}, {4, 4}, {5, 5}});
   }
@@ -102,7 +102,7 @@ TEST_CASE("Pins may join parts of different function; the remaining parts corres
   }
 }
 
-TEST_CASE("A forbidden pair does not correspond, by every method, and the next best does")
+TEST_CASE("A forbidden pair does not correspond, by every method; its parts correspond to the next best ones")
 {
   for (Search_method method : methods) {
     Search_options options = by(method);
@@ -129,7 +129,7 @@ TEST_CASE("If constraints exclude all assignments, a search throws, unless parts
   options.energy.unmatched_cost = 1;
   const Correspondence c = find_correspondence(chair(), chair(), options);
   CHECK(c.unmatched_source == std::vector<std::size_t>{back});
-  // By default, parts may be unmatched anyway
+  // The default method may leave any part unmatched
   options = by(Search_method::PARTS);
   for (std::size_t part = 0; part < 6; ++part)
     options.energy.forbidden.push_back({back, part});
@@ -150,7 +150,7 @@ TEST_CASE("Constraints that cannot be satisfied are errors")
   CHECK_THROWS_AS(matched_with({}, {{6, 0}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({}, {{0, 8}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({{0, 0}}, {{0, 0}}), Invalid_input);
-  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // the part is not in the coarse shape
+  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // part 2 is not in the coarse shape
   CHECK_NOTHROW(matched_with({}, {{2, 4}}, 1));
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("Constraints with the shapes swapped give the inverse match")
   CHECK(part_pairs(there.pairs) == back_again);
 }
 
-TEST_CASE("Pins join parts to sets")
+TEST_CASE("Pinned pairs that share parts are joined to pairs of sets of parts")
 {
   const internal::Pinned_sets sets = internal::pinned_sets({{4, 0}, {1, 2}, {1, 3}, {5, 3}});
   REQUIRE(sets.source.size() == 2);

@@ -77,7 +77,7 @@ TEST_CASE("Straight parts have the same energies by samples and by extremities")
   }
 }
 
-TEST_CASE("Roles: each contact is charged the mean of what its parts disagree with their images, by brute force")
+TEST_CASE("Role costs: each contact is charged the mean role cost of its two parts, as by brute force")
 {
   const Aligned_shape source = align_shape(slatted_chair()), target = align_shape(chair());
   for (const Energy_norm norm : {Energy_norm::SUM, Energy_norm::POOLED}) {
@@ -182,7 +182,7 @@ TEST_CASE("A group left unmatched costs its contacts, or once without contacts")
   CHECK(Matching_problem(post, post, options).energy()({1}) == 0.25);
 }
 
-TEST_CASE("Both ends of a contact on one target part: the authors' charge for the connection")
+TEST_CASE("Two parts in contact that become one target part have the E_c of the authors' program for this case")
 {
   const Matching_problem problem(align_shape(chair(false)), align_shape(chair(false)));
   for (std::size_t contact = 0; contact < problem.source().contacts.size(); ++contact)
@@ -225,8 +225,8 @@ TEST_CASE("A sheet that splits: the contact's energy is the mean over its pieces
 
 TEST_CASE("Two parts that split: every clone counts with its nearest counterpart, every pair once")
 {
-  // 2 and 4 are nearest to 0 and 1, 0 to 3. The rod from 0 to 3 turns by an angle of cosine 0.8; rods are at most 2
-  // long
+  // Of the target's points, 2 and 0 are nearest to each other, so are 4 and 1, and 0 is nearest to 3. The rod from 0 to
+  // 3 turns by an angle of cosine 0.8; no rod is longer than the source's, 2
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 2, 0}}, {{0, 1}});
   const Structural_graph target =
       point_graph({{0, 0, 0}, {10, 0, 0}, {0, 1, 0}, {.75, 1, 0}, {10, 2, 0}}, {{0, 2}, {0, 3}, {1, 4}},
@@ -261,7 +261,7 @@ TEST_CASE("A cut post costs nothing where the pieces stand on each other, and sp
     Assignment assignment(2);
     assignment[base] = int(base);
     assignment[posts] = int(labels) - 1;
-    // The pieces are in the places of their segments: no bending, no gaps
+    // The pieces are where the segments of the post are, so no rod rotates or grows
     CHECK(problem.terms(assignment).distortion == Approx(0).margin(1e-6));
     CHECK(problem.terms(assignment).connectedness == Approx(0).margin(1e-6));
     const double with_cut = problem.energy()(assignment);
@@ -301,7 +301,7 @@ TEST_CASE("A cut part: its contacts count by the segment that touches, and betwe
   }
 }
 
-TEST_CASE("Many target groups: the nearest ones are the labels, and nothing is proven")
+TEST_CASE("Of many target groups only the nearest ones are labels, and the problem says so")
 {
   const std::size_t posts = maximum_labels + 16;
   const Aligned_shape few = align_shape(fence(5)), many = align_shape(fence(int(posts)));

@@ -30,14 +30,14 @@ Eigen::Index aligned(const Aligned_shape& shape, std::size_t part)
   return 0;
 }
 
-// The cost of two parts of one shape, matched with itself, with one weight 1 and all others 0.
+// The cost of matching part a to part b of the same shape, if one term has weight 1 and all others 0.
 double cost(const Structural_graph& graph, double Part_cost_weights::*weight, std::size_t a, std::size_t b)
 {
   Part_matching_options options;
   options.weights = no_weights;
   options.weights.*weight = 1;
   options.anchor = 1;  // disables warping
-  options.whole = 1e6; // no part corresponds to several as a whole
+  options.whole = 1e6; // so high that no part corresponds to a panel or an arrangement as a whole
   const Aligned_shape shape = align_shape(graph);
   return part_costs(shape, shape, options)(aligned(shape, a), aligned(shape, b));
 }
@@ -75,7 +75,8 @@ TEST_CASE("Part costs by hand, in the unit box: a table of width 1 and height 1"
   CHECK(cost(table, &W::chamfer, 1, 4) == Approx(std::sqrt(2.)));
 }
 
-TEST_CASE("Part costs: a board as wide and as high as a wall pays half for reaching the ground")
+TEST_CASE(
+    "Part costs: that one part reaches the ground and the other does not costs half for boards as large as a wall")
 {
   Shape_structure shape = structure(hand_made::table());
   shape.parts.push_back(hand_made::sheet("board", {-.5, 0, -.5}, {1, 0, 0}, {0, .8, 0}));

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parts of models without given parts: patches, their tree, its best cut, and features.
+// How parts are found in models that have none: patches, a tree of their unions, its best cut, learned models.
 #include "io/read/read_objects.h"
 #include "part_meshes.h"
 #include "roles/Boosted_trees.h"
@@ -58,7 +58,7 @@ Surface_patches patches_of(const Part_mesh& mesh)
   return surface_patches(one_object(mesh), Eigen::Matrix3d::Identity());
 }
 
-/// A top and four legs whose upper faces lie in the top's lower face, by the corners of the legs.
+/// The boxes of a table: the top, and four legs that end in its lower face. \param leg_z least z of two of the legs
 std::vector<Part_mesh> table_boxes(double leg_z = 0.1)
 {
   std::vector<Part_mesh> result{part_meshes::box({0, 1, 0}, {2, 1.1, 1})};
@@ -154,13 +154,14 @@ TEST_CASE("Patches do not depend on diagonals and on the order of triangles")
   }
 }
 
-TEST_CASE("Congruent patches have the same number")
+TEST_CASE("Congruent patches have the same shape number")
 {
   const Surface_patches surface = patches_of(united(table_boxes()));
   std::map<std::size_t, int> count;
   for (const Surface_patch& patch : surface.patches)
     ++count[patch.shape];
-  // The top has two faces, two long sides, two short ones congruent to 16 sides of legs; there are 8 ends of legs
+  // Numbers of congruent patches: 2 faces of the top, its 2 long sides, its 2 short sides with 16 of legs, 8 ends of
+  // legs
   std::multiset<int> sizes;
   for (const auto& [shape, n] : count)
     sizes.insert(n);
@@ -170,7 +171,7 @@ TEST_CASE("Congruent patches have the same number")
 TEST_CASE("Patches are merged in the order of their affinity")
 {
   const Surface_patches surface = patches_of(united(table_boxes()));
-  // Patches of one sheet belong to one part
+  // An affinity that merges the patches of one sheet
   const std::vector<Part_node> nodes =
       part_tree(surface, [&](const Part_node& a, const Part_node& b, const Merge_features&) {
         return a.sheets == b.sheets ? 0.9 : -1;
@@ -193,7 +194,7 @@ TEST_CASE("Patches are merged in the order of their affinity")
 
 TEST_CASE("The best cut of a tree is worked out by hand")
 {
-  // 4 is the union of 0 and 1, 5 of 2 and 3, 6 of 4 and 5
+  // Node 4 is the union of 0 and 1, 5 that of 2 and 3, 6 that of 4 and 5
   std::vector<Part_node> nodes(7);
   const auto merge = [&](std::size_t a, std::size_t b, std::size_t c) {
     nodes[c].children = {a, b};
@@ -279,7 +280,7 @@ TEST_CASE("Parts are learned from examples and found in others")
     changed.categories[1].worth = worth;
     return likeliest_parts(surface, nodes, changed, &changed.categories[1]).size();
   };
-  CHECK(number_of_parts(2) < 5); // nothing is so probable
+  CHECK(number_of_parts(2) < 5); // no part is so probable
   CHECK(number_of_parts(0) >= 5);
   std::ostringstream out;
   changed.categories[0].worth = 0.3;
@@ -294,7 +295,7 @@ TEST_CASE("Parts are learned from examples and found in others")
   CHECK(read.categories[1].worth == 0);
 }
 
-TEST_CASE("What is found is said in words: the parts of each role, and their pieces")
+TEST_CASE("The report says in words what was found: the parts of each role, and their pieces")
 {
   const Segmented_shape table = one_object(united(table_boxes()));
   const std::shared_ptr<const Role_model> roles = IO::shipped_role_model();
@@ -305,8 +306,7 @@ TEST_CASE("What is found is said in words: the parts of each role, and their pie
   CHECK(split.found_roles == "table, with 4 × leg from 4 pieces, 1 × tabletop from 1 piece");
 }
 
-TEST_CASE(
-    "Every part that is found is a union of pieces; unions are of earlier ones, and the last one of a tree is all")
+TEST_CASE("Parts that are found are unions of pieces; unions join pieces or earlier unions, the last one all pieces")
 {
   std::vector<Part_mesh> meshes = table_boxes();
   for (double x : {0.09, 1.79}) // a foot under two of the legs

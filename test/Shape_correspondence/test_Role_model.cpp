@@ -32,7 +32,7 @@ using namespace CGAL::Shape_correspondence::internal;
 using namespace model_files;
 using Catch::Matchers::Contains;
 
-TEST_CASE("Roles of shapes that the training did not see")
+TEST_CASE("Roles are predicted for shapes that the training did not see")
 {
   const Role_model model = train_role_model(labelled(examples()));
   CHECK(model.categories() == std::vector<std::string>{"chair", "shelf"});
@@ -63,7 +63,7 @@ TEST_CASE("Large parts tell the category more than small ones")
   Role_features parts(2, ROLE_FEATURE_COUNT);
   std::copy_n(chairs.examples[0].features.begin(), std::size_t(ROLE_FEATURE_COUNT), &parts(0, 0));
   for (int k = 0; k < ROLE_FEATURE_COUNT; ++k)
-    parts(1, k) = parts(0, k) < 127 ? 254 : 0; // as unlike as can be
+    parts(1, k) = parts(0, k) < 127 ? 254 : 0; // as different from part 0 as a byte allows
   const auto distance = [&](int area) {
     parts(1, AREA) = std::uint8_t(area);
     return Role_model_access::distances(model).mean_distance(parts, 0);
@@ -90,7 +90,8 @@ TEST_CASE("What stands on the ground is no seat, such as a star base in one piec
     CHECK(roles.probabilities.row(part).sum() == Approx(1));
 }
 
-TEST_CASE("Generated shapes are drawn for every tree, and no measure of how near a shape is")
+TEST_CASE(
+    "Every tree is trained on a sample of the generated shapes; distances to a category are measured to the others")
 {
   std::deque<Furniture> drawn;
   for (int i = 0; i < 30; ++i)
@@ -110,7 +111,7 @@ TEST_CASE("Generated shapes are drawn for every tree, and no measure of how near
   CHECK(bytes(train_role_model(shapes, options)) == bytes(model));
 
   const Role_model of_generated = train_role_model({shapes.begin(), shapes.begin() + 30});
-  CHECK(chairs_of(of_generated).examples.size() == 6 * 30); // there are no others
+  CHECK(chairs_of(of_generated).examples.size() == 6 * 30); // they are kept, since there are no others
   options.generated_per_tree = -1;
   CHECK_THROWS_WITH(train_role_model(shapes, options), Contains("generated shapes of a tree"));
 }
@@ -164,7 +165,7 @@ TEST_CASE("A role model is the same for any order of the shapes, and after it wa
   CHECK_THROWS_WITH(IO::read_role_model(folder.path("damaged.roles")),
                     Contains("damaged.roles") && Contains("longer than 256 MB"));
 
-  // Errors that the digest does not detect
+  // Truncated models are also detected without the digest of the file
   const std::string whole = bytes(model);
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 50) {
     std::istringstream in(whole.substr(0, size));

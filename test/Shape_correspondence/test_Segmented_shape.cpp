@@ -118,7 +118,7 @@ TEST_CASE("A part may be tiny or far away")
   CHECK(message_of("crumb", mesh) == "");
 }
 
-TEST_CASE("Shapes of meshes")
+TEST_CASE("Meshes become the parts of a shape")
 {
   const auto shape = Segmented_shape::from_meshes(std::map<std::string, Mesh>{{"a", strip()}, {"b", strip()}}, "pair");
   REQUIRE(shape.parts().size() == 2);
@@ -126,7 +126,7 @@ TEST_CASE("Shapes of meshes")
   CHECK(shape.parts()[0].mesh.triangles.cols() == 4);
 }
 
-TEST_CASE("Shapes of a mesh with segment ids")
+TEST_CASE("The segments of a mesh, given by an id for each face, become the parts of a shape")
 {
   Mesh mesh = strip();
   auto ids = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment", 7).first;

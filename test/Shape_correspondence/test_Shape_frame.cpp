@@ -158,7 +158,7 @@ TEST_CASE("A disc on four legs is seen with the legs in the corners")
   }
 }
 
-TEST_CASE("A mirror plane is found that only some of the directions tried have, of points spread at random")
+TEST_CASE("The mirror plane of points spread at random is found, though most directions that are tried have none")
 {
   // A kite, symmetric in x. Its rectangle of least area is parallel to one of its sides.
   std::mt19937_64 random(7);

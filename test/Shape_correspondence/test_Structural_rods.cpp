@@ -26,7 +26,7 @@ TEST_CASE("Eq. 2 and 3: two rods, one turned by 60 degrees")
   const double c = 0.5, s = std::sqrt(3) / 2;
   // Lengths change as well, but only directions count
   const Rod_energy energy = rods.energy(points({{0, 0, 0}}), points({{4 * c, 4 * s, 0}, {0, 5, 0}}));
-  // D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
+  // Eq. 3 with D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
   CHECK(energy.distortion == Approx(1 - std::sqrt(1.25 / 2)));
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("Eq. 2: a short rod has a direction, too")
 
 TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
 {
-  // d = 1, f = 4
+  // Eq. 4 with d = 1 and f = 4
   const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}, {4, 0, 0}}));
   const auto moved = [&](double x) { return rods.energy(points({{0, 0, 0}}), points({{x, 0, 0}, {x + 3, 0, 0}})); };
   CHECK(moved(0.5).connectedness == 0);
@@ -76,7 +76,7 @@ TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
     const Rod_energy energy = Structural_rods(a, b).energy(a, b);
     CHECK(energy.distortion == 0);
     CHECK(energy.connectedness == 0);
-    // Translation of both parts changes nothing; scaling neither bends nor disconnects
+    // Translation and scaling of both parts rotate no rod
     const Points shift = Points::Constant(3, 1, 0.25);
     CHECK(Structural_rods(a, b).energy(a.colwise() + shift.col(0), b.colwise() + shift.col(0)).distortion ==
           Approx(0).margin(1e-6));
@@ -86,7 +86,8 @@ TEST_CASE("Unmoved rods cost exactly nothing, whatever the numbers")
 
 namespace {
 
-// Sums of squared cosines of rods by lane of a block, added up; a scalar reference of the kernel, two rows at a time.
+// Scalar reference of the vectorized kernel: the sum over all rods of the squared cosine of the angle by which a rod
+// rotates. It adds in the kernel's order: two rows at a time, into one sum for each lane of a block.
 float plain_squared_cosines(const internal::Rod_block* before, const internal::Sample_lanes& first, int n,
                             const internal::Sample_lanes& second, int m)
 {
@@ -166,7 +167,7 @@ TEST_CASE("Vector instructions compare rods with the same bits as scalar arithme
 
 namespace {
 
-// Seven pairs, which are compared two at a time, and one alone.
+// Rods of seven pairs of parts: the library compares pairs two at a time, so that the seventh one is alone.
 std::vector<Structural_rods> seven_pairs(int first_count, int second_count)
 {
   std::vector<Structural_rods> rods;
@@ -177,7 +178,7 @@ std::vector<Structural_rods> seven_pairs(int first_count, int second_count)
 
 } // namespace
 
-TEST_CASE("Pairs that turn into the same one have the energies that they have alone")
+TEST_CASE("Pairs of parts that become the same target pair have the same distortions together as alone")
 {
   std::srand(11);
   const Points c = Points::Random(3, 6), d = Points::Random(3, 36);
@@ -193,7 +194,7 @@ TEST_CASE("Pairs that turn into the same one have the energies that they have al
   }
 }
 
-TEST_CASE("Samples that count several times have the rods of as many samples")
+TEST_CASE("Samples with a multiplicity have the energy of as many repeated samples")
 {
   std::srand(13);
   for (const int n : {6, 36})

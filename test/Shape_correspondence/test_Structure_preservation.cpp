@@ -66,7 +66,7 @@ TEST_CASE("Structure preservation: a chain between two matched ends settles to a
     CHECK(right == Approx(i == 3 ? .4 : .1 * double(i) + .05).margin(0.01));
   }
 
-  // Previous displacements do not matter: with only one end matched, all follow it; with none, they return
+  // Previous displacements do not matter: with only one end matched, all parts follow it; with none, all rest
   matched[chain.group_of[index_of(chain, 0)]] = 0;
   preserve_structure(matched, contact_displacement, motions);
   for (std::size_t i : {0, 1, 2, 3})
@@ -97,8 +97,8 @@ TEST_CASE("Structure preservation: a longer chain needs several rounds")
 
 TEST_CASE("Structure preservation: a bar is stretched between the legs that it spans, its mirror image alike")
 {
-  // Bars at the back and at the front connect left and right legs, which are matched and move apart by 0.2, and to the
-  // front and the back, the left ones by 0.2 more
+  // Bars at the back and at the front each connect a left and a right leg. The legs are matched; all move outwards by
+  // 0.1 in x, and in z the left ones by 0.4, the right ones by 0.2
   Shape_structure shape;
   for (double z : {-.5, .5}) {
     const std::size_t first = shape.parts.size();
@@ -124,7 +124,7 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
   std::vector<Part_motion> motions(legs.parts.size());
   Structure_preservation preserve_structure(legs);
   preserve_structure(matched, contact_displacement, motions);
-  // Sum of squared distances of the contact points: 2 · 0.25; scatter of samples at ±.1, ±.3, ±.5: .35 / 3
+  // Squared distances from the centre: sum for the contact points 2 · 0.25, mean for samples at ±.1, ±.3, ±.5: .35 / 3
   const double slope = .1 / (.5 + Structure_preservation::stiffness * .35 / 3);
   for (std::size_t bar : {2, 5}) {
     const Part_motion& motion = motions[index_of(legs, bar)];
@@ -136,10 +136,10 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
   }
 }
 
-TEST_CASE("Structure preservation: a bar that is held on one side of its middle follows there")
+TEST_CASE("Structure preservation: a bar whose contacts are all on one side of its middle turns about their mean")
 {
   // Contacts at 0.6 and at the end, 1, which is raised by 0.2: the bar turns about 0.8, midway, and its centre, 0.5,
-  // goes down. Sum of squared distances of the contact points: 2 * 0.04; scatter of samples at 0, .2 ... 1: .35 / 3
+  // goes down. Squared distances: sum for the contact points from 0.8: 2 * 0.04, mean for samples from 0.5: .35 / 3
   Shape_structure shape;
   shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("at", {.6, 0, 0}, {.6, 1, 0}),
                  curve("end", {1, 0, 0}, {1, 1, 0})};
@@ -161,7 +161,8 @@ TEST_CASE("Structure preservation: a bar that is held on one side of its middle 
 
 TEST_CASE("Structure preservation: a group follows the member that touches most, by the mean of what that one touches")
 {
-  // A mirror pair, the right one on two matched points, the left one on one; another point is on top of each
+  // A mirror pair of points: below the right one are two matched points, below the left one is one; on top of each is
+  // an unmatched one
   const Aligned_shape shape =
       align_shape(point_graph({{-1, -1, 0}, {1, -1, -1}, {1, -1, 1}, {-1, 0, 0}, {1, 0, 0}, {-1, 1, 0}, {1, 1, 0}},
                               {{0, 3}, {1, 4}, {2, 4}, {3, 5}, {4, 6}},
@@ -201,7 +202,7 @@ TEST_CASE("Structure preservation: an orbit of two mirror planes is mirrored in 
 {
   const Aligned_shape whole = align_shape(table());
   std::vector<char> is_kept(whole.parts.size(), 1);
-  // The leg removed together with leg 4; 0: none. The remaining two must move as before
+  // The leg that is removed together with leg 4; 0: all four stay. The others must move as if none were removed
   const int missing = GENERATE(0, 1, 2, 3);
   if (missing > 0) is_kept[index_of(whole, std::size_t(missing))] = is_kept[index_of(whole, 4)] = 0;
   const Aligned_shape shape = restricted(whole, is_kept);
@@ -224,7 +225,7 @@ TEST_CASE("Structure preservation: an orbit of two mirror planes is mirrored in 
   }
 }
 
-TEST_CASE("Structure preservation: hard contacts are followed to the point")
+TEST_CASE("Structure preservation: with hard contacts, an unmatched part moves exactly with its contact points")
 {
   Shape_structure shape;
   shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("start", {0, 0, 0}, {0, 1, 0}),

@@ -64,7 +64,7 @@ TEST_CASE("Values are transferred: numbers are interpolated, labels taken from t
   for (std::size_t lath = 0; lath < 3; ++lath)
     for (Eigen::Index v = 0; v < target.parts()[lath].mesh.points.cols(); ++v) {
       const Point p = target.parts()[lath].mesh.points.col(v);
-      // At the ends of a lath, all sides of the plate may be equally near
+      // Only vertices of the upper and lower faces: to others, several sides of the plate may be equally near
       if (std::abs(p.y() - 0.05) > 0.04) CHECK(transferred[lath][std::size_t(v)] == Approx(p.z()).margin(1e-6));
       if (p.y() > 0.09) CHECK(labels[lath][std::size_t(v)] == 1);
     }
@@ -72,7 +72,7 @@ TEST_CASE("Values are transferred: numbers are interpolated, labels taken from t
   CHECK(labels[3] == std::vector<int>(labels[3].size(), -1));
 }
 
-TEST_CASE("A model that is not the graph's is refused")
+TEST_CASE("A model that does not belong to its graph is refused")
 {
   const Structural_graph graph = graph_of(knobbed_plate());
   CHECK_THROWS_AS(Surface_map(graph, three_laths(), graph, knobbed_plate(), pairing({{0, 0}})), Invalid_input);

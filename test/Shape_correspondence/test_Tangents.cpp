@@ -18,7 +18,7 @@ using namespace CGAL::Shape_correspondence;
 
 namespace {
 
-// Checks the bounds for all completions of `labels` from a level on. \return the least value of the tangent among them
+// Checks the lower bounds for all completions of the first `level` labels. \return the least tangent value among them
 template <typename Check_leaf>
 double check_bounds(const internal::Tangent_bound& tangent, bool exact, std::size_t level, double cost,
                     std::vector<int>& labels, const Check_leaf& check_leaf)

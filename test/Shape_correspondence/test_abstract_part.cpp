@@ -286,7 +286,7 @@ TEST_CASE("Surface points are spread evenly and include corners")
   }
 }
 
-TEST_CASE("Hull volumes")
+TEST_CASE("Volumes of convex hulls, which are 0 for flat, collinear and empty sets of points")
 {
   CHECK(convex_hull_volume(leg.points) == Approx(0.01));
   CHECK(convex_hull_volume(leg.points.leftCols(4)) == 0);
@@ -313,7 +313,7 @@ TEST_CASE("Hulls of large polygons are found in nearly linear time, also where a
   CHECK(convex_hull_volume(grid) == Approx(2500));
 }
 
-TEST_CASE("Kinds can be forced, of all parts and of single ones")
+TEST_CASE("Abstraction by curves or sheets can be forced for all parts and for single parts")
 {
   Abstraction_options options;
   options.kind = Abstraction_kind::SHEET;
@@ -390,7 +390,7 @@ TEST_CASE("Another abstractor can be put in place of the skeletonizer")
 
 TEST_CASE("A hole is filled whose corners coincide in the plane that it is projected to")
 {
-  // A hole in a mutated table, on which CGAL's planar filling crashes, depending on the first corner.
+  // A hole in a damaged table, on which CGAL's planar filling crashes, depending on the first corner.
   Points hole(3, 4);
   hole << -.5, -.4, -.5, -.4, .7, 0, 0, 0, -.5, .4, .4, .5;
   const Point apex(-.45, .35, -2);

@@ -69,7 +69,7 @@ TEST_CASE("Alignments: nearest to the given orientation first")
   CHECK(alignment_turns(one_plane, no_plane).size() == 4);
 
   for (int q = 0; q < 4; ++q) {
-    Shape_frame turned = no_plane; // the frame is a quarter turn off the orientation of the file
+    Shape_frame turned = no_plane; // the frame is q quarter turns off the orientation of the file
     turned.axes = Eigen::AngleAxisd(q * EIGEN_PI / 2 + 0.3, Point::UnitY()).toRotationMatrix();
     CHECK(alignment_turns(no_plane, turned).front() == q);
   }
@@ -132,7 +132,7 @@ TEST_CASE("The most prominent parts are as many as asked for, in whole groups as
   // The top, then one of the four legs; the group of legs is taken as a whole only if all fit
   const Aligned_shape table = align_shape(hand_made::table());
   CHECK(most_prominent_parts(table, 2)[hand_made::index_of(table, 0)] == 1);
-  // Seat, back and one pair of legs; the front pair is left out
+  // Seat, back and one of the two pairs of legs, as a whole
   const Aligned_shape chair = align_shape(hand_made::chair());
   const std::vector<char> four = most_prominent_parts(chair, 4);
   for (const Part_group& group : groups(chair))

@@ -68,11 +68,12 @@ TEST_CASE("The last level is returned in the order of its energies")
   }
 }
 
-// The following cases consist of points (see `point_graph()`): w_c = 0.6, w_s = 0.4.
+// In the following cases, shapes consist of points (see `point_graph()`): those of the source are called a, b, c, those
+// of the target 0, 1, 2. The weights are w_c = 0.6 and w_s = 0.4.
 
 namespace {
 
-// The result of a beam search; the options are K and k.
+// The best solution of a beam search. \param options K and k
 Solution best(const Structural_graph& source, const Structural_graph& target, const Beam_options& options,
               const Energy_options& energy = {})
 {
@@ -83,15 +84,15 @@ Solution best(const Structural_graph& source, const Structural_graph& target, co
 
 TEST_CASE("Local pruning: no partial solution takes all places of the beam")
 {
-  // A part a with b above it and c, 2.6 away, to its upper right. Above the target's first point, 0, there are three
-  // points, so that b costs nothing there; but c's rod rotates at least by the angle between (2.4, 1) and up, of cosine
-  // 5 / 13, since 5 is 2.64 away, which costs 0.6. At its second point, 1, c costs nothing at 5, and b's best point, 4,
+  // a has contacts with b, above it, and c, 2.6 away to its upper right. If a takes 0, b costs nothing at the three
+  // points above 0, but c costs 8 / 13 or more: at these, its rod rotates by the angle between (2.4, 1) and up, of
+  // cosine 5 / 13; at 5, it grows to 2.64, which costs 0.6. If a takes 1, c costs nothing at 5, and b's best point, 4,
   // is off by (0.3, 0.4), which costs 1 - 0.8
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}, {2.4, 1, 0}}, {{0, 1}, {0, 2}});
   const Structural_graph target = point_graph(
       {{0, 0, 0}, {-.3, .6, 0}, {0, .9, 0}, {0, .95, 0}, {0, 1, 0}, {2.1, 1.6, 0}}, {{0, 1}, {1, 2}, {2, 3}});
   const Matching_problem problem(align_shape(source), align_shape(target));
-  // With two expansions of each solution the beam keeps a third one, with the second point; with three it does not
+  // With k = 2, one of the K = 3 solutions in the beam has a at 1; with k = 3, all three have a at 0
   const Search_result balanced = beam_search(problem, {3, 2}), greedy = beam_search(problem, {3, 3});
   CHECK(balanced.best().assignment == Assignment{1, 4, 5});
   CHECK(balanced.best().energy == Approx(0.2));
@@ -155,7 +156,7 @@ TEST_CASE("Parts not yet assigned move along")
 
 TEST_CASE("A part not yet assigned follows hard contacts to the point, and resists others")
 {
-  // A bar on two posts, one at its start and one between its ends; in the target, they are elsewhere
+  // A bar on two posts, one at its start and one between its ends; in the target, the second one is elsewhere
   const auto posts = [](double middle) {
     Shape_structure shape;
     shape.parts = {curve("bar", {0, 1, 0}, {1, 1, 0}), curve("start", {0, 0, 0}, {0, 1, 0}),
@@ -249,10 +250,10 @@ TEST_CASE("A part that pulls on one not yet assigned changes all contacts of tha
 
 TEST_CASE("A part in contact with one that splits moves with the mean of the clones and touches the nearest one")
 {
-  // Three points above each other; in the target, the middle one is a pair, 0.3 down and up. The middle is assigned
-  // first. At the lowest point, or at the pair, which leaves the others in place, each 0.7 from a clone, no rod rotates
-  // or grows: both stay in a beam of two. Below the lowest point there is no point for the lowest part, which costs at
-  // least 1; the pair costs 0.6 for the farther clone of either contact, half of it in the mean
+  // Three points above each other; in the target, the middle one is a pair, 0.3 lower and higher. The middle is
+  // assigned first. If it takes the lowest point, or the pair, which leaves the others in place, each 0.7 from a clone,
+  // no rod rotates or grows: a beam of two keeps both. With the lowest point, none is left below for the lowest part,
+  // which costs at least 1; with the pair, each contact costs 0.6 for the farther clone, half of it in the mean
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {{0, 1}, {1, 2}});
   const Structural_graph target =
       point_graph({{0, 0, 0}, {0, .7, 0}, {0, 1.3, 0}, {0, 2, 0}}, {{0, 1}, {1, 2}, {2, 3}},

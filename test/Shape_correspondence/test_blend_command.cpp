@@ -22,7 +22,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A chair of six boxes as OBJ. \param far z of a corner of the seat
+/// A chair of six boxes as OBJ. \param far z of one corner of the seat, as text
 std::string obj_chair(double width, double leg, double back, const std::string& far)
 {
   const double far_leg = width - 0.1, seat = leg + 0.08;
@@ -104,16 +104,16 @@ TEST_CASE("blend writes frames or an animation, and refuses what it cannot use")
     CHECK(page.find(std::string("id=\"") + id + "\">") != std::string::npos);
   CHECK(run(models + " --quiet --frames 2 --html " + quoted(folder.path("c.html"))).status == 0);
   std::string page_by_option = text_of(folder.path("c.html"));
-  REQUIRE(page_by_option.find("c.html") != std::string::npos); // it tells its name
+  REQUIRE(page_by_option.find("c.html") != std::string::npos); // the page contains its own name
   page_by_option.replace(page_by_option.find("c.html"), 1, "b");
-  CHECK((page_by_option == page)); // without telling both if they differ
+  CHECK((page_by_option == page)); // in parentheses, so that a failure does not print both pages
   CHECK(run(models + " --html " + quoted(folder.path("d.html")) + " -o " + quoted(folder.path("d.glb"))).status == 2);
   const Run no_page = run(models + " --html " + quoted(folder.path("d.glb")));
   CHECK(no_page.status == 2);
   CHECK_THAT(no_page.error, Contains("d.glb") && Contains("must end in .html"));
 }
 
-TEST_CASE("Shapes of which one is more than twice as high as the other get one height, but for --size")
+TEST_CASE("Shapes of which one is more than twice as high as the other get the same height, unless --size is given")
 {
   const Temporary_folder folder;
   const std::string small = quoted(folder.write("small.obj", obj_chair(0.5, 0.5, 0.5, "0"))),
@@ -137,7 +137,7 @@ TEST_CASE("Shapes of which one is more than twice as high as the other get one h
   CHECK_THAT(warnings(small, ""), !Contains("times as high"));
 }
 
-TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a size that is asked for")
+TEST_CASE("blend makes one in-between shape of a given size, by one schedule or by each of those that differ")
 {
   const Temporary_folder folder;
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
@@ -165,7 +165,7 @@ TEST_CASE("blend makes one shape, by one schedule or by all that differ, of a si
   CHECK(run(out("b.glb") + " --schedule all").status == 2);
   CHECK(run(out("b.glb") + " --schedule never").status == 2);
   CHECK(run(out("b.glb") + " --size huge").status == 2);
-  // With no confidence in any pair nothing morphs, which is reported
+  // No pair has the confidence that is asked for, 1, so nothing morphs, which is reported
   const Run unsure = run(out("c.obj") + " --at 0.5 --min-confidence 1 --json -");
   CHECK(unsure.status == 0);
   const json report = json::parse(unsure.out);
@@ -227,7 +227,7 @@ TEST_CASE("blend takes a correspondence that was found before")
   const json of_seats = tasks("c", "--match " + quoted(other));
   CHECK(std::count_if(of_seats.begin(), of_seats.end(), [](const json& task) { return task["task"] == "morph"; }) == 1);
 
-  // Below the default of --min-confidence, for pairs more probably wrong than right
+  // A pair that is more probably wrong than right is below the default of --min-confidence, 0.5
   seats["confidences"] = {.49};
   folder.write("other.json", seats.dump());
   const auto morphs = [&](const std::string& out, const std::string& least) {

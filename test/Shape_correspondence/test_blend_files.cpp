@@ -114,7 +114,7 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
   for (const auto& channel : document["animations"][0]["channels"])
     ++channels[channel["target"]["path"]];
   CHECK(channels["weights"] > 0);
-  CHECK(channels["scale"] >= channels["weights"] + 2); // includes both ends
+  CHECK(channels["scale"] >= channels["weights"] + 2); // scales also show and hide the shapes of both ends
 
   // Rest points plus weighted morph targets equal the points of the blend in every frame
   const auto numbers = [&, binary = bytes.substr(28 + std::size_t(length))](std::size_t accessor) {

@@ -94,7 +94,7 @@ TEST_CASE("Missing support and gaps between parts are measured")
 
 TEST_CASE("Parts turn by the least rotation between their boxes")
 {
-  // The same plate, described once from above and once from one side, does not rotate
+  // The top becomes as high as it was wide, and as wide as it was high: it is stretched, not rotated
   std::vector<Named_box> boxes = stand();
   boxes[2].size = {0.8, 0.5, 0.6};
   boxes[2].middle.y() = 1.15;
@@ -153,7 +153,7 @@ TEST_CASE("The size changes by equal factors in equal times; either shape may be
     CHECK(height_of(blended(Blend_size::TARGET)(t)) == Approx(scale));
     CHECK(height_of(blended(Blend_size::SAME)(t)) == Approx(1));
   }
-  // Elsewhere in its file and rotated, it has the same stage
+  // A shape that is elsewhere in its file and rotated is brought to the same place: on the ground, in the middle
   Box_model away{Segmented_shape("away"), {}};
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, Point::UnitY()).toRotationMatrix();
   for (const Shape_part& part : target.shape.parts())

@@ -19,14 +19,14 @@ using namespace blend_models;
 
 namespace {
 
-constexpr double wider = 0.005; // ratio to the shape's height: wider gaps count
+constexpr double wider = 0.005; // relative to the shape's height: the width up to which a gap is accepted
 
 } // namespace
 
 TEST_CASE("Contacts are kept where sets of parts come apart and are moved together")
 {
   const Model &chair = model("chair_four_legged"), &other = model("chair_spindle");
-  Correspondence few; // most of the parts that connect these vanish
+  Correspondence few; // most parts that connect the parts of these pairs have no counterpart
   for (const auto& [from, to] :
        {std::pair("front_apron", "h_cross"), std::pair("front_right_leg", "turned_leg_b"),
         std::pair("left_back_post", "spindle_mid"), std::pair("rear_right_leg", "turned_leg_d"),
@@ -38,7 +38,7 @@ TEST_CASE("Contacts are kept where sets of parts come apart and are moved togeth
     CHECK(blend.gap(t) < wider);
 }
 
-TEST_CASE("A part that is its own mirror image stays so where it is moved back to the part that it has left")
+TEST_CASE("A symmetric part stays symmetric when it is moved back into contact with the part that it has left")
 {
   const Model &chair = model("chair_four_legged"), &stool = model("stool");
   Correspondence few;
@@ -79,7 +79,7 @@ TEST_CASE("Shapes between two models are closed, connected, symmetric and suppor
   }
 }
 
-TEST_CASE("Parts make way for a part across: they are not cut into pieces, and keep their contacts")
+TEST_CASE("Parts too unlike to morph vanish or appear instead of being cut into pieces, and parts keep their contacts")
 {
   for (const auto& [source, target] :
        {std::pair("chair_four_legged", "chair_slatted"), std::pair("chair_spindle", "chair_swivel")}) {
@@ -114,7 +114,7 @@ TEST_CASE("Mirror images become mirror images of one another")
 
 TEST_CASE("A part that touches nothing between the ends is rated as apart")
 {
-  // A peg on one side moves from the upper plate to the lower one: it lies flat on plates at the ends only
+  // A peg on one side moves from the upper plate to the lower one: it touches a plate at both ends only
   const auto stand = [](double height_of_peg) {
     Model result{Segmented_shape("stand"), {}};
     result.shape.add_part("base", box_shapes::box({0, 0.05, 0}, {1, 0.1, 0.6}));
@@ -167,7 +167,7 @@ TEST_CASE("Contacts of mirror images are kept alike, though one of them is just 
 
 TEST_CASE("Parts on the mirror plane keep contacts on both of its sides, whenever each of them changes")
 {
-  // A foot between two cheeks of one part
+  // A foot between two cheeks, which are one part
   const auto vice = [](double width) {
     Model result{Segmented_shape("vice"), {}};
     const double cheek = width / 2 + 0.05;
@@ -235,7 +235,8 @@ TEST_CASE("Mirror images of round parts and of parts that hang in the middle sta
 
 TEST_CASE("Shapes in between are the same whatever the order of parts")
 {
-  // Largest asymmetry, over the shape's height; mirror images are computed from the part that comes first
+  // Relative to the shape's height: the largest difference. It comes from asymmetries, since of two mirror images the
+  // one that comes first is computed, and the other is its image
   constexpr double alike = 0.002;
   const Model &source = model("chair_four_legged"), &target = model("chair_slatted");
   Model reversed{Segmented_shape(source.shape.name(), source.shape.up()), {}};
@@ -315,7 +316,7 @@ TEST_CASE("Tasks are those of the correspondence, within the time of the blend")
   std::vector<int> from(source.shape.parts().size(), 0), to(target.shape.parts().size(), 0);
   for (const Blend_task& task : blend.schedules()[0].tasks) {
     CHECK(task.begin >= 0);
-    CHECK(task.begin <= task.end); // equal if it is exchanged
+    CHECK(task.begin <= task.end); // equal for an exchange
     CHECK(task.end <= 1);
     if (task.source != Blend_task::no_part) ++from[task.source];
     if (task.target != Blend_task::no_part) ++to[task.target];
@@ -357,7 +358,7 @@ TEST_CASE("A part without mirror image grows by itself, though others vanish")
   CHECK(is_closed(blend(0.75).parts().back().mesh));
 }
 
-TEST_CASE("A model that is not the graph's is refused")
+TEST_CASE("A model that does not belong to its graph is refused")
 {
   const Model &stool = model("stool"), &chair = model("chair_spindle");
   CHECK_THROWS_AS(Shape_blend(stool.graph, chair.shape, chair.graph, chair.shape, {}), Invalid_input);

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// Parts without counterpart, and parts that touch at one end only.
+// Parts without counterpart, and parts that touch in the source or in the target only.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -56,7 +56,7 @@ Shape_blend blend_of(const Model& source, const Model& target, const Name_pairs&
   return Shape_blend(source.graph, source.shape, target.graph, target.shape, correspondence, options);
 }
 
-/// The distance between the parts whose names start with `first` and `second`, over the height of the shape.
+/// The distance between the parts whose names start with `first` and `second`, divided by the height of the shape.
 double distance(const Segmented_shape& shape, const std::string& first, const std::string& second)
 {
   const std::vector<Triangle_tree> trees = trees_of(shape);
@@ -240,7 +240,7 @@ TEST_CASE("Legs stay attached to a seat that becomes far higher")
   CHECK(seen > 2);
 }
 
-TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
+TEST_CASE("Parts in one place are exchanged at one time, and so are parts needed to stand")
 {
   Segmented_shape legged("legged"), pedestal("pedestal");
   for (Segmented_shape* shape : {&legged, &pedestal})
@@ -259,7 +259,7 @@ TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
     if (task.type == Blend_task_type::GROW) come.emplace(task.begin, task.end);
     if (task.type == Blend_task_type::SHRINK) go.emplace(task.begin, task.end);
   }
-  REQUIRE(come.size() == 2); // below and above the top
+  REQUIRE(come.size() == 2); // one for the parts below the top, one for those above it
   REQUIRE(go.size() == 2);
   CHECK(come == go); // old and new are never in one place
   int supports = 0;
@@ -270,7 +270,7 @@ TEST_CASE("Parts in one place, and parts needed to stand, change at one time")
       return (part.name == "left~" || part.name == "~column") && part.mesh.points.row(1).minCoeff() < 0.02;
     });
   }
-  CHECK(supports == steps - 1); // at any time, one part stands
+  CHECK(supports == steps - 1); // at any time, a support reaches the ground
 }
 
 TEST_CASE("While all is exchanged, the shape is as high as before and after")

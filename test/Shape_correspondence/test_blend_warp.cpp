@@ -75,7 +75,7 @@ const Blend_task& task_of(const Shape_blend& blend, std::size_t source)
 
 TEST_CASE("Unmatched parts follow the whole shape where all of it changes alike")
 {
-  // Everything widens by a half, including the vase and its distance from the middle
+  // Everything becomes 1.5 times as wide, including the vase and its distance from the middle
   std::vector<Named_box> narrow = stand(), wide = stand();
   for (Named_box& box : wide) {
     box.middle.x() *= 1.5;
@@ -166,7 +166,7 @@ TEST_CASE("An unmatched post that touches one part stays straight and nearly upr
 
 TEST_CASE("Blends do not depend on units and places")
 {
-  // Corners of boxes are equally far from each other up to rounding
+  // Corners of boxes have equal distances up to rounding, which must decide nothing
   std::vector<Named_box> wide = stand(), narrow = stand();
   wide[2].size.x() = 1.6;
   narrow.push_back({"vase", {0.3, 1.1, 0.1}, {0.2, 0.2, 0.2}});
@@ -188,7 +188,7 @@ TEST_CASE("Blends do not depend on units and places")
   }
 }
 
-TEST_CASE("Flat shapes, whose controls are in a plane, have warps, too")
+TEST_CASE("Flat shapes, whose control points are in one plane, have warps, too")
 {
   const std::vector<Named_box> plates = {{"plate", {0, 0.2, 0}, {1, 0, 1}}, {"other", {1, 0.2, 0}, {0.6, 0, 0.6}}};
   for (const Correspondence& correspondence : {same_parts(1), Correspondence()}) {

@@ -26,7 +26,7 @@ using model_files::Temporary_folder;
 
 namespace {
 
-using Named_pairs = std::map<std::pair<std::string, std::string>, double>; // with confidences
+using Named_pairs = std::map<std::pair<std::string, std::string>, double>; // the confidences of pairs
 
 gen::Assembly made(const std::string& name)
 {

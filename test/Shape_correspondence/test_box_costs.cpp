@@ -26,7 +26,7 @@ internal::Boxes random_boxes(Eigen::Index parts)
 
 } // namespace
 
-TEST_CASE("Ends of boxes are as close in a shape of many parts as in one of few")
+TEST_CASE("The closeness of ends of boxes is the same in a shape of many parts as in one of few")
 {
   constexpr double width = 0.2;
   constexpr Eigen::Index many = 201, few = 57; // more and fewer boxes than are cached

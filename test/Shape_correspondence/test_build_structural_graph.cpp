@@ -133,7 +133,7 @@ TEST_CASE("A shape needs two parts")
   CHECK_THROWS_AS(complete_structural_graph(structure, {}), Invalid_input);
 }
 
-TEST_CASE("Completing keeps what is given")
+TEST_CASE("Completing a graph keeps the groups and contacts that are given")
 {
   Shape_structure shape;
   shape.name = "table";

@@ -94,7 +94,7 @@ Part_mesh shuffled(const Part_mesh& mesh, Random& random)
 Part_mesh with_other_diagonals(const Part_mesh& mesh, Random&)
 {
   Triangles triangles = triangles_of_mesh(mesh);
-  std::map<Edge, std::vector<std::size_t>> sides; // 3 * triangle + side
+  std::map<Edge, std::vector<std::size_t>> sides; // indices: 3 * triangle + side
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       sides[edge(triangles[t][k], triangles[t][(k + 1) % 3])].push_back(3 * t + k);
@@ -197,8 +197,8 @@ const Structural_graph& graph_of(const std::string& name)
 
 using Names = std::vector<std::string>;
 
-/// The pairs of shapes, of twelve, whose corresponding parts change with the source.
-/// \param to_the_bit whether confidences must not change either
+/// Of twelve pairs of shapes, those whose corresponding parts differ after `change` of the meshes of the source.
+/// \param to_the_bit whether confidences are compared, too
 Names changed_pairs(const Change& change, bool to_the_bit)
 {
   const std::vector<std::pair<std::string, std::string>> pairs{{"chair_four_legged", "chair_swivel"},
@@ -263,7 +263,7 @@ TEST_CASE("The canonical surface of a box has twelve triangles, however it is di
   }
 }
 
-TEST_CASE("The canonical surface of a curved one has its triangles")
+TEST_CASE("The canonical surface of a curved mesh has as many triangles as the mesh")
 {
   const Part_mesh curved = part_meshes::bipyramid(7), expected = canonical_surface(curved, tolerance);
   CHECK(expected.points.cols() == curved.points.cols());
@@ -301,7 +301,7 @@ TEST_CASE("A flat face with a hole keeps it in its canonical surface")
 
 TEST_CASE("A part whose surface cannot be retriangulated keeps its triangles")
 {
-  // Three triangles at one edge, a duplicate triangle, one folded back, one without area
+  // Three triangles at one edge, the reverse of one of them, and a triangle without area
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {2, 0, 0}};
   const Part_mesh mesh = mesh_of(points, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {2, 1, 0}, {0, 1, 5}});
   const Part_mesh result = canonical_surface(mesh, tolerance);
@@ -331,7 +331,7 @@ TEST_CASE("A strut that is turned, mirrored or divided otherwise is a copy")
 
 TEST_CASE("Parts with the same corners but other faces are no copies")
 {
-  // A cube without two opposite sides, and one without two adjacent sides
+  // A cube without two opposite sides, and two cubes without two adjacent sides, one of which is a copy
   const Part_mesh cube = part_meshes::box({0, 0, 0}, {1, 1, 1});
   const auto without = [&](const Point& first, const Point& second) {
     Triangles kept;

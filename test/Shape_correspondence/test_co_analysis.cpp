@@ -53,7 +53,7 @@ TEST_CASE("Two shapes have no third one that could confirm anything")
 
 TEST_CASE("The largest cluster is the first label; parts similar to no others have none")
 {
-  // Part 1 of shape 0 and both parts of shape 1 correspond; part 0 of shape 0 has no counterpart
+  // Part 1 of shape 0 corresponds to parts 0 and 1 of shape 1, part 2 of shape 1 to the part of shape 2
   const Co_analysis result = co_analysis({2, 3, 1}, {{0, 1, certain({{1, 0}, {1, 1}})}, {1, 2, certain({{2, 0}})}});
   CHECK(result.labels == std::vector<std::vector<int>>{{Co_analysis::none, 0}, {0, 0, 1}, {1}});
   CHECK(result.number_of_labels == 2);
@@ -82,7 +82,7 @@ TEST_CASE("Chairs agree on what is a seat, a back and a leg")
   CHECK(result.labels[0][1] != result.labels[0][4]);
 }
 
-TEST_CASE("Pairs that agree with the whole set: of one cluster, and none of parts in no cluster")
+TEST_CASE("Pairs of parts in one cluster agree with the whole set; pairs of parts in no cluster do not")
 {
   Co_analysis analysis;
   analysis.labels = {{0, 1, Co_analysis::none}, {0, 0, 1, Co_analysis::none}};

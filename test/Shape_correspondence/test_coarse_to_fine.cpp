@@ -20,7 +20,8 @@ using namespace hand_made;
 
 namespace {
 
-// Boxes in a row, each touching the next, of increasing or scattered heights; the first and the last are large.
+// Boxes in a row, each touching the next: large ones at both ends, and others whose heights differ by multiples of
+// `step`, in increasing order, or scattered if `scatter` is above 1.
 Structural_graph row(int parts, double step, int scatter = 1)
 {
   Segmented_shape shape;

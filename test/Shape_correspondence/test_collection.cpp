@@ -144,7 +144,7 @@ TEST_CASE("Matches of all pairs of shapes, and of them those that the clusters c
   }
 }
 
-TEST_CASE("The same bytes with any number of threads, with a store and again from it")
+TEST_CASE("The output has the same bytes with any number of threads, with a new store, and from that store")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder)), store = " --store " + quoted(folder.path("store"));
@@ -185,7 +185,7 @@ TEST_CASE("The same bytes with any number of threads, with a store and again fro
 #ifdef SHAPE_CORRESPONDENCE_MPIRUN
 namespace {
 
-/// Runs the program with several processes by `mpirun`. \param wrapper a command to run the program with; empty: none
+/// Runs the program with several processes by `mpirun`. \param wrapper command that starts the program; may be empty
 int run_in_team(const std::string& processes, const std::string& arguments, const std::string& wrapper = "")
 {
   // mpirun itself may hang after a process was killed at its start
@@ -198,7 +198,7 @@ int run_in_team(const std::string& processes, const std::string& arguments, cons
 
 } // namespace
 
-TEST_CASE("The same bytes with any number of processes")
+TEST_CASE("The output has the same bytes with any number of processes")
 {
   const Temporary_folder folder;
   const std::string in = quoted(shape_folder(folder));
@@ -289,7 +289,7 @@ TEST_CASE("Shapes that cannot be used: all are named, the work is kept, --skip-b
   CHECK_THAT(no_folder.error, Contains("graphs/graphs: it cannot be used as a store"));
 }
 
-TEST_CASE("The nearest shapes of a query")
+TEST_CASE("--nearest lists the shapes nearest to a query")
 {
   const Temporary_folder folder;
   const std::string in = shape_folder(folder), query = in + "/2.json";

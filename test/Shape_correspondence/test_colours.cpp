@@ -82,11 +82,11 @@ TEST_CASE("Roles of a category have colours of their own, and further parts of a
     for (const std::string& role : model->roles(category)) {
       INFO(category << ": " << role);
       colours.insert(IO::css_colour(IO::role_colour(role)));
-      CHECK(lab(IO::role_colour(role))[0] > 40); // so light that one sees its form
+      CHECK(lab(IO::role_colour(role))[0] > 40); // CIE lightness: light enough for shading to show the form
     }
     INFO(category);
     CHECK(colours.size() + 1 >=
-          model->roles(category).size()); // one role that the table does not know may have a colour twice
+          model->roles(category).size()); // one role that is not in the table of colours may have the colour of another
   }
   const std::vector<IO::Colour> colours = IO::colours_of_roles({"leg", "seat", "leg", "", ""});
   CHECK(colours[0] == IO::role_colour("leg"));

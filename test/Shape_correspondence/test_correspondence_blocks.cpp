@@ -84,7 +84,7 @@ TEST_CASE("Weak bridges do not connect blocks")
   CHECK(blocks[0].confidence == Approx(.8)); // mean of the pairs within the block
 }
 
-TEST_CASE("A chain of equal pairs is one block, and so are two sets with all their pairs")
+TEST_CASE("A chain of equally confident pairs is one block, and so are two sets of parts with all their pairs")
 {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto chain =
@@ -114,7 +114,7 @@ TEST_CASE("Every part that corresponds to any is in one block, however unsure it
 
 TEST_CASE("Pairs of different roles count half, and a block has the role of most of its parts")
 {
-  // A seat that resembles a back as much as the other seat
+  // A seat that corresponds to a back with more confidence than to the other seat
   const std::vector<Part_correspondence> pairs{{0, 0, .6}, {0, 1, .7}, {1, 1, .7}};
   const auto blocks = correspondence_blocks(of_pairs(pairs, {"seat", "back"}, {"seat", "back"}));
   REQUIRE(sides(blocks) == std::vector<Sides>{{Parts{0}, Parts{0}}, {Parts{1}, Parts{1}}});

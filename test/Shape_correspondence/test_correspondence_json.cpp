@@ -31,7 +31,7 @@ Correspondence back_splits()
   c.contacts = {{{0, 1}, 0.25, 0.5}};
   c.unmatched_source = {2, 3, 4, 5};
   c.unmatched_target = {3};
-  c.energy = 0.1 + 0.2; // differs from 0.3
+  c.energy = 0.1 + 0.2; // differs from 0.3 in the last bit, which must be kept
   c.terms = {0.1, 0.2, 0.7};
   c.complete = true;
   c.search = {"beam", 7, 11, 0.05};
@@ -91,7 +91,7 @@ TEST_CASE("A correspondence is written as the format says")
   CHECK(result["warnings"] == json::array({"A \"quoted\" warning."}));
 }
 
-TEST_CASE("Seen from the target, contacts are the target's and pairs stay source first")
+TEST_CASE("If the target is deformed, contacts are those of the target, and pairs still name the source first")
 {
   Correspondence c = back_splits();
   c.direction = Direction::TARGET_TO_SOURCE;

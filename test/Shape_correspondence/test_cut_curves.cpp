@@ -61,7 +61,7 @@ TEST_CASE("Cutting: a post turns into the pieces of another by their places, how
     for (const Piece_image& image : cut.images[0]) {
       CHECK(image.source.count == 3);
       CHECK(image.target.count == 1);
-      // A fitted segment equals the piece
+      // The segment is where its image is, so that fitting moves no sample
       const Sampled_part piece = segment(whole.parts[image.source.part], image.source.index, 3);
       CHECK(deform_to_fit(piece, pieces.parts[image.target.part]).isApprox(piece.samples, 1e-9));
     }

@@ -95,7 +95,7 @@ TEST_CASE("A model that is cut off anywhere is read or refused")
     }
 }
 
-TEST_CASE("Counts beyond the size of the file are refused before anything is made for them")
+TEST_CASE("Counts beyond the size of the file are refused before memory is allocated for them")
 {
   const Temporary_folder folder;
   const auto refused = [&](const std::string& name, const std::string& text) {
@@ -186,7 +186,7 @@ TEST_CASE("Documents nested deeply are refused")
   }
 }
 
-TEST_CASE("Documents of more values than memory should have are refused before they are taken apart")
+TEST_CASE("Documents of so many values that they would need over 2 GB of memory are refused before they are parsed")
 {
   for (const auto& [value, times] : {std::pair(R"({"":0},)", 11000000), {"[[[]]],", 10000000}, {R"("a",)", 21000000}})
     CHECK_THAT(json_complaint("[" + repeated(value, std::size_t(times)) + "0]"), Contains("more than 2 GB of memory"));
@@ -211,7 +211,7 @@ TEST_CASE("Whole numbers beyond their range, and a million parts, are refused")
 
 TEST_CASE("A grid of more points than an int can count is refused, also if most of them are missing")
 {
-  constexpr std::size_t cols = 65536, rows_added = 65534; // together with the table's two, 2^32 points
+  constexpr std::size_t cols = 65536, rows_added = 65534; // with the two rows that the table's grid has, 2^32 points
   std::ostringstream good;
   IO::write_structural_graph_json(good, hand_made::table());
   const std::string grid = "\"grid\":[", first_row = "[[0,0,0]" + repeated(",[0,0,0]", cols - 1) + "],";
@@ -239,9 +239,9 @@ TEST_CASE(
   const std::string begin = "printf 'shape_correspondence import 5\\n";
   CHECK_THAT(complaint_of(begin + "e%s is refused' \"$2\""), Contains(model + ": inside is refused"));
   CHECK_THAT(complaint_of(begin + "c12345678'"), Contains("damaged"));
-  // No other file is open, nothing can be read, and standard error is discarded
+  // The started program has no other open file and no input, and its standard error is discarded
   const std::string listing = "[ -z \"$(cat)\" ] && echo unheard >&2 && ls /proc/self/fd | tr '\\n' ' '";
-  // `ls` itself opens 3
+  // 3 is the folder that `ls` itself opens
   CHECK(IO::run_program("/bin/sh", {"-c", listing}, std::chrono::seconds(10)).output == "0 1 2 3 ");
   const IO::Program_run run =
       IO::run_program("/bin/sh", {"-c", "echo a; exec sleep 60"}, std::chrono::milliseconds(200));
@@ -251,7 +251,7 @@ TEST_CASE(
   CHECK_THAT(read_complaint(model), Contains(model) && Contains("extension"));
 }
 
-TEST_CASE("Of the files that a model names only those of its folder are read, unless it is said")
+TEST_CASE("Of the files that a model names, only those in its folder are read, unless others are allowed")
 {
   const Temporary_folder folder;
   fs::create_directories(folder.path("m/parts"));

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Outcomes for degenerate shapes.
+// Degenerate shapes: each has a graph that matches itself, or is refused with a reason.
 
 #include "box_shapes.h"
 #include "model_files.h"
@@ -39,7 +39,7 @@ Part_mesh moebius_strip()
       const double r = 1 + (side - 0.5) * 0.5 * std::cos(u / 2);
       result.points.col(2 * i + side) = Point(r * std::cos(u), (side - 0.5) * 0.5 * std::sin(u / 2), r * std::sin(u));
     }
-    const bool last = i + 1 == n; // the sides are exchanged at the end
+    const bool last = i + 1 == n; // the last pair of triangles closes the strip with its sides exchanged
     const int a = 2 * i, b = 2 * i + 1, c = last ? 1 : 2 * i + 2, d = last ? 0 : 2 * i + 3;
     result.triangles.col(2 * i) << a, b, c;
     result.triangles.col(2 * i + 1) << b, d, c;
@@ -155,7 +155,7 @@ TEST_CASE("A thousand identical parts are rows, and are matched where each is a 
     search.maximum_parts = 4;
     CHECK(find_correspondence(graph, graph, search).groups.size() == 4);
   }
-  // Of different sizes, in a row
+  // Boxes of different sizes in a row
   Segmented_shape row;
   for (int i = 0; i < 160; ++i)
     row.add_part("part " + std::to_string(i), box(Point(2 * i, 0, 0), Point(2, 1 + i % 13, 1 + i % 7)));

@@ -67,7 +67,7 @@ Segmented_shape two_boxes(double gap)
 
 } // namespace
 
-TEST_CASE("Contacts of shapes made of boxes")
+TEST_CASE("Contacts of shapes made of boxes are those of their construction")
 {
   const Found on_table = contacts_of(table());
   CHECK(on_table.pairs == TABLE_PAIRS);
@@ -117,7 +117,7 @@ TEST_CASE("A gap within the tolerance is a contact, a wider one is joined with a
   REQUIRE(joined.warnings.size() == 1);
   CHECK(joined.warnings[0].find("'a'") != std::string::npos);
   CHECK(joined.warnings[0].find("'b'") != std::string::npos);
-  CHECK(joined.warnings[0].find("3.9 %") != std::string::npos); // 0.1 over the root of 2.1² + 1 + 1
+  CHECK(joined.warnings[0].find("3.9 %") != std::string::npos); // gap over diagonal: 0.1 / sqrt(2.1² + 1 + 1)
   CHECK(contacts_of(two_boxes(0.1), 0.05).warnings.empty());
   CHECK(contacts_of(two_boxes(-0.3)).warnings.empty());
 }
@@ -227,7 +227,8 @@ TEST_CASE("The point of a triangle nearest to a point, also of needles and of tr
   CHECK(nearest({-2, 1, 3}, right).isApprox(Point(0, 1, 0)));
   CHECK(nearest({3, 3, -2}, right).isApprox(Point(2, 1, 0)));
   CHECK(nearest({1, 0.5, -7}, right).isApprox(Point(1, 0.5, 0)));
-  // No corner or point of a side is nearer, and the rest of the triangle is beyond the plane through it
+  // The nearest point: no point of a side is nearer, and the plane through it with normal p - found has the triangle on
+  // its far side
   std::mt19937 random(7);
   std::normal_distribution<double> place;
   const auto anywhere = [&] { return Point(place(random), place(random), place(random)); };
@@ -255,7 +256,7 @@ TEST_CASE("A shape of which too many pairs of parts touch is refused")
   CHECK_THROWS_WITH(contacts_of(shape), Catch::Matchers::Contains("more than 50000 pairs of its parts touch"));
 }
 
-TEST_CASE("Contacts without meshes")
+TEST_CASE("Contacts are found without meshes, by what abstractions tell of the parts")
 {
   std::vector<Part_abstraction> parts = quick_parts(chair());
   for (Part_abstraction& part : parts) {
@@ -281,7 +282,7 @@ TEST_CASE("Contacts without meshes")
   CHECK(pairs.count({"stretcher_l", "rail"}) == 0);
 }
 
-TEST_CASE("A contact may be at a closest pair of points")
+TEST_CASE("With the option closest_points, a contact is at the closest pair of points")
 {
   // A board that leans away from a box, with a gap of 0.01 at its lower edge, at height 0.2
   Part_mesh board = box({0, 0, 0}, {.2, 2, 1});

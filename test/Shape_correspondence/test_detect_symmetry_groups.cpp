@@ -46,7 +46,7 @@ const Part_group& group_with(const std::vector<Part_abstraction>& parts, const s
   throw std::logic_error("no group has " + name);
 }
 
-/// A group with the names of its parts, its kind, and its generator, which changes under motion.
+/// The symmetry of a group, whose generator moves with the shape, and the names of the parts in their order.
 struct Named_group
 {
   Symmetry symmetry;
@@ -112,10 +112,10 @@ bool is_same_generator(const Symmetry& a, const Symmetry& b, double diagonal)
   }
 }
 
-/// Whether one order equals the other up to the first member and the sense of a ring, or the direction of a row.
+/// Whether two orders are equal up to the first member and the sense of rotation of a ring, or the direction of a row.
 bool is_same_order(const Named_group& a, std::vector<std::string> order)
 {
-  if (a.symmetry.type == Symmetry_type::REFLECTION) return true; // ordered by pairs, front or left first
+  if (a.symmetry.type == Symmetry_type::REFLECTION) return true; // pairs have a fixed order: front or left first
   for (int sense = 0; sense < 2; ++sense) {
     for (std::size_t start = 0; start < order.size(); ++start) {
       if (a.order == order) return true;
@@ -136,7 +136,7 @@ double diagonal_of(const Segmented_shape& shape)
   return box.diagonal().norm();
 }
 
-/// Whether a vertical plane is another mirror plane than the expected one: a square shape has more than two.
+/// Whether a plane is vertical and goes through the expected centre: a square shape has further mirror planes.
 bool is_other_plane(const Symmetry& a, const Symmetry& expected, double diagonal)
 {
   Point apart = a.point - expected.point;
@@ -188,7 +188,7 @@ const std::map<Names, Symmetry_type> STAR_GROUPS = {
 
 } // namespace
 
-TEST_CASE("Groups of shapes made of boxes")
+TEST_CASE("Groups of shapes made of boxes are those of their construction")
 {
   CHECK(groups_of(table()) == TABLE_GROUPS);
   CHECK(groups_of(chair()) == CHAIR_GROUPS);
@@ -248,7 +248,7 @@ TEST_CASE("The generator carries each member into the next")
   check(star_stool(), "foot_0");
 }
 
-TEST_CASE("Order, volume and hull of groups")
+TEST_CASE("Groups have the order, the volume and the hull of their parts")
 {
   std::vector<Part_abstraction> parts = quick_parts(table());
   for (Part_abstraction& part : parts)
@@ -297,7 +297,7 @@ TEST_CASE("Three unevenly spaced parts are no row, slightly uneven ones are")
   CHECK(groups_of(shelf(0.25)).begin()->first.size() == 2);
 }
 
-TEST_CASE("Kinds can be switched off")
+TEST_CASE("Detection of groups, and of single kinds of symmetry, can be switched off")
 {
   const std::vector<Part_abstraction> parts = quick_parts(chair());
   Symmetry_options options;

@@ -19,7 +19,7 @@ using namespace hand_made;
 
 namespace {
 
-// A post with a panel (parts 0 and 1), or with several bars in the panel's place, from one side to the other.
+// A rail with a panel below it (parts 0 and 1), or with `bars` vertical bars in the place of the panel.
 Structural_graph gate(int bars, double solidity = 1)
 {
   Shape_structure shape;
@@ -46,7 +46,7 @@ TEST_CASE("A box is divided along the axis of most spread, in proportion to exte
   const Box unit(Point::Zero(), Point::Ones());
   CHECK(divide_box(unit, {{{7, 7, 7}, {1, 1, 1}}})[0].isApprox(unit));
 
-  // The one in the middle is twice as wide as the other two; in any order
+  // The share in the middle is twice as wide as the other two; shares come in any order
   const auto three = divide_box(unit, {{{5, 0, 0}, {1, 1, 1}}, {{-5, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {2, 1, 1}}});
   CHECK(three[0].isApprox(Box(Point(.75, 0, 0), Point(1, 1, 1))));
   CHECK(three[1].isApprox(Box(Point(0, 0, 0), Point(.25, 1, 1))));
@@ -102,7 +102,7 @@ TEST_CASE("A panel and bars: each bar has its third of the panel, which costs no
   CHECK_FALSE(overlap(split.images[0][0].source, split.images[0][1].source));
 }
 
-TEST_CASE("Splitting and merging a sheet is chosen where the parts lie on it")
+TEST_CASE("The search splits a sheet into parts, and merges parts into a sheet, that lie on the sheet")
 {
   Search_options options;
   options.method = Search_method::EXACT;
@@ -111,7 +111,7 @@ TEST_CASE("Splitting and merging a sheet is chosen where the parts lie on it")
     const Correspondence c = find_correspondence(forward ? gate(0) : gate(3), forward ? gate(3) : gate(0), options);
     CHECK(c.groups[0].operation == Operation::MATCH);
     CHECK(c.groups[1].operation == (forward ? Operation::SPLIT : Operation::MERGE));
-    // Only the samples of the rail differ, which are not those of its thirds
+    // Small, since a bar is in the middle of its third of the panel, which changes its width only
     CHECK(c.terms.distortion < 0.08);
     CHECK(c.terms.connectedness < 0.05);
   }

@@ -58,7 +58,7 @@ std::vector<gen::Assembly> gallery_shapes()
   return shapes;
 }
 
-// Every part has a role and a closed outward mesh, and is of the size of the shape; \return the roles by category.
+// Checks that parts have different names and closed meshes oriented outwards. \return the roles by category
 std::map<std::string, std::set<std::string>> checked_roles(const std::vector<gen::Assembly>& shapes)
 {
   std::map<std::string, std::set<std::string>> roles;

@@ -32,7 +32,7 @@ Group_match group(std::vector<std::size_t> source)
 
 } // namespace
 
-TEST_CASE("The distance is the energy of a pair of connected parts; pairs of unmatched parts are charged")
+TEST_CASE("The distance is the energy per pair of connected parts; pairs with an unmatched part are charged")
 {
   Correspondence c;
   c.energy = .6;
@@ -48,12 +48,12 @@ TEST_CASE("The distance is the energy of a pair of connected parts; pairs of unm
     c.unmatched_source = {3, 4};
     CHECK(distance_energy(c, .5) == Approx((.6 + .5 + .5) / 4));
   }
-  SECTION("Not twice what the search charged")
+  SECTION("Unmatched parts that the search has charged are not charged twice")
   {
     c.terms.unmatched = .3;
     CHECK(distance_energy(c, .5) == Approx(.2));
   }
-  SECTION("Of the shape that was deformed")
+  SECTION("The unmatched parts that count are those of the deformed shape")
   {
     c.direction = Direction::TARGET_TO_SOURCE;
     CHECK(distance_energy(c, .5) == Approx(.2));
@@ -62,7 +62,7 @@ TEST_CASE("The distance is the energy of a pair of connected parts; pairs of unm
   }
 }
 
-TEST_CASE("All ordered pairs, each as find_correspondence() finds it")
+TEST_CASE("Energies and maps of all ordered pairs are those of find_correspondence()")
 {
   const Energy_matrix matrix = energy_matrix(shapes());
   REQUIRE(matrix.energies.rows() == 4);
@@ -93,7 +93,7 @@ TEST_CASE("The distance of a shape from a moved copy of itself is 0")
   CHECK(part_pairs(matrix.map(0, 1).pairs) == part_pairs(identity_part_map(6).pairs));
 }
 
-TEST_CASE("The same bits in parallel, by every method")
+TEST_CASE("Results in parallel have the same bits, by every method")
 {
   for (Search_method method : {Search_method::PARTS, Search_method::BEAM, Search_method::EXACT}) {
     Energy_matrix_options options;
@@ -123,7 +123,7 @@ TEST_CASE("Progress is reported, and cancelled work ends")
   CHECK(std::isnan(cancelled.energies(0, 3)));
 }
 
-TEST_CASE("Bad options and empty sets")
+TEST_CASE("Bad options are refused, and empty sets give empty results")
 {
   Energy_matrix_options options;
   options.unmatched_energy = -1;
@@ -135,7 +135,7 @@ TEST_CASE("Bad options and empty sets")
   CHECK(match_pairs(shapes(), {}).empty());
 }
 
-TEST_CASE("Both orders of two shapes are what two matches find, by every method, whatever takes part")
+TEST_CASE("both_orders() gives the results of two matches, with pinned pairs, fewer parts and another method, too")
 {
   Search_options options, pinned, coarse, beam;
   pinned.energy.pinned = {{0, 0}};
@@ -155,7 +155,7 @@ TEST_CASE("Both orders of two shapes are what two matches find, by every method,
       }
 }
 
-TEST_CASE("Pairs in any order, alone, reversed, and twice")
+TEST_CASE("Pairs of shapes can be matched in any order, alone, reversed, and twice")
 {
   const std::vector<std::pair<std::size_t, std::size_t>> pairs{{2, 0}, {0, 1}, {1, 0}, {0, 1}, {3, 3}, {3, 3}};
   const std::vector<Rated_map> rated = match_pairs(shapes(), pairs);

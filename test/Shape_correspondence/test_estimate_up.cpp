@@ -57,7 +57,7 @@ TEST_CASE("Of axes that are as good as one another the first of y, z, x is up")
   CHECK(estimate_up(cube).up == Point::UnitY());
 }
 
-TEST_CASE("The guess of the upright axis says how sure it is, and what is known before counts")
+TEST_CASE("The estimate of the upright axis has a confidence, and takes prior odds into account")
 {
   Segmented_shape cube;
   cube.add_part("cube", box_shapes::box(Point::Zero(), Point::Ones()));

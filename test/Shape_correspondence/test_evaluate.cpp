@@ -117,7 +117,7 @@ TEST_CASE("An incomplete result counts as one without pairs")
   CHECK(json::parse(run.out)["mean"]["f1"] == 0);
 }
 
-TEST_CASE("Results name what is wrong with them")
+TEST_CASE("Errors about results say what is wrong with them")
 {
   const Labelled_chairs chairs;
   CHECK_THAT(chairs.refused_result("{"), Contains("not a JSON document"));
@@ -136,13 +136,13 @@ TEST_CASE("Shapes of one name are told apart by their category, or not compared"
 {
   const Labelled_chairs chairs;
   chairs.folder.write("truth/table/a/labels.json", "{\"parts\": [{\"name\": \"t\", \"coarse\": \"top\"}]}");
-  CHECK(chairs.evaluate(quoted(chairs.results)).status == 0); // finds shapes/chair/a
+  CHECK(chairs.evaluate(quoted(chairs.results)).status == 0); // the result names shapes/chair/a
   CHECK_THAT(chairs.refused_result(result("a", "b", {})), Contains("several labelled shapes"));
   CHECK_THAT(chairs.refused_result(result("table/a", "chair/b", {})),
              Contains("category 'table'") && Contains("'chair'"));
 }
 
-TEST_CASE("Labels name what is wrong with them")
+TEST_CASE("Errors about labels say what is wrong with them")
 {
   CHECK_THAT(refused_labels("nonsense"), Contains("not a JSON document"));
   CHECK_THAT(refused_labels("{}"), Contains("parts"));

@@ -109,7 +109,7 @@ TEST_CASE("The best solutions are the ones that brute force ranks first")
   CHECK_THROWS_AS(exact_search(random_tables(random, 3, 3, 1), none), Invalid_input);
 }
 
-TEST_CASE("Min-marginals: the least energy without the label, by brute force")
+TEST_CASE("Min-marginals are the rises to the least energy without the label, as by brute force")
 {
   std::mt19937 random(5);
   for (int i = 0; i < 50; ++i) {
@@ -221,7 +221,7 @@ TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
 
 TEST_CASE("A long search continues with larger tables, until its result is proven")
 {
-  // Tables of three variables do not fit at first; without them, millions of nodes would give no proof
+  // Tables of three variables exceed the first limit; without them, millions of nodes would give no proof
   std::mt19937 random(10);
   const Pairwise_energy energy = random_tables(random, 40, 40, 2);
   const Search_result result = exact_search(energy);
@@ -247,7 +247,7 @@ TEST_CASE("Costs beyond the comparison grid are compared as its last step")
   CHECK(internal::quantized(1e15) == internal::quantized(infinite));
   CHECK(internal::quantized(-infinite) == -internal::quantized(infinite));
   Energy_options options;
-  options.unmatched_cost = 1e15; // practically infinite
+  options.unmatched_cost = 1e15; // beyond the last step of the grid
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()), options),
       never(align_shape(chair()), align_shape(slatted_chair()));
   const Search_result result = exact_search(problem.energy()), expected = exact_search(never.energy());

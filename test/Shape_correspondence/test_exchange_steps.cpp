@@ -30,7 +30,7 @@ Box_model upright(const std::vector<Named_box>& boxes)
   return result;
 }
 
-/// The steps by the names of parts: `name~` for an old part, `~name` for a new one.
+/// The step in which each part is exchanged, by its name: `name~` for an old part, `~name` for a new one.
 std::map<std::string, Exchange_step> steps(const std::vector<Named_box>& from, const std::vector<Named_box>& to,
                                            const Correspondence& correspondence)
 {
@@ -133,7 +133,7 @@ TEST_CASE("The search for steps and the rating report progress, and end when can
   CHECK(told.size() == 1);
   CHECK(ended.schedules()[0].name == "in two steps");
   CHECK(ended.schedules()[0].quality.support == 0);
-  CHECK(ended.different_blends().size() == 1); // no steps were found
+  CHECK(ended.different_blends().size() == 1); // no steps were found, so all schedules give the same blend
 }
 
 TEST_CASE("Exchanges take one step if most of the parts on the ground would be missing between two steps")
@@ -171,7 +171,7 @@ TEST_CASE("A part that would lose its support is exchanged together with it")
 
 TEST_CASE("Large parts on a small one are not left hanging in the air")
 {
-  // A panel on a hook on a pole and, far from that, a sign on a link on a pin.
+  // A panel on a hook on a pole is exchanged for a sign on a link on a pin, which is far from there.
   const Named_box base = {"base", {0, 0.05, 0}, {2.4, 0.1, 0.6}}, wall = {"wall", {1.1, 0.5, 0}, {0.1, 0.96, 0.5}};
   const std::vector<Named_box> from = {base,
                                        wall,
@@ -204,7 +204,7 @@ TEST_CASE("Old and new parts are never in one place at once, though different pa
 
 TEST_CASE("A part that would be hidden inside a new one is not kept")
 {
-  // The old bar passes through the new block, but fills few of the cells of its faces.
+  // The old bar goes through the new block, but is in few of the cells that the surface of the block occupies.
   std::vector<Named_box> from = {{"shelf", {0, 0.1, 0}, {2, 0.2, 0.8}},
                                  {"back", {-0.95, 0.5, 0}, {0.1, 0.6, 0.8}},
                                  {"top", {0, 0.85, 0}, {2, 0.1, 0.8}}},

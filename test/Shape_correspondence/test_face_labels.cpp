@@ -151,7 +151,7 @@ TEST_CASE("Lists of labels of faces make the parts of OBJ, OFF, PLY and STL")
         Parts{{"seat", 12}, {"label_1", 12}});
   CHECK_THAT(complaint([&] { read_with(obj, folder.write("l.eseg", list("0", "1"))); }), Contains("edges"));
   CHECK_THAT(complaint([&] { read_with(obj, folder.path("none.seg")); }), Contains("none.seg"));
-  // A degenerate face counts
+  // The list has a label for a degenerate face, too
   const std::string with_flat_face = std::string(two_boxes).insert(two_boxes.find("f "), "f 1 1 2\n");
   CHECK(parts(read_with(folder.write("d.obj", with_flat_face), folder.write("d.txt", "2\n" + list("0", "1")))) ==
         numbered);
@@ -174,7 +174,7 @@ TEST_CASE("A list of labels beside a model is read with it, if it fits")
   CHECK_THAT(warnings.at(2), Contains("left out") && Contains("other.obj"));
 }
 
-TEST_CASE("Labels of faces are parts for every command, as they are")
+TEST_CASE("Every command takes labels of faces as parts, and does not split them further")
 {
   const Temporary_folder folder;
   const std::string model = quoted(folder.write("m.obj", two_boxes));
@@ -191,7 +191,7 @@ TEST_CASE("Labels of faces are parts for every command, as they are")
   INFO(match.error);
   REQUIRE(match.status == 0);
   CHECK(json::parse(match.out)["pairs"].size() == 2);
-  // Separate legs with one label stay one part, but are separate pieces
+  // Faces of two boxes that have the same label stay one part
   const std::string legs = quoted(folder.write("legs.ply", ply_boxes("property int part", [] {
                                                  std::vector<std::string> result;
                                                  for (int i = 0; i < 12; ++i)

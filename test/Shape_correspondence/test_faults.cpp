@@ -36,7 +36,7 @@ void die_in(const Work& work)
 
 } // namespace
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they reserve terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // sanitizers reserve terabytes
 TEST_CASE("A file that memory does not suffice for is named")
 {
   const Temporary_folder folder;
@@ -101,7 +101,7 @@ TEST_CASE("Files that may not grow any more are an error that names the output, 
 #if defined(SHAPE_CORRESPONDENCE_FAILING_CALLS) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 namespace {
 
-/// Runs the program while one of its calls on written files fails.
+/// Runs the program so that its `call`-th system call on a written file fails. \return the exit status
 int run_failing(int call, const std::string& arguments, const std::string& error)
 {
   const int status = std::system(("LD_PRELOAD=" + quoted(SHAPE_CORRESPONDENCE_FAILING_CALLS) +
@@ -124,7 +124,7 @@ std::map<std::string, std::string> contents(const std::string& folder)
 
 TEST_CASE("Whichever call on a file fails, an output is whole or as it was before, and the failure is told")
 {
-  constexpr int calls = 40; // more than there are
+  constexpr int calls = 40; // more than the program makes
   const char* const formats[] = {"json", "csv", "npy", "html"};
   const Temporary_folder folder;
   folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
@@ -164,7 +164,7 @@ TEST_CASE("Whichever call on a file fails, an output is whole or as it was befor
   CHECK(status == 0);
 }
 
-TEST_CASE("An output is on the disk before it takes the place of what was there, and its folder after that")
+TEST_CASE("An output is written to the disk before it replaces the previous file, and its folder after that")
 {
   const Temporary_folder folder;
   const std::string graph = quoted(folder.write("g.json", graph_text(hand_made::chair(), "a"))),
@@ -182,7 +182,7 @@ TEST_CASE("An output is on the disk before it takes the place of what was there,
 
 TEST_CASE("Whichever call on a file of a cache or store fails, the result is the same")
 {
-  constexpr int calls = 40; // more than there are
+  constexpr int calls = 40; // more than the program makes
   const Temporary_folder folder;
   folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
   folder.write("shapes/b.json", graph_text(hand_made::slatted_chair(), "b"));

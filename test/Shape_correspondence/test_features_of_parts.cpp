@@ -53,7 +53,7 @@ Eigen::MatrixXd features_of_chair()
   return result;
 }
 
-/// The same for `hand_made::slatted_chair()`, whose back is three slats.
+/// The same features for `hand_made::slatted_chair()`, whose back is three slats.
 Eigen::MatrixXd features_of_slatted_chair()
 {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 8);
@@ -73,14 +73,14 @@ bool are_equal(const Correspondence& a, const Correspondence& b)
 
 } // namespace
 
-TEST_CASE("Features of triangles are integrated over parts, over the area of the shape")
+TEST_CASE("Features of triangles are integrated over each part, and divided by the area of the shape")
 {
   Segmented_shape shape("box and half of it");
   shape.add_part("large", box({0, 0, 0}, {1, 1, 1}));
   shape.add_part("small", box({2, 0, 0}, {2.5, 0.5, 0.5}));
   Eigen::MatrixXf features = Eigen::MatrixXf::Zero(2, 24);
   features.row(0).head(12).setConstant(5);
-  features(1, 12) = 6; // a triangle of an eighth, on a surface of 1.5
+  features(1, 12) = 6; // a triangle of area 1/8, in a part of area 1.5
   const Eigen::MatrixXd parts = features_of_parts(features, shape);
   CHECK(parts(0, 0) == Approx(5 * 6 / 7.5));
   CHECK(parts(1, 0) == 0);
@@ -113,7 +113,7 @@ TEST_CASE("Features follow the triangles of an object into the parts that are ma
   CHECK(parts(0, 1 - large) == 0);
   CHECK(parts(1, 1 - large) == Approx(1.5 / 7.5));
 
-  // Parts that are merged, and a part on triangles that are divided
+  // Two pieces merged to one part, and a part that is a piece of a triangle of the object
   const Part_split merged = split_parts(objects, {{pieces.pieces[0].name, "all"}, {pieces.pieces[1].name, "all"}});
   CHECK(features_of_parts(features, objects, merged).isApprox(Eigen::Vector2d(6 / 7.5, 1.5 / 7.5)));
   Part_mesh quarter;
@@ -199,7 +199,7 @@ TEST_CASE("Swapping the shapes swaps the pairs, to the last bit of the confidenc
   for (Part_correspondence& pair : back.pairs)
     std::swap(pair.source, pair.target);
   std::sort(back.pairs.begin(), back.pairs.end(), is_before);
-  back.energy = there.energy; // that of deforming the other shape
+  back.energy = there.energy; // `back` has the energy of deforming the other shape
   CHECK(are_equal(there, back));
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("By default parts are matched by their costs, with a confidence each, 
   CHECK(split.groups[1].operation == Operation::SPLIT);
   CHECK(split.groups[1].solidity_ratio == Approx(0.4));
   CHECK(split.energy == Approx(deformation_energy(split.terms, {})));
-  // The mapping is that of least energy; each slat is rated with the entire back
+  // The exact search finds the same pairs at less energy, since it rates each slat with a third of the back only
   Search_options exact;
   exact.method = Search_method::EXACT;
   exact.both_directions = false;
@@ -76,7 +76,7 @@ TEST_CASE("Pairs that are not sure enough can be left out; other parts stay matc
 
 TEST_CASE("Another alignment than the given one must be clearly better")
 {
-  // A chair's seat and legs; the hind legs are closer together by `narrowing`, and all legs lean outwards by `lean`
+  // A seat on four legs: hind legs closer together by the share `narrowing`, all feet farther out by the share `lean`
   const auto stool = [](double narrowing, double lean) {
     Shape_structure shape;
     shape.frame.mirror_x = shape.frame.mirror_z = true;
@@ -98,7 +98,7 @@ TEST_CASE("Another alignment than the given one must be clearly better")
   CHECK(find_correspondence(stool(-0.9, 0), stool(0.9, 1), all).target_quarter_turns == 2);
 }
 
-TEST_CASE("The default takes chosen parts only, and any alignment where asked to")
+TEST_CASE("The default method matches chosen parts only, and tries all alignments where asked to")
 {
   Search_options options;
   options.source_parts = {0, 2, 3};

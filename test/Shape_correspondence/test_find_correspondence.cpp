@@ -161,7 +161,7 @@ TEST_CASE("The shape that deforms at less energy per connected pair is deformed"
   }
 }
 
-TEST_CASE("Where a group is not given all groups to choose from, nothing is proven")
+TEST_CASE("If a group can become only some of many target groups, nothing is proven")
 {
   std::vector<Point> row;
   for (int i = 0; i < 65; ++i)

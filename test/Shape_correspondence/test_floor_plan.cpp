@@ -211,7 +211,7 @@ TEST_CASE("Code for single compilers or systems is in the files made for it only
   }
 }
 
-TEST_CASE("Only the program words messages as its switches: those of the library name options and functions")
+TEST_CASE("Only messages of the program name its switches; those of the library name options and functions")
 {
   const std::regex switch_in_text("\"[^\"]*--[a-z]");
   std::size_t switches_of_program = 0;

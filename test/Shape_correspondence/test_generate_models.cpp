@@ -52,12 +52,13 @@ bool self_intersects(const Mesh& mesh)
   return CGAL::Polygon_mesh_processing::does_self_intersect(surface);
 }
 
-/// Mirrored copies are exact; others differ by the rounding of both copies.
+/// Limit for the difference of copies that are not mirror images, which comes from rounding both copies to the grid.
 constexpr double copy_tolerance = 1.25 * gen::grid_step;
 
+/// Limit for the difference of the bounding boxes of near copies, divided by the diagonal.
 constexpr double near_copy_tolerance = 0.01;
 
-/// Distance below which parts are in contact, over the shape's diagonal.
+/// Distance below which parts are in contact, divided by the shape's diagonal.
 constexpr double touch_tolerance = 5e-4;
 
 const gen::Part& part_of(const gen::Assembly& shape, const std::string& name) { return shape.parts[shape.index(name)]; }
@@ -152,7 +153,7 @@ Point image(const gen::Part_group& group, std::size_t k, const Point& p)
   case gen::Symmetry::reflection: {
     const Point once = p - 2 * group.direction.dot(p) * group.direction;
     const Point in_x = k % 2 == 1 ? once : p;
-    return k < 2 ? in_x : Point(in_x.x(), in_x.y(), -in_x.z()); // the back pair of four
+    return k < 2 ? in_x : Point(in_x.x(), in_x.y(), -in_x.z()); // of four members, the last two are at the back
   }
   case gen::Symmetry::rotation:
     return gen::rotation_about(group.point, group.direction, 2 * gen::pi * k / group.parts.size()) * p;
@@ -161,7 +162,7 @@ Point image(const gen::Part_group& group, std::size_t k, const Point& p)
   }
 }
 
-/// The largest difference of the bounding boxes, over the diagonal.
+/// The largest difference of the bounding boxes of the shifted mesh and the other one, divided by the diagonal.
 double box_difference(const Mesh& mesh, const Mesh& other, const Point& shift)
 {
   const Box a = box_of(mesh.points), b = box_of(other.points);
@@ -172,7 +173,7 @@ double box_difference(const Mesh& mesh, const Mesh& other, const Point& shift)
 
 } // namespace
 
-TEST_CASE("groups are what they say", "[generate_models]")
+TEST_CASE("members of groups are the images of the first member under the symmetry of the group", "[generate_models]")
 {
   for (const gen::Model& model : gen::models()) {
     const gen::Assembly shape = model.make();

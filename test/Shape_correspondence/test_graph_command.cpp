@@ -45,7 +45,7 @@ TEST_CASE("A cache folder saves the abstraction, and is used only for the same m
   json first = result_of(command), second = result_of(command);
   CHECK(first["seconds"]["abstraction"] > 0);
   CHECK(second["seconds"]["abstraction"] == 0);
-  const std::size_t answers = 4; // what the cache keeps of parts and upright axes
+  const std::size_t answers = 4; // number of files that keep which parts and upright axes were found
   CHECK(folder.number_of_files() == 2 + answers);
   first.erase("seconds");
   second.erase("seconds");
@@ -72,7 +72,7 @@ TEST_CASE("What a cache keeps of reading models changes no result, also if it is
   const auto number_kept = [&] { return std::distance(fs::directory_iterator(kept), fs::directory_iterator()); };
   const json expected = found(""), without_roles = found(" --roles none");
   CHECK(found(cache) == expected);
-  CHECK(number_kept() >= 5); // parts, and the axis by roles, of each; the axes of both
+  CHECK(number_kept() >= 5); // for each model, its parts and its axis by roles; for both, their axes
   const auto before = number_kept();
   CHECK(found(cache) == expected);
   CHECK(number_kept() == before);
@@ -87,7 +87,7 @@ TEST_CASE("What a cache keeps of reading models changes no result, also if it is
   CHECK(run("match " + pair + " --json -" + cache).error.find("damaged") == std::string::npos);
 }
 
-TEST_CASE("Symmetries, contacts and the upright axis on demand")
+TEST_CASE("Options set the kinds of symmetry, the contact tolerance and the upright axis")
 {
   const Temporary_folder folder;
   const std::string model = quoted(folder.write("table.obj", obj_table()));
@@ -119,7 +119,7 @@ TEST_CASE("Symmetries, contacts and the upright axis on demand")
   CHECK_THAT(run("parts " + model + " --up -x").out, Contains("5 parts; -x up"));
 }
 
-TEST_CASE("Files for graph tools")
+TEST_CASE("graph writes files for graph tools")
 {
   const Temporary_folder folder;
   const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));
@@ -130,7 +130,7 @@ TEST_CASE("Files for graph tools")
   CHECK(run("graph " + a + " --graphml " + quoted(folder.path("no/folder.graphml"))).status == 1);
 }
 
-TEST_CASE("Kinds and bounding boxes on demand")
+TEST_CASE("Options make all parts or single parts curves or sheets")
 {
   const Temporary_folder folder;
   const std::string model = quoted(folder.write("table.obj", obj_table()));
@@ -153,7 +153,7 @@ TEST_CASE("Kinds and bounding boxes on demand")
   }
 }
 
-TEST_CASE("Ways of abstraction by their names")
+TEST_CASE("--abstraction selects a way of abstraction by its name")
 {
   const Temporary_folder folder;
   const std::string graph = "graph " + quoted(folder.write("table.obj", obj_table())) + " --json - --abstraction ";
@@ -191,7 +191,7 @@ TEST_CASE("--paper builds graphs by the flow by default, and warns about graphs 
   CHECK(warnings(flow, "") == 2);
 }
 
-TEST_CASE("A model of one file through the program")
+TEST_CASE("A model in one file has the same graph with any number of threads, and matches its graph")
 {
   const Temporary_folder folder;
   const std::string table = folder.write("table.obj", obj_table());

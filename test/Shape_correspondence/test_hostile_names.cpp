@@ -104,7 +104,7 @@ Segmented_shape boxes()
   return shape;
 }
 
-/// A chain of parts, each a single group.
+/// A chain of parts, each a group of its own.
 Structural_graph chain()
 {
   std::vector<Point> places;
@@ -290,7 +290,7 @@ TEST_CASE("CSV: every name is one field")
   }
   fields.erase(fields.begin());
   Names expected = in_utf8(names);
-  for (std::string& name : expected) // names that a spreadsheet would take for formulas
+  for (std::string& name : expected) // a quote precedes names that a spreadsheet would take for formulas
     if (std::string("=+-@\t\r").find(name[0]) != std::string::npos) name.insert(0, "'");
   CHECK(fields == expected);
 }
@@ -323,7 +323,7 @@ TEST_CASE("Lists of pieces and their parts read back")
 {
   const Temporary_folder folder;
   Segmented_shape objects("<b>");
-  for (const std::string& name : in_utf8(hostile_names())) // in the encoding of files' readers
+  for (const std::string& name : in_utf8(hostile_names())) // in UTF-8, as readers of files give them
     objects.add_part(name, box_shapes::box(Point(2. * double(objects.parts().size()), 0, 0), Point::Ones()));
   const Part_split split = split_parts(objects);
   const std::string file =

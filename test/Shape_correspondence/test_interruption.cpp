@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Remains of an interrupted program, and outputs, caches and stores that are not files.
+// What an interrupted program leaves behind, and pipes or devices in place of outputs, caches and stores.
 
 #include "hand_made_graphs.h"
 #include "model_files.h"

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes other libraries fail at each of their calls with a surface, in each command: the result must report the
+// Makes other libraries fail, in each command, where they are called with a surface: the result must report the
 // replacement, or an error must name the file.
 
 #include "base/library_call.h"
@@ -57,7 +57,7 @@ std::string outcome(const std::string& command, const std::vector<std::string>& 
   return out.text() + notes.text();
 }
 
-/// A box as OBJ polygons, with two edges of each side split at their midpoints.
+/// A box as OBJ polygons, whose four edges along x are split at their midpoints.
 std::string box_text(const Point& low, const Point& high, int first)
 {
   std::ostringstream text;
@@ -169,7 +169,7 @@ TEST_CASE("Without flat faces a surface keeps its triangles, and a blend without
              Contains("no closed surface around it; repair"));
 }
 
-TEST_CASE("A failure where a model is read is an error that names the file; collections skip it")
+TEST_CASE("A failure where a model is read is an error that names the file")
 {
   const Temporary_folder folder;
   const std::string table = folder.write("table.obj", table_text());

@@ -37,7 +37,7 @@ Weights weights_of(int n, const std::vector<std::tuple<int, int, double>>& edges
   return result;
 }
 
-// Groups of nodes with dense edges inside and some edges between them.
+// A random graph of groups of nodes; `within` and `between` are the probabilities of edges in and between groups.
 Weights planted(int groups, int size, double within, double between, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -108,7 +108,7 @@ TEST_CASE("A weak edge between two dense groups is cut")
   CHECK(markov_clustering(weights_of(8, edges)).labels == Labels{0, 0, 0, 0, 1, 1, 1, 1});
 }
 
-TEST_CASE("Two nodes: flow is shared half and half, a fixed point that both belong to")
+TEST_CASE("Two connected nodes share their flow half and half, which is a fixed point, and are one cluster")
 {
   const Markov_clustering result = markov_clustering(weights_of(2, {{0, 1, .7}}));
   CHECK(result.labels == Labels{0, 0});

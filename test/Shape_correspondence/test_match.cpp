@@ -92,7 +92,7 @@ void turn_by_30_degrees(double& x, double&, double& z)
 
 } // namespace
 
-TEST_CASE("Pairs of models of a kind: complete, in the format, every part accounted for")
+TEST_CASE("Matches of models of one category are complete, in the format, and account for every part")
 {
   const std::vector<std::pair<std::string, std::string>> models = {{"chair_four_legged", "chair_swivel"},
                                                                    {"table_trestle", "table_pedestal"},

@@ -19,7 +19,7 @@ using namespace model_files;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 
-TEST_CASE("The table of match: sets of parts, their operation and confidence, one distance in all commands")
+TEST_CASE("match prints sets of parts with their operation and confidence, and the distance that collection computes")
 {
   const Temporary_folder folder;
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR, cache = " --cache " + quoted(folder.path("cache"));
@@ -80,7 +80,7 @@ TEST_CASE("match writes a table, a JSON and a picture")
   CHECK(json::parse(piped.out)["pairs"] == result["pairs"]);
 }
 
-TEST_CASE("Both commands write pages")
+TEST_CASE("graph and match write web pages")
 {
   const Temporary_folder folder;
   const std::string a = quoted(graph_file(folder, "a.json", hand_made::chair()));

@@ -13,7 +13,7 @@
 using namespace CGAL::Shape_correspondence;
 using namespace hand_made;
 
-TEST_CASE("Groups: members one to one by place, then the left-over ones to the nearest")
+TEST_CASE("Groups: members correspond one to one by their places, and those left over to the nearest")
 {
   const Aligned_shape plain = align_shape(chair()), slats = align_shape(slatted_chair());
   const auto group_with = [](const Aligned_shape& shape, std::size_t original) {
@@ -64,7 +64,7 @@ TEST_CASE("Groups: members are matched by their places in unit boxes, one left o
     CHECK(merge.images[i][0].target.part == (i == 0 ? 1 : 2));
 }
 
-TEST_CASE("The solidity ratio is 1 but for groups of different sizes without rotation")
+TEST_CASE("The solidity ratio is 1 except for groups of different sizes without rotational symmetry")
 {
   const auto group = [](std::size_t size, double solidity, Symmetry_type type = Symmetry_type::REFLECTION) {
     Part_group result;

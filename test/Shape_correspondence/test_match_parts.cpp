@@ -105,15 +105,15 @@ TEST_CASE("Four legs match one pedestal")
   CHECK(pairs(hand_made::table(), hand_made::pedestal_table()) == Pairs{{0, 0}, {1, 1}, {2, 1}, {3, 1}, {4, 1}});
 }
 
-TEST_CASE("Of eight legs in two groups, those where the other table has its four match them; the others are left over")
+TEST_CASE("Of eight legs in two groups, those at the places of the other table's legs match; the others are left over")
 {
   CHECK(pairs(table_with_double_legs(), hand_made::table()) == identity(5));
 }
 
-TEST_CASE("Rows match all to all, unless they pair one to one")
+TEST_CASE("Rows of slats at other places match all to all, and one to one if panels are switched off")
 {
   const Structural_graph slats = hand_made::slatted_chair();
-  Shape_structure shape = structure(slats); // lowers and tilts the slats
+  Shape_structure shape = structure(slats); // its slats will be lowered and tilted
   const double x[] = {-.15, 0, .15};
   for (std::size_t slat = 1; slat <= 3; ++slat)
     shape.parts[slat] = hand_made::curve("slat", {x[slat - 1], .6, -.25}, {x[slat - 1], .9, -.4});
@@ -178,7 +178,7 @@ TEST_CASE("A shape with a chain hangs; rings of chains correspond to such rings 
   for (const bool swap : {false, true}) {
     const Part_matching found = swap ? matching(standing, hanging) : matching(hanging, standing);
     CHECK(found.upside_down);
-    CHECK(found.pairs.size() >= 2); // light, arm or mount of both
+    CHECK(found.pairs.size() >= 2); // of lights, arms or mounts
     for (const auto& [i, j] : pairs(found)) {
       const std::size_t part = swap ? j : i;
       CHECK((part < 2 || part > 5));
@@ -226,7 +226,7 @@ TEST_CASE("Matches do not depend on position, scale, turning and part order")
   CHECK(matching(chair, reversed(slats)).costs == matching(chair, slats).costs.rowwise().reverse());
 }
 
-TEST_CASE("Less excess leaves fewer pairs, all of them among the others'")
+TEST_CASE("A smaller limit of excess costs gives fewer pairs, all of which a larger one gives, too")
 {
   Part_matching_options strict, generous;
   strict.excess = strict.confident_excess = 0;

@@ -62,7 +62,7 @@ TEST_CASE("Labels are transferred to the parts that correspond most probably")
   CHECK(some[1].label.coarse.empty());
 }
 
-TEST_CASE("Roles joined to the energy")
+TEST_CASE("A positive weight of roles adds their costs to the energy")
 {
   const Furniture a = shelf(0.06, 3), b = shelf(0.1, 5);
   const auto model = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
@@ -75,7 +75,7 @@ TEST_CASE("Roles joined to the energy")
     CHECK(off.pairs == without.pairs);
     CHECK(off.energy == without.energy);
     CHECK(off.category.empty());
-    options.energy.weights.roles = 100; // roles decide alone
+    options.energy.weights.roles = 100; // so high that roles decide alone
     const Correspondence with = find_correspondence(a.graph, b.graph, options);
     CHECK(with.category == "shelf");
     CHECK(with.source_roles == roles(a.labels));
@@ -83,7 +83,7 @@ TEST_CASE("Roles joined to the energy")
       CHECK(a.labels[pair.source].coarse == b.labels[pair.target].coarse);
     CHECK(with.terms.roles < 0.1);
     CHECK(with.energy == Approx(deformation_energy(with.terms, options.energy.weights)));
-    // The result is symmetric
+    // The energy is the same with the shapes swapped
     const Correspondence back = find_correspondence(b.graph, a.graph, options);
     CHECK(back.energy == Approx(with.energy));
     // Without a model, there is no cost of roles
@@ -98,7 +98,7 @@ TEST_CASE("Roles joined to the energy")
   }
 }
 
-TEST_CASE("Matching with roles")
+TEST_CASE("With roles, parts match parts of the same role; without a known category, geometry decides alone")
 {
   Search_options options;
   options.roles = std::make_shared<const Role_model>(train_role_model(labelled(examples())));
@@ -205,7 +205,7 @@ TEST_CASE("A shape that clearly faces another side is turned, unless its front i
   }
 }
 
-TEST_CASE("A shape is not turned to a side where trees agree on parts that are clearly less like labelled ones")
+TEST_CASE("A shape is not turned to a side where trees are surer of roles, but parts are less like labelled ones")
 {
   const Role_model model = train_role_model(labelled(examples()));
   const Role_model_data& data = Role_model_access::data(model);
@@ -216,7 +216,8 @@ TEST_CASE("A shape is not turned to a side where trees agree on parts that are c
     return chairs.examples[0].features;
   };
   const auto leg = of_role("leg"), back = of_role("back");
-  // \param share of the features that are the back's \param moved number of features that no part has
+  // Roles of a part with features between those of a leg (share 0) and those of a back (share 1), except that the last
+  // `moved` of them are unlike those of any part
   const auto roles_of = [&](double share, int moved) {
     Role_evidence evidence{Role_features(1, ROLE_FEATURE_COUNT), {Side::NEITHER}};
     for (int k = 0; k < ROLE_FEATURE_COUNT; ++k)
@@ -238,7 +239,7 @@ TEST_CASE("A shape is not turned to a side where trees agree on parts that are c
   CHECK(likely_front({given, given, far, given}, 0, data.trees) == 0);
 }
 
-TEST_CASE("A shape that tells no front keeps the given one")
+TEST_CASE("A shape whose parts tell no front keeps the given one")
 {
   const auto table = [](double width, double depth) {
     std::vector<Part_abstraction> parts{box("top", {-width, 1, -depth}, {width, 1.1, depth})};
@@ -257,7 +258,7 @@ TEST_CASE("A shape that tells no front keeps the given one")
   Search_options options;
   options.roles = std::make_shared<const Role_model>(train_role_model(labelled(tables)));
   options.category = "table";
-  const Furniture source = table(1.9, 0.7), target = table(0.7, 1.8); // alike from its left and its right
+  const Furniture source = table(1.9, 0.7), target = table(0.7, 1.8); // looks the same from its left and its right
   const Correspondence found = find_correspondence(source.graph, target.graph, options);
   CHECK(found.warnings.empty());
   CHECK(found.target_quarter_turns == 0);
@@ -338,8 +339,8 @@ TEST_CASE("A shape between two categories is of neither, a shape like one of the
     CHECK(refused.category.empty());
     REQUIRE(refused.warnings.size() == 1);
     CHECK_THAT(refused.warnings[0], Contains("the nearest is chair"));
-    CHECK(found(odd, 1, 0.35).category.empty()); // too far, whatever else there is
-    CHECK(found(usual, 0, 10).category.empty()); // no shape is so much nearer
+    CHECK(found(odd, 1, 0.35).category.empty()); // farther than the greatest distance, whatever the ratio
+    CHECK(found(usual, 0, 10).category.empty()); // no category is nearer than another by such a ratio
   }
 }
 

@@ -86,7 +86,7 @@ TEST_CASE("A plate becomes a sheet on the meso-skeleton")
   const Points& points = part.control_points();
   REQUIRE(points.cols() == 64);
   CHECK((points.row(1).array() - 0.03).abs().maxCoeff() < 0.01);
-  // The flow shortens rims
+  // The flow shrinks a surface at its rims, so the sheet is smaller than the plate
   const double length = points.row(0).maxCoeff() - points.row(0).minCoeff();
   const double width = points.row(2).maxCoeff() - points.row(2).minCoeff();
   CHECK(length > 0.7);

@@ -56,7 +56,7 @@ Pairwise_energy two_variables()
 
 } // namespace
 
-TEST_CASE("Numbers that are out of range, or none, are refused where graphs are built")
+TEST_CASE("Options that are out of range or not a number are refused where graphs are built")
 {
   for (double x : {not_a_number, -1.}) {
     check_refused([&](auto& options) { options.abstraction.edge_length = x; });

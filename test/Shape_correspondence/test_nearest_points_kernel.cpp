@@ -44,7 +44,7 @@ TEST_CASE("Of several nearest points, the tree of points finds the first")
     grid.col(i) = Point(i / (n * n), i / n % n, i % n);
     grid.col(n * n * n + i) = grid.col(i);
   }
-  grid.rowwise().reverseInPlace(); // avoids the order of a tree
+  grid.rowwise().reverseInPlace(); // an order that is not that of the tree
   const internal::Nearest_points tree(grid);
   for (int i = 0; i < grid.cols(); ++i) {
     const Point query = grid.col(i) + 0.5 * Point(i % 2, i / 2 % 2, i / 4 % 2);

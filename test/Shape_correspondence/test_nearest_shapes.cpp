@@ -96,7 +96,7 @@ TEST_CASE("No distance is less than its bound, whatever the options")
       }
 }
 
-TEST_CASE("The same in parallel, and of any number of neighbours")
+TEST_CASE("Results are the same in parallel, for any number of neighbours")
 {
   const std::vector<Structural_graph> shapes = many_shapes();
   for (std::size_t k : {0, 1, 40}) {
@@ -129,7 +129,7 @@ TEST_CASE("Shapes of the query's category come first, then those of unknown cate
     CHECK(near.category == categories[near.shape]);
     order.push_back(near.shape);
   }
-  CHECK(order == std::vector<std::size_t>{2, 3, 1, 0}); // without contacts the chairs look the same
+  CHECK(order == std::vector<std::size_t>{2, 3, 1, 0}); // both chairs are equally near, since they have no contacts
   const Nearest_shapes two = nearest_shapes<CGAL::Parallel_if_available_tag>(shapes[3], shapes, 2, options);
   CHECK(two.shapes[0].shape == 2);
   CHECK(two.shapes[1].shape == 3);

@@ -16,7 +16,7 @@ using namespace CGAL::Shape_correspondence;
 using namespace labelled_furniture;
 using namespace CGAL::Shape_correspondence::internal;
 
-TEST_CASE("The set of pairs of greatest expected F1")
+TEST_CASE("The set of pairs of greatest expected F1 is taken")
 {
   const auto taken = [](const std::vector<double>& p) {
     return pairs_of_greatest_expected_f1(Eigen::Map<const Eigen::ArrayXd>(p.data(), Eigen::Index(p.size())));

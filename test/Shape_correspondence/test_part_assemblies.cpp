@@ -59,7 +59,7 @@ Structural_graph with_parts(const Structural_graph& graph, const std::vector<Par
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// The slatted chair with a top rail (8), posts (9, 10), a far bar (11) on the rail, and a rail under the seat (12).
+// The slatted chair with a top rail (8), posts (9, 10), a bar (11) to the front, and a rail under the seat (12).
 Structural_graph framed_chair()
 {
   using hand_made::curve;
@@ -90,7 +90,7 @@ Structural_graph table_on_plate()
 
 } // namespace
 
-TEST_CASE("A row has a frame of what lies in its plane, is connected and extends no further")
+TEST_CASE("The frame of a row consists of connected parts that lie in its plane and extend no further")
 {
   const Assemblies found = assemblies(framed_chair());
   REQUIRE(found.panels.size() == 1);
@@ -98,7 +98,7 @@ TEST_CASE("A row has a frame of what lies in its plane, is connected and extends
   CHECK(found.panels[0] == Indices{1, 2, 3, 8, 9, 10});
 }
 
-TEST_CASE("A row without a frame is the row; groups that are no rows are none")
+TEST_CASE("A row without a frame is a panel by itself; groups that are no rows are no panels")
 {
   CHECK(assemblies(hand_made::slatted_chair()).panels == std::vector<Indices>{{1, 2, 3}});
   CHECK(assemblies(hand_made::table()).panels.empty());
@@ -141,7 +141,7 @@ TEST_CASE("What lies flat in a side of a shape, above its main surface, is a pan
                   {{1, 10}, {-.5, .8, -.5}},
                   {{5, 11}, {-.5, 1.2, 0}},
                   {{9, 11}, {.5, 1.2, .5}}});
-  // 5 and 7 are connected to 6 and 8 via the legs only if the mattress is ignored
+  // Only the legs and the mattress, the main surface, connect 5 and 7 to 6 and 8, and the mattress joins no panels
   CHECK(assemblies(bed).panels == std::vector<Indices>{{5, 7}, {6, 8}});
 }
 

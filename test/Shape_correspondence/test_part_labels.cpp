@@ -34,11 +34,11 @@ TEST_CASE("A name that says nothing about its part becomes the role")
         Names{"leg 1", "leg 2", "seat frame", "backrest"});
   CHECK(IO::part_labels({"mesh1", "mesh2", "mesh3"}, {"h_stab", "h_stab", "v_stab"}) ==
         Names{"tailplane 1", "tailplane 2", "fin"}); // words for roles that are abbreviated
-  // Pieces of one object that have several roles; and of one that has one
+  // Pieces of an object with several roles, and of an object with one role
   CHECK(IO::part_labels({"midcentury", "midcentury#2", "arm", "arm#2"}, {"leg", "seat", "armrest", "armrest"}) ==
         Names{"leg", "seat", "arm 1", "arm 2"});
-  // Foreign words, abbreviations, materials, and words for the whole; but not words for parts, nor roles of other
-  // models
+  // Foreign words, abbreviations, materials and words for the whole shape give way to roles; words for parts, and roles
+  // that only other models have, do not
   CHECK(IO::part_labels({"chair_sop", "silla_pata.001", "SeatBack", "frontleg", "Chrome", "tentacles_L"},
                         {"leg", "leg", "back", "leg", "stretcher", "tentacle"}) ==
         Names{"leg 1", "leg 2", "SeatBack", "frontleg", "stretcher", "tentacles_L"});

@@ -36,7 +36,7 @@ TEST_CASE("Parts are made of a model that has none, and marked as automatic")
   const json graph = json::parse(done.out);
   CHECK(graph["segmentation"] == "automatic");
   CHECK(graph["parts"].size() >= 2);
-  for (const char* words : {" --segment --parts file", " --parts file --segment"}) // the explicit option wins
+  for (const char* words : {" --segment --parts file", " --parts file --segment"}) // --segment wins over --parts
     CHECK(run("graph " + model + words + " --abstraction boxes --json -").out == done.out);
   CHECK_THAT(graph["warnings"][0].get<std::string>(), Contains("automatic segmentation"));
   CHECK_THAT(graph["warnings"].dump(), Contains("they have no area: 1."));
@@ -76,7 +76,7 @@ std::string with_z_up(const std::string& obj)
   return result;
 }
 
-/// A shape of data/ as one file.
+/// A shape of data/, whose parts are separate files, as one OBJ text.
 std::string obj_of_shape(const std::string& name)
 {
   std::string result;

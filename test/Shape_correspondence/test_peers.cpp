@@ -41,7 +41,7 @@ TEST_CASE("Every method matches the parts of a shape with themselves")
   }
 }
 
-TEST_CASE("Assignment is one to one, nearest parts leave no source part alone, templates match many to many")
+TEST_CASE("Assignment is one to one, and nearest parts leave no source part without a pair")
 {
   const std::vector<Structural_graph> shapes{hand_made::chair(), hand_made::slatted_chair()};
   const auto matches = [&](const peers::Peer& peer) { return peer(shapes, {{0, 1}}).front(); };
@@ -55,7 +55,7 @@ TEST_CASE("Assignment is one to one, nearest parts leave no source part alone, t
   CHECK(matches(peers::pairwise(peers::match_nearest_parts)).size() == structure(shapes[0]).parts.size());
 }
 
-TEST_CASE("Distances in unit boxes, worked out by hand")
+TEST_CASE("Distances of point sets, and the strong entries of a matrix, worked out by hand")
 {
   Points a(3, 2), b(3, 1);
   a << 0, 1, 0, 0, 0, 0;

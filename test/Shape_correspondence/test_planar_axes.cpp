@@ -47,7 +47,7 @@ Points ring(double width, unsigned seed)
 
 } // namespace
 
-TEST_CASE("The least rectangle does not depend on rounding: of equal ones the one turned least, to the left if two are")
+TEST_CASE("Of equally small bounding rectangles the least rotated is taken, to the left if two are, despite rounding")
 {
   struct
   {
@@ -57,7 +57,7 @@ TEST_CASE("The least rectangle does not depend on rounding: of equal ones the on
       {4, 45, 0},   // parallel to the axes
       {4, 0, 45},   // stands on a corner
       {4, 65, 20},  // rotated slightly
-      {4, 15, -30}, // turned by 60° is turned by -30°
+      {4, 15, -30}, // rotated by 60°, which is the same as -30°
       {20, 9, 0},   // two of its edges are parallel to the axes
       {20, 0, 9},   // its edges are rotated by 9° and -9°
       {20, 2, -7},  // rotated by -7° and 11°
@@ -82,7 +82,7 @@ TEST_CASE("Of a rectangle the side along x is taken, wherever its outline begins
   }
 }
 
-TEST_CASE("Round points have axes that rounding does not turn, others their principal ones")
+TEST_CASE("Axes of points on a circle do not depend on rounding; other points have their principal axes")
 {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Eigen::Matrix3d round = principal_plane(ring(1, seed)).axes, longer = principal_plane(ring(1.1, seed)).axes;

@@ -51,7 +51,7 @@ std::string refused(const Temporary_folder& folder, const std::string& input)
 
 } // namespace
 
-TEST_CASE("Help at both levels and the version")
+TEST_CASE("The program prints its help, that of each command, and its version")
 {
   const Run help = run("--help");
   CHECK(help.status == 0);

@@ -58,7 +58,7 @@ Eigen::MatrixXf read(const std::string& content)
 
 const std::vector<float> six{1, 2, 3, 4, 5, 6};
 
-/// The features of the parts of a model that are made of its objects.
+/// The features of the parts of a model, where every object is a part.
 Eigen::MatrixXd features_on(const std::string& model, const Eigen::MatrixXf& features)
 {
   Part_splitting_options options;
@@ -132,7 +132,7 @@ TEST_CASE("Damaged and foreign arrays are refused, with what to do")
   CHECK_THROWS_AS(IO::read_features("."), Invalid_input);
 }
 
-TEST_CASE("Rows are the faces of the file: polygons are one, and what reading leaves out counts")
+TEST_CASE("Rows are the faces of the file: one for each polygon, and for each face that reading leaves out")
 {
   const Temporary_folder folder;
   // A line with two corners and a face without area come between the objects
@@ -205,7 +205,8 @@ TEST_CASE("Models without numbered faces have no features")
 
 TEST_CASE("F1 rises with the signal in the features, and noise costs little")
 {
-  // All pairs of the chairs of data/, with the vector of its label for each part, and noise of about its length
+  // All pairs of the chairs of data/. The feature of a part is `signal` times the unit vector of its label, plus a
+  // random vector of a length of about `noise`
   std::deque<Structural_graph> graphs;
   std::vector<std::vector<Part_label>> labels;
   std::map<std::string, Eigen::Index> column;

@@ -44,7 +44,7 @@ TEST_CASE("Nodes of glTF are parts, moved by all nodes that they are in, and rea
   const auto highest = [&](int part) { return Point(shape.parts()[part].mesh.points.rowwise().maxCoeff()); };
   CHECK(lowest(0).isApprox(Point(10, 5, 0)));
   CHECK(highest(0).isApprox(Point(12, 7, 2)));
-  CHECK(lowest(1).isApprox(Point(10 + 2 - 6, 5, 0))); // y is mapped to -x
+  CHECK(lowest(1).isApprox(Point(10 + 2 - 6, 5, 0))); // the rotation maps y to -x
   CHECK(highest(1).isApprox(Point(12, 7, 2)));
   CHECK(highest(2).isApprox(Point(11, 1, 1)));
   model.document["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
@@ -190,7 +190,7 @@ TEST_CASE("Materials of glTF have their colours, textures and wrap modes")
   const Part_appearance& part = looks.parts[0];
   CHECK(part.materials == std::vector<int>(4, 0));
   REQUIRE(part.coordinates.size() == 12);
-  CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // corner 2
+  CHECK(part.coordinates[1] == Eigen::Vector2f(0, 1)); // of vertex 2, the second corner of the first triangle
   CHECK(part.coordinates[5].isApprox(Eigen::Vector2f(0.2f, 0.2f)));
   CHECK(part.colours == std::vector<Eigen::Vector3f>(12, Eigen::Vector3f(1, 0, 0)));
 }
@@ -219,7 +219,7 @@ TEST_CASE("Instances of a mesh are parts, whichever of translations, rotations a
     const Points& points = all.parts()[std::size_t(part)].mesh.points;
     return std::pair<Point, Point>(points.rowwise().minCoeff(), points.rowwise().maxCoeff());
   };
-  CHECK(extent(0).first.isApprox(Point(9, 5, 0), 1e-6)); // y is mapped to -x
+  CHECK(extent(0).first.isApprox(Point(9, 5, 0), 1e-6)); // the rotation maps y to -x
   CHECK(extent(0).second.isApprox(Point(10, 6, 3), 1e-6));
   CHECK(extent(1).second.isApprox(Point(22, 7, 2), 1e-6));
   CHECK(with({{"TRANSLATION", moves}}, "extensionsUsed").read().parts().size() == 2);
@@ -315,7 +315,7 @@ TEST_CASE("Parts that are only numbered have the name of the node above that say
                     {0});
   };
   CHECK(named("Object_4", "arm", "node_3") == Names{"leg.001_3", "arm", "rail", "rail#2"});
-  // The node `chair` contains all parts
+  // `Object_5` is in `Group_2`, which only has a number, and in `chair`, which has all parts: its mesh names it
   CHECK(named("mesh17", "Object_5", "12") == Names{"leg.001_3", "wedge", "rail", "rail#2"});
   CHECK(named("Cube.001", "Object5b", "seat") == Names{"Cube.001", "Object5b", "seat", "rail"});
 }

@@ -14,7 +14,7 @@
 
 using namespace CGAL::Shape_correspondence;
 
-TEST_CASE("The labels of a shape, of a folder, and of all of data/")
+TEST_CASE("The labels of a shape, of a folder, and of all of data/ are read")
 {
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR;
   const auto stool = IO::read_part_labels(data + "/stool/labels.json");

@@ -143,7 +143,7 @@ TEST_CASE("Coordinates keep double precision")
 TEST_CASE("Concave faces are triangulated, vertices at the same place welded")
 {
   const Temporary_folder folder;
-  // An L-shape of area 3; its last vertex repeats the first
+  // An L-shape of area 3 from above and from below; the last vertex repeats the first
   const std::string text = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\n"
                            "f 1 2 3 4 5 6\nf 4 3 2 7 6 5\n";
   const Part_mesh mesh = IO::read_segmented_shape(folder.write("l.obj", text)).parts()[0].mesh;
@@ -160,7 +160,7 @@ TEST_CASE("Concave faces are triangulated, vertices at the same place welded")
   CHECK(signed_area == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("OFF, PLY, STL and COLLADA")
+TEST_CASE("OFF, PLY, STL and COLLADA are read with their parts, names and volumes")
 {
   const Temporary_folder folder;
   for (const std::string& file : {folder.write("box.off", off_box), folder.write("box.ply", ply_box()),
@@ -176,7 +176,7 @@ TEST_CASE("OFF, PLY, STL and COLLADA")
   CHECK(stl.parts()[1].mesh.points.cols() == 4);
   const Segmented_shape dae = IO::read_segmented_shape(folder.write("a.dae", collada));
   REQUIRE(names(dae) == Names{"low", "high"});
-  // Rotated to y up
+  // The file has z up, and is rotated to y up
   CHECK(dae.parts()[1].mesh.points.row(1).minCoeff() == Approx(5));
   CHECK(dae.parts()[1].mesh.points.row(1).maxCoeff() == Approx(6));
 }
@@ -303,7 +303,7 @@ TEST_CASE("PLY: all encodings and number types, faces among other lists")
   }
 }
 
-TEST_CASE("A folder of part meshes")
+TEST_CASE("The mesh files of a folder are parts")
 {
   const Temporary_folder folder;
   folder.write("chair/parts/b.obj", obj_box("o x", 0, 0, 0, 0, 1, 1, 1) + obj_box("o y", 1, 2, 0, 0, 1, 1, 1));

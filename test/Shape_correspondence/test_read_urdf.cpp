@@ -71,7 +71,7 @@ TEST_CASE("The links of a robot are parts, where its joints put them, with z up"
   CHECK(shape.parts()[0].name == "base");
   CHECK(extent(shape, 0).first.isApprox(Point(-1, -2, -3)));
   CHECK(extent(shape, 0).second.isApprox(Point(1, 2, 3)));
-  CHECK(extent(shape, 1).first.isApprox(Point(8, -1, -2))); // x is mapped to y
+  CHECK(extent(shape, 1).first.isApprox(Point(8, -1, -2))); // the joint maps x to y
   CHECK(extent(shape, 1).second.isApprox(Point(12, 1, 4)));
   CHECK((extent(shape, 2).first + extent(shape, 2).second).isApprox(2 * Point(10, 5, 0)));
   CHECK((extent(shape, 3).second - extent(shape, 3).first).isApprox(Point(8, 2, 2), 1e-2));

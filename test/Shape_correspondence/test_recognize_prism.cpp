@@ -128,7 +128,7 @@ TEST_CASE("Prisms neither clearly long nor clearly flat are left to the medial a
 
 TEST_CASE("Parts that are no prisms are left to the medial axis")
 {
-  // A leg that tapers to four fifths of its width, a tube, a box with a twentieth missing
+  // A leg that tapers to four fifths of its width, a tube, a box that lacks a twentieth of its volume, a flat box
   const Part_mesh tapered = turned({{0, -5}, {0.5, -5}, {0.4, 5}, {0, 5}}, 16);
   const double frustum = 10. / 3 * (0.25 + 0.2 + 0.16) * 8 * std::sin(EIGEN_PI / 8);
   CHECK_FALSE(recognized(tapered, frustum));

@@ -32,7 +32,7 @@ const std::vector<std::string> imperatives{
     "name",   "put",      "remove", "rename", "repair",      "run",  "save",    "say",  "scale",
     "send",   "simplify", "take",   "train",  "triangulate", "try",  "use",     "write"};
 
-/// Whether the last clause is a remedy.
+/// Whether the last clause of a message is a remedy, which begins with an imperative.
 bool says_what_to_do(const std::string& message)
 {
   const std::size_t at = message.rfind("; ");

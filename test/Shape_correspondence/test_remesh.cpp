@@ -16,7 +16,7 @@ using namespace part_meshes;
 
 namespace {
 
-/// Whether opposites are mutual, and the halfedges around every vertex form a cycle.
+/// Whether opposite halfedges have each other as opposites, and the halfedges around every vertex form a cycle.
 bool is_consistent(const internal::Closed_triangulation& mesh)
 {
   for (int h = 0; h < mesh.number_of_halfedges(); ++h) {

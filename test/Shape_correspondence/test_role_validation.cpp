@@ -53,14 +53,14 @@ TEST_CASE("Weights are fitted to pairs of shapes, each matched as by a model tha
     CHECK(fitted.categories[c].examples.size() == usual.categories[c].examples.size());
     const Pair_weights& weights = fitted.categories[c].weights;
     CHECK(weights != usual.categories[c].weights);
-    // Chairs are matched rightly by geometry alone, so that roles gain nothing; of shelves, nothing speaks against the
-    // labels, so they count for more than usual
+    // Geometry alone matches chairs rightly, so that roles gain nothing; for shelves, no example contradicts the
+    // labels, so that these get more weight than usual
     CHECK(uses_roles(weights) == (fitted.categories[c].name == "shelf"));
     if (uses_roles(weights)) CHECK(weights[SAME_LABEL] > usual_pair_weights()[SAME_LABEL]);
   }
 }
 
-TEST_CASE("Pairs of shapes that the training did not see")
+TEST_CASE("Pairs of shapes that the training did not see are matched rightly where their category is recognized")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Shape_pair> all = pairs_of_category(examples(), shapes.size());
@@ -90,8 +90,8 @@ TEST_CASE("Shapes that are turned by any angle are matched as those that face th
   Validation_options options;
   options.turns = Validation_turns::ANY;
   options.fronts = Validation_fronts::AUTO;
-  SECTION("of which any front is as likely") {}
-  SECTION("beside a generated one")
+  SECTION("whose fronts are all equally likely") {}
+  SECTION("one of which is generated")
   {
     const std::size_t generated = chairs.back()[1];
     shapes[generated].labelled.is_generated = true;
@@ -133,7 +133,7 @@ TEST_CASE("Shapes left out of the training are unknown to the model")
   }
 }
 
-TEST_CASE("Few examples: the training sees so many shapes of the category, and neither of the pair")
+TEST_CASE("The training sees the given number of examples of the category, and neither shape of the pair")
 {
   const std::vector<Validation_shape> shapes = validation_shapes(examples());
   const std::vector<Shape_pair> pairs{{0, 2}, {1, 3}};
@@ -152,7 +152,7 @@ TEST_CASE("Few examples: the training sees so many shapes of the category, and n
   const Role_validation unseen(shapes, pairs, options, {});
   for (const Validated_pair& pair : unseen.pairs())
     CHECK(pair.category.empty());
-  // Uses all examples there are: same result as with only the shapes left out
+  // Three examples are all that there are, so the result is that of leaving out the shapes of the pair only
   options.left_out = Left_out::SHAPES;
   options.examples = 3;
   const Role_validation few(shapes, pairs, options, {});
@@ -162,7 +162,7 @@ TEST_CASE("Few examples: the training sees so many shapes of the category, and n
     CHECK(few.pairs()[i].joined.right == all.pairs()[i].joined.right);
 }
 
-TEST_CASE("Intervals come from drawing shapes")
+TEST_CASE("Confidence intervals come from drawing shapes with replacement")
 {
   // Three shapes with the pairs ab (1), ac (1), bc (0): a draw of all gives 2/3, {a, a, b} has ab alone and gives 1,
   // {b, b, c} gives 0; every draw with a pair gives one of these
@@ -174,12 +174,12 @@ TEST_CASE("Intervals come from drawing shapes")
   CHECK(f1.mean == Approx(2. / 3));
   CHECK(f1.low == 0);
   CHECK(f1.high == 1);
-  // The paired difference of equal scores is 0, and two shapes have only one mean
+  // The paired difference of equal scores is 0, and with two shapes every draw that has a pair gives the same mean
   CHECK(mean_estimates(three, three).mean.f1.high == 0);
   CHECK(mean_estimates({three[0]}).mean.recall.low == 1);
 }
 
-TEST_CASE("Weights of the terms have the greatest likelihood of the examples")
+TEST_CASE("Fitted weights of terms maximize the likelihood of the examples")
 {
   // Right in 3 of 4 pairs with the term, in 1 of 4 without: logits log 3 and -log 3, so the weight is 2 log 3
   Judged_terms example;

@@ -41,7 +41,7 @@ TEST_CASE("The command label predicts roles")
   CHECK(run("label " + shape + " --output " + shape).status == 2);
 }
 
-TEST_CASE("The command roles")
+TEST_CASE("roles train writes the same model with any number of threads, and a manifest of its shapes")
 {
   const Temporary_folder folder;
   const std::string data = SHAPE_CORRESPONDENCE_DATA_DIR, quick = " --abstraction boxes --trees 5 --quiet ";
@@ -118,7 +118,7 @@ TEST_CASE("The shipped model knows the models of the package, and the program ma
 
 namespace {
 
-// Writes a shelf as made by `shelf()` to a folder, with labels of its lower and upper boards. \return its parts
+// Writes a shelf of `shelf()` to a folder, with labels of lower and upper boards. \return the folder of its parts
 std::string write_shelf(const Temporary_folder& folder, const std::string& name, double thickness, int boards)
 {
   const Furniture shape = shelf(thickness, boards);
@@ -173,7 +173,7 @@ TEST_CASE("The program uses the user's own examples of a category that it does n
     write_shelf(folder, "shelves/" + std::to_string(i), 0.03 + 0.01 * i, 2 * i);
   const auto shelves = match(a + " " + b + " --examples " + folder.path("shelves"));
   CHECK(shelves["category"] == "shelf");
-  CHECK(shelves["pairs"].size() == 2 + 2 * 3 + 2 * 3); // every lower board with every lower board
+  CHECK(shelves["pairs"].size() == 2 + 2 * 3 + 2 * 3); // the sides, all pairs of lower boards, all pairs of upper ones
   CHECK(shelves["warnings"].dump().find("not used") == std::string::npos);
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("A surface is divided where it is concave, also if it is everywhere eq
   CHECK(segment_mesh(table).shape.parts().size() == 5);
   CHECK(segment_mesh(block).shape.parts().size() == 1);
 
-  SECTION("the same of every size and turned about up")
+  SECTION("at any size, and after a turn about the up axis")
   {
     Part_mesh turned = table;
     turned.points = Eigen::AngleAxisd(1, Point::UnitY()).toRotationMatrix() * (1000 * table.points);
@@ -122,7 +122,7 @@ TEST_CASE("A surface is divided where it is concave, also if it is everywhere eq
   SECTION("options")
   {
     Segmentation_options options;
-    options.least_area = 0.2; // each leg has less
+    options.least_area = 0.2; // share of the surface; each leg has less
     CHECK(segment_mesh(table, options).shape.parts().size() == 1);
     options = {};
     options.patches = 1;
@@ -165,7 +165,7 @@ TEST_CASE("Options of a segmentation that are out of their ranges are refused")
   }
 }
 
-TEST_CASE("Connected components are parts, open ones as they are")
+TEST_CASE("Connected components are segmented separately, and open ones stay whole")
 {
   CHECK(segment_mesh(twice(dumb_bell())).shape.parts().size() == 6);
   Part_mesh open = twice(dumb_bell());

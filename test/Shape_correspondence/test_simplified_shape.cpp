@@ -30,12 +30,12 @@ TEST_CASE("A shape of few triangles stays as it is")
     CHECK(same.parts()[i].mesh.points == table.parts()[i].mesh.points);
 }
 
-TEST_CASE("A shape of many triangles keeps its parts, their names and their extents with as few as are wanted")
+TEST_CASE("A shape is simplified to a given number of triangles, and keeps its parts, their names and their extents")
 {
   Segmented_shape shape("boxes", Point::UnitZ());
   shape.add_part("large", box({0, 0, 0}, {1, 2, 3}, 0.3, 30)); // 10800 triangles
   shape.add_part("thin", box({5, 0, 0}, {0.01, 0.01, 2}, 0, 30));
-  shape.add_part("plain", box({9, 0, 0}, {1, 1, 1}, 0, 1)); // 12
+  shape.add_part("plain", box({9, 0, 0}, {1, 1, 1}, 0, 1)); // 12 triangles
   const Segmented_shape simple = IO::simplified_shape(shape, 1000);
   CHECK(IO::number_of_triangles(simple) <= 1050);
   CHECK(IO::number_of_triangles(simple) > 500);
@@ -52,7 +52,7 @@ TEST_CASE("A shape of many triangles keeps its parts, their names and their exte
   CHECK(simple.parts()[2].mesh.triangles.cols() == 12);
 }
 
-TEST_CASE("Triangles that are no surface are simplified, too")
+TEST_CASE("Triangles that form no manifold are simplified, too")
 {
   Segmented_shape shape("fan");
   Part_mesh fan; // triangles that share one edge

@@ -95,7 +95,7 @@ std::set<std::set<std::string>> partition(const Part_split& split)
   return {parts.begin(), parts.end()};
 }
 
-/// The sizes of the pieces in each part, in millionths of the model.
+/// The sizes of the pieces in each part, in millionths of the size of the model.
 std::multiset<std::multiset<long>> sizes(const Part_split& split)
 {
   std::vector<std::multiset<long>> parts(split.shape.parts().size());
@@ -130,7 +130,7 @@ TEST_CASE("Four legs that share an object become four parts, with its name")
   CHECK(split.shape.parts()[4].mesh.points == top().points);
 }
 
-TEST_CASE("The modes FILE, COMPONENTS and SEGMENTS")
+TEST_CASE("Mode FILE keeps objects, COMPONENTS takes loose pieces as parts, and SEGMENTS also divides these")
 {
   const Segmented_shape table = table_of_materials();
   const Part_split file = split_by(table, Part_splitting::FILE);
@@ -219,7 +219,7 @@ TEST_CASE("An object that would become too many parts stays as it is")
   CHECK(names(split) == std::vector<std::string>{"leaves", "pot"});
   CHECK_THAT(split.decisions[0], Contains("it would be 120 parts"));
 
-  // Nor do its pieces join others, even if they are small
+  // Small pieces of such an object do not join other objects either
   std::vector<Part_mesh> dust;
   for (int i = 0; i < 40; ++i)
     for (int k = 0; k < 30; ++k)
@@ -242,7 +242,7 @@ TEST_CASE("Materials must be those of all triangles of all objects")
 
 TEST_CASE("Pieces that the frame of a model holds, such as drawers, are parts")
 {
-  const auto parts = [](double size) { // size of the cabinet, over that of the model
+  const auto parts = [](double size) { // size of the cabinet, divided by that of the model
     const Part_mesh drawers = joined({box({0, 0.3, 0}, {0.8, 0.3, 0.8}), box({0, -0.3, 0}, {0.8, 0.3, 0.8})});
     return split_parts(model({{"wood", joined({box({0, 0, 0}, {1, 1, 1}), drawers})},
                               {"far", box({0, 0, 1 / size}, {1, 1, 0.1})}}))
@@ -272,7 +272,7 @@ TEST_CASE("A model of one object becomes its pieces, one of one piece its segmen
 
   const auto ring = part_meshes::torus_like(320, 320, [](double u, double v) {
     return Point((3 + std::cos(v)) * std::cos(u), std::sin(v), (3 + std::cos(v)) * std::sin(u));
-  }); // more triangles than are divided by default
+  }); // more triangles than a mesh may have to be segmented by default
   const Part_split large = split_parts(model({{"ring", ring}}));
   CHECK(names(large) == std::vector<std::string>{"ring"});
   CHECK_FALSE(large.by_segments);
@@ -307,7 +307,7 @@ TEST_CASE("Vertices at the same place connect pieces, pieces without area are le
   CHECK(split.pieces_left_out == 1);
 }
 
-TEST_CASE("Names of parts do not meet those of objects")
+TEST_CASE("New names of parts differ from the names of objects")
 {
   const Part_split split = split_parts(model({{"wood", joined(legs())}, {"wood#2", top()}}));
   const std::vector<std::string> found = names(split);

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Graphs and pairs that a cache or a collection's store keeps: damaged, or not to be written.
+// Graphs and pairs in a cache or in the store of a collection, which are damaged or cannot be written.
 
 #include "hand_made_graphs.h"
 #include "io/system/atomic_file.h"
@@ -18,7 +18,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// The only file of a folder, besides folders.
+/// The only regular file in a folder; sub-folders do not count.
 std::string file_in(const std::string& folder)
 {
   std::vector<std::string> files;
@@ -59,7 +59,7 @@ std::map<std::string, std::string> graphs_of(const std::string& store)
   return result;
 }
 
-/// Damages a cache entry with graphs whose digests are valid, and checks that they are rebuilt.
+/// Puts damaged graphs with valid digests in place of a cache entry, and checks that the graph is rebuilt.
 void check_damaged_entry(const std::string& entry, const std::string& command)
 {
   const std::string expected = run(command).out, kept = text_of(entry), content = fs::path(entry).stem().string();
@@ -107,7 +107,7 @@ TEST_CASE("A cache that cannot be written is a warning")
   const std::string model = quoted(folder.write("table.obj", obj_table()));
   const std::string expected = run("graph " + model).out;
   fs::create_directories(folder.path("cache"));
-  // A disk that is full after some kilobytes
+  // A limit on the size of files acts like a disk that is full after some kilobytes
   const std::string command = "trap '' XFSZ; ulimit -f 8; " + quoted(SHAPE_CORRESPONDENCE_PROGRAM) + " graph " + model +
                               " --cache " + quoted(folder.path("cache")) + " >" + quoted(folder.path("out")) + " 2>" +
                               quoted(folder.path("error"));
@@ -202,7 +202,7 @@ TEST_CASE("A shape of a collection that fails does not harm the graphs of others
   }
 }
 
-TEST_CASE("Graphs of a cache that are damaged, but not in their digests, are made again, with a warning")
+TEST_CASE("Damaged graphs of a cache whose digests are valid are made again, with a warning")
 {
   const Temporary_folder folder;
   const std::string model = quoted(folder.write("table.obj", obj_table())), cache = quoted(folder.path("cache"));

@@ -89,7 +89,7 @@ TEST_CASE("The content hash tells shapes and options apart")
   CHECK(is_new(changed([](auto& o) { o.symmetry.enabled = false; })));
   CHECK(is_new(changed([](auto& o) { o.contacts.tolerance = 0.03; })));
   CHECK(is_new(changed([](auto& o) { o.contacts.closest_points = true; })));
-  // Results that depend on a time limit are not stored
+  // A time limit does not matter, since results that depend on it are not stored
   CHECK_FALSE(is_new(changed([](auto& o) { o.abstraction.time_limit = 30; })));
   CHECK_FALSE(is_new(changed([](auto& o) { o.abstraction.progress = [](std::size_t, std::size_t) {}; })));
 }

@@ -44,7 +44,7 @@ std::string complaint_after(Change&& change)
   return model_files::complaint([&] { read(document.dump()); });
 }
 
-/// A graph with numbers that use all 53 bits.
+/// A graph with numbers that use all 53 bits of a double's significand.
 Structural_graph crooked(const Structural_graph& graph)
 {
   Structural_graph result = hand_made::moved(graph, 0.3, 1 / 3.0, Point(std::sqrt(2.0), 1e-17, -1e9));

@@ -27,7 +27,7 @@ BOW = "<node><id>bow</id><type>CURVE</type>" + POINT(0, 0, 0) + POINT(0, 0, 8) +
 
 class Structure_graphs(unittest.TestCase):
     def converted(self, body, status=0):
-        """The graph that the converter writes, and as the program reads and writes it; the complaint if the status is not 0."""
+        """The graph that the converter writes, and the same as the program writes it; or the error, if `status` is not 0."""
         with tempfile.TemporaryDirectory() as folder:
             source, target = (os.path.join(folder, "g." + ending) for ending in ("xml", "json"))
             with open(source, "w", encoding="utf-8") as file:
@@ -44,15 +44,15 @@ class Structure_graphs(unittest.TestCase):
         graph, read = self.converted(TABLE)
         self.assertEqual(graph["parts"][0]["grid"][4][4], [0, 0, 0.9])
         self.assertEqual(graph["contacts"][0]["parameters"], [[1, 1], [1]])
-        self.assertEqual(graph["contacts"][1]["parameters"], [[0, 1], [1]])  # where they are nearest
+        self.assertEqual(graph["contacts"][1]["parameters"], [[0, 1], [1]])  # without coordinates, a contact is where the parts are nearest
         self.assertAlmostEqual(read["up"][2], 1)
-        self.assertEqual(len(read["groups"]), 2)  # the legs are found to be one
+        self.assertEqual(len(read["groups"]), 2)  # the top, and the legs, which are detected as a group
 
     def test_groups(self):
         _, read = self.converted(TABLE + "<group><n>a</n><n>b</n></group><group><n>c</n><n>d</n></group>")
         self.assertEqual([group["symmetry"] for group in read["groups"]], ["reflection", "reflection", "self"])
         graph, _ = self.converted(TABLE + "<group><n>a</n><n>b</n><n>c</n><n>d</n></group>")
-        self.assertNotIn("groups", graph)  # neither mirror images nor a row: detected
+        self.assertNotIn("groups", graph)  # the group is neither a mirror pair nor a row, so groups are detected
 
     def test_curves_are_cubic_b_splines(self):
         graph, _ = self.converted(TABLE + BOW + "<edge><n>bow</n><n>a</n></edge>")

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-// Surfaces without a map to each other, boxes of pairs, and coordinates that do not tear.
+// Morphs of parts whose surfaces have no map to each other: their boxes, outlines and shapes, and which parts morph.
 
 using namespace CGAL::Shape_correspondence;
 using Catch::Matchers::Contains;
@@ -34,7 +34,7 @@ namespace {
 
 const Part_mesh ball = part_meshes::turned({{0, -0.5}, {0.3, -0.4}, {0.5, 0}, {0.3, 0.4}, {0, 0.5}});
 
-/// The boxes of two parts, with y as the first axis.
+/// Coordinates of two parts in their bounding boxes, with y as the first axis.
 internal::Pair_charts upright(const Part_mesh& source, const Part_mesh& target)
 {
   Eigen::Matrix3d axes;
@@ -52,7 +52,7 @@ std::shared_ptr<const internal::Part_morph> best_morph(const Part_mesh& source, 
   return internal::best_morph({{upright(source, target)}}, source, target);
 }
 
-/// The largest distance of the present points at a time from the surface that is not present.
+/// The largest distance, at time t, of vertices of the surface that is shown from the surface that is not.
 double distance_at(const internal::Part_morph& morph, double t)
 {
   const int present = morph.surface(t);
@@ -117,7 +117,8 @@ TEST_CASE("Four legs are exchanged for a column with its foot: the shape stands 
   }
 }
 
-TEST_CASE("Of parts without counterpart, two alike in one place become each other; others come and go by themselves")
+TEST_CASE(
+    "Of parts without counterpart, two similar ones in one place are exchanged; others appear and vanish by themselves")
 {
   std::vector<Named_box> armed = stand(), winged = stand();
   armed.push_back({"arm", {0, 1.2, 0.28}, {0.9, 0.4, 0.04}});
@@ -129,7 +130,7 @@ TEST_CASE("Of parts without counterpart, two alike in one place become each othe
     CHECK(task.obstacle == Blend_obstacle::NONE);
     if (task.source == 3) CHECK(task.target == 3);
   }
-  winged.push_back({"other", {0.02, 1.2, 0.255}, {0.8, 0.4, 0.04}}); // shares less of its place
+  winged.push_back({"other", {0.02, 1.2, 0.255}, {0.8, 0.4, 0.04}}); // has less space in common with the arm
   const std::vector<Blend_task> tasks = blend_of(model_of(armed), model_of(winged), same_parts(3)).schedules()[0].tasks;
   CHECK(std::count_if(tasks.begin(), tasks.end(),
                       [](const Blend_task& task) { return task.type == Blend_task_type::EXCHANGE; }) == 1);
@@ -155,7 +156,7 @@ TEST_CASE("The axes of boxes are paired for the least rotation; a box has its ow
   CHECK(turn_of(charts(rod, slanted, Eigen::Matrix3d::Identity(), turn * other)) == Approx(angle));
 }
 
-TEST_CASE("Coordinates relative to outlines: of a round part and of one with corners they are in the same disc")
+TEST_CASE("Coordinates relative to outlines are in the unit disc, for round parts and for parts with corners")
 {
   const auto outline_of = [](const Part_mesh& mesh) {
     const internal::Part_chart chart = internal::Part_chart::box(mesh.points, Eigen::Matrix3d::Identity());
@@ -176,7 +177,7 @@ TEST_CASE("Coordinates relative to outlines: of a round part and of one with cor
   CHECK((none.absolute(none.relative(Point(0.3, 0.2, 0.1))) - Point(0.3, 0.2, 0.1)).norm() < 1e-12);
 }
 
-TEST_CASE("Smoothed outlines have no corners, but the same middles and extents where these are even")
+TEST_CASE("Smoothed outlines have no corners, but keep their extents where these are even")
 {
   const Part_mesh board = box_shapes::box({0, 0, 0}, {2, 0.6, 0.4});
   const internal::Part_chart chart = internal::Part_chart::box(board.points, Eigen::Matrix3d::Identity());
@@ -228,7 +229,7 @@ TEST_CASE("A square top becomes a round one: it stays flat, and the surface that
   CHECK(distance_at(*morph, 0.4499) < 0.7 * distance_at(*morph, 0.38));
 }
 
-TEST_CASE("What is near its counterpart in one box keeps its shape, and slides onto it just before that takes over")
+TEST_CASE("A part that is like its counterpart in a common box keeps its shape, and fits it just before the exchange")
 {
   const Part_mesh post = box_shapes::box({0, 0, 0}, {0.1, 1, 0.1}),
                   tapered = part_meshes::turned({{0, -0.5}, {0.05, -0.5}, {0.04, 0.5}, {0, 0.5}});
@@ -286,7 +287,7 @@ TEST_CASE("A part becomes any other length, unless it would come off what it hol
 
 TEST_CASE("Of the parts of a symmetry group, all morph or none does")
 {
-  // Only one of three posts in a row holds a crest, off which it would come.
+  // Only one of three posts in a row holds a crest, from which it would come off.
   const auto stand_of = [](double height) {
     std::vector<Named_box> result = {{"base", {0, 0.05, 0}, {1, 0.1, 0.6}}};
     for (double x : {-0.4, -0.05, 0.3})

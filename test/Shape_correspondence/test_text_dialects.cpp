@@ -76,7 +76,7 @@ const std::string ply_box = "ply\nformat ascii 1.0\ncomment by hand\nobj_info no
                             "property list uchar int vertex_indices\nend_header\n" +
                             off_numbers;
 
-/// A tetrahedron at a given place as STL text. \param keyword spells the keywords of the format
+/// A tetrahedron at a given place as STL text. \param keyword returns a spelling of a keyword of the format
 std::string text_solid(const std::string& name, double x, const std::function<std::string(std::string)>& keyword)
 {
   std::ostringstream out;
@@ -212,7 +212,7 @@ TEST_CASE("OBJ: a backslash at the end of a comment or a name does not continue 
   CHECK(looks.looks.materials.at(1).colour == Eigen::Vector4d(0, 1, 0, 1));
 }
 
-TEST_CASE("OBJ: a group that is named again goes on with its own vertices, one with others is another part")
+TEST_CASE("OBJ: a group that is named again continues if it uses its earlier vertices, or else is another part")
 {
   const Temporary_folder folder;
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", far = "v 5 0 0\nv 6 0 0\nv 5 1 0\n";
@@ -226,7 +226,7 @@ TEST_CASE("OBJ: a group that is named again goes on with its own vertices, one w
   }
   CHECK(names(IO::read_segmented_shape(folder.write("a.obj", square + "g seat\nf 1 2 3 4\ng seat\n" + far +
                                                                  "f 5 6 7\n"))) == Names{"seat", "seat#2"});
-  // A third group joins both
+  // A third group, which has vertices of both, joins them
   CHECK(names(IO::read_segmented_shape(
             folder.write("a.obj", square + far + "g seat\nf 1 2 3 4\ng seat\nf 5 6 7\ng seat\nf 1 5 6\n" + other))) ==
         Names{"seat", "other"});
@@ -252,11 +252,11 @@ TEST_CASE("OBJ: groups of an object that share vertices name its faces, others a
   CHECK(names(IO::read_segmented_shape(folder.write(
             "a.obj", obj_box("o chair\ng seat", 0, 0, 0, 0, 1, 1, 1) + obj_box("g back", 1, 0, 1, 0, 1, 1, 1) +
                          box_of_sides("table", 2, 7)))) == Names{"seat", "back", "table"});
-  // The groups of the only object, which is one surface, are kept, since there is nothing else
+  // The groups of the only object, which is one surface, are kept, since there are no other parts
   CHECK(names(IO::read_segmented_shape(folder.write("a.obj", box_of_sides("seat", 0, 0)))).size() == 6);
 }
 
-TEST_CASE("OBJ: six or seven numbers of a vertex are its colour, four its weight, and ZBrush paints in comments")
+TEST_CASE("OBJ: a vertex may have a colour or a weight after its coordinates, and ZBrush writes colours in comments")
 {
   const Temporary_folder folder;
   const std::string face = "f 1 2 3\n";
@@ -360,7 +360,7 @@ TEST_CASE("PLY: every face has its own of several textures")
   CHECK(by_vertices.looks.parts.at(0).materials == std::vector<int>{1, 0});
 }
 
-TEST_CASE("STL: words in capitals, on one line, several solids, and files one after the other")
+TEST_CASE("STL: keywords in capitals or on one line, several solids, and concatenated files are read")
 {
   const Temporary_folder folder;
   const auto shape = [&](const std::string& text) { return read(folder.write("m.stl", text)); };

@@ -86,7 +86,7 @@ Segmented_shape plate()
   return shape;
 }
 
-// The largest difference in colour at the centroids of the second shape's triangles.
+// The largest difference between two appearances of a shape, in the colours at the centroids of its triangles.
 double greatest_difference(const Shape_appearance& a, const Shape_appearance& b, const Segmented_shape& shape)
 {
   const Appearance_sampler from(a, Eigen::Vector3d::Zero()), to(b, Eigen::Vector3d::Zero());
@@ -217,7 +217,7 @@ TEST_CASE("Of merged parts of about equal size the highest one gives the appeara
   CHECK(first_source() == 0);
 }
 
-TEST_CASE("A part without counterpart looks like the part of its material that it touches, also by way of others")
+TEST_CASE("A part without counterpart looks like the part of its material that it touches, also through other parts")
 {
   Segmented_shape target("tower"); // a plate, a block on it, a knob on that, and a handle of another material
   target.add_part("plate", box({0, 0.05, 0}, {1.2, 0.1, 0.6}));
@@ -244,7 +244,7 @@ TEST_CASE("A part without counterpart looks like the part of its material that i
   CHECK(transferred(own).parts[3].origin == Appearance_origin::NEIGHBOUR);
 }
 
-TEST_CASE("Labels of faces have straight borders, and parts without counterpart none")
+TEST_CASE("Transferred labels of faces have straight borders, and parts without counterpart have no labels")
 {
   const Segmented_shape source = laths(), target = plate();
   const std::vector<Eigen::Vector3d> colours = {{1, 0, 0}, {0, 0, 1}};
@@ -264,7 +264,8 @@ TEST_CASE("Labels of faces have straight borders, and parts without counterpart 
                   Invalid_input);
 }
 
-TEST_CASE("A part without counterpart keeps its own appearance; of one to many all get that of the one")
+TEST_CASE(
+    "A part without counterpart keeps its own appearance; all counterparts of a part get the appearance of that part")
 {
   const Segmented_shape source = plate(), target = laths(4);
   const Transferred_appearance result = transfer_appearance(
@@ -365,7 +366,7 @@ TEST_CASE("In a blend colours are interpolated, and a texture stays on its surfa
   const nlohmann::json document = document_of(animation.str());
   auto reds = reds_in_between(document);
   const std::string name = shape.parts()[0].name, other = shape.parts()[2].name;
-  CHECK(reds[name + "~" + name].size() == 6); // for each interval between frames, one of which has both surfaces
+  CHECK(reds[name + "~" + name].size() == 6); // one for each of five intervals, and one more where the surface changes
   CHECK(reds[other + "~" + other] == std::set<double>{0.2});
   REQUIRE(document["images"].size() == 1);
   bool is_textured_between = false;
@@ -378,7 +379,7 @@ TEST_CASE("In a blend colours are interpolated, and a texture stays on its surfa
   IO::write_blend_frame_glb(frame, blend, looks, 0.5);
   reds = reds_in_between(document_of(frame.str()));
   REQUIRE(reds[name + "~" + name].size() == 1);
-  CHECK(*reds[name + "~" + name].begin() == Approx(0.5).margin(0.3)); // half-way through its task
+  CHECK(*reds[name + "~" + name].begin() == Approx(0.5).margin(0.3)); // the task of the part is half done
 
   // A part has one surface at any time, also when the target's replaces the source's
   Segmented_shape blunt("blunt");

@@ -83,7 +83,7 @@ TEST_CASE("A chain is taken only where it costs less, the shortest among equals"
   CHECK(chains[2].is_direct());
   CHECK(chains[3].shapes == Shapes{0, 2, 3}); // the path along the tree costs the same, with more steps
   CHECK(chains[3].energy == 3);
-  CHECK(best_chains(energies, tree, 1)[3].shapes == Shapes{1, 2, 3}); // energies are those of ordered pairs
+  CHECK(best_chains(energies, tree, 1)[3].shapes == Shapes{1, 2, 3}); // the energy from 1 to 3 is 4, back 5
   energies(0, 2) = 7;
   CHECK(best_chains(energies, tree, 0)[3].shapes == Shapes{0, 1, 2, 3});
   CHECK(best_chains(Eigen::MatrixXd::Ones(2, 2), {{0, 1}}, 0)[1].is_direct());

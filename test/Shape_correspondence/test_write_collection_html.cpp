@@ -146,7 +146,7 @@ TEST_CASE("Of very many shapes the page shows some of every branch of the tree, 
   std::size_t first_half = 0;
   for (const json& shape : data["shapes"])
     first_half += std::stoul(shape["name"].get<std::string>().substr(6)) < half;
-  CHECK(page.size() < 10 * IO::largest_pictured * 1000); // 10 kB a shape
+  CHECK(page.size() < 10 * IO::largest_pictured * 1000); // 10 kB for each shape
   CHECK(first_half > IO::largest_pictured / 3);
   CHECK(first_half < 2 * IO::largest_pictured / 3);
 }

@@ -111,7 +111,7 @@ void check_normals(const Glb& glb)
       for (std::size_t t = 0; t < indices["count"].get<std::size_t>(); t += 3) {
         std::uint32_t v[3];
         for (std::size_t k = 0; k < 3; ++k)
-          v[k] = number_at(glb.buffer, offset + 2 * (t + k)) & 0xFFFF; // fewer than 2^16 - 1 points
+          v[k] = number_at(glb.buffer, offset + 2 * (t + k)) & 0xFFFF; // 16 bits for up to 2^16 - 2 points
         const Point a = vector_at(glb, positions, v[0]);
         const Point face = (vector_at(glb, positions, v[1]) - a).cross(vector_at(glb, positions, v[2]) - a);
         for (std::uint32_t i : v) {
@@ -263,7 +263,7 @@ TEST_CASE("assimp reads the picture back: the source left, both upright")
   CHECK(bounds("leg front left of target").center().x() > bounds("leg hind left of target").center().x());
 }
 
-TEST_CASE("A picture of a graph: faint surfaces, an abstraction a part, contacts")
+TEST_CASE("A picture of a graph has faint surfaces, an abstraction for each part, and contacts")
 {
   const Temporary_folder folder;
   const Segmented_shape shape = IO::read_segmented_shape(folder.write("table.obj", obj_table()));

@@ -5,7 +5,7 @@ add_library(test_settings INTERFACE)
 target_link_libraries(test_settings INTERFACE Shape_correspondence Shape_correspondence_private)
 if(Catch2_VERSION VERSION_LESS 3)
   target_link_libraries(test_settings INTERFACE Catch2::Catch2)
-else() # by the names of version 2
+else() # headers with the names of version 2
   target_link_libraries(test_settings INTERFACE Catch2::Catch2WithMain)
   target_include_directories(test_settings INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/catch2_3)
 endif()
@@ -59,7 +59,7 @@ function(is_of_library source result)
   set(${result} ON PARENT_SCOPE)
 endfunction()
 
-# One test program a public header, each linked with the compiled library
+# One test program for each public header, linked with the compiled library
 file(GLOB test_sources CONFIGURE_DEPENDS test_*.cpp)
 list(FILTER test_sources EXCLUDE REGEX "test_main.cpp$")
 foreach(source ${test_sources})
@@ -79,19 +79,19 @@ foreach(source ${test_sources})
   add_test(NAME ${name} COMMAND ${name})
 endforeach()
 
-# Libraries with numbers in their standard library do not have it
+# The library lacks this source if the standard library converts numbers
 target_sources(test_number_text PRIVATE ${PROJECT_SOURCE_DIR}/src/base/number_text.cpp)
 
 if(SHAPE_CORRESPONDENCE_CORE_ONLY)
   return()
 endif()
-target_link_libraries(test_exported_formats PRIVATE assimp::assimp) # it writes files
+target_link_libraries(test_exported_formats PRIVATE assimp::assimp) # the test writes files with assimp
 target_link_libraries(test_library_call PRIVATE Shape_correspondence_commands) # commands run in the test itself
 
 if(MINIZIP_INCLUDE_DIR AND MINIZIP_LIBRARY)
   target_compile_definitions(test_read_3mf PRIVATE SHAPE_CORRESPONDENCE_WITH_MINIZIP)
 endif()
-foreach(codec draco::draco meshoptimizer::meshoptimizer) # they compress what is read
+foreach(codec draco::draco meshoptimizer::meshoptimizer) # the test compresses what it reads
   if(TARGET ${codec})
     string(REGEX REPLACE ":.*" "" name ${codec})
     string(TOUPPER ${name} name)
@@ -108,16 +108,16 @@ if(UNIX AND NOT APPLE)
   target_compile_definitions(test_faults PRIVATE SHAPE_CORRESPONDENCE_FAILING_CALLS="$<TARGET_FILE:failing_calls>")
 endif()
 
-# Loops in parallel without TBB
+# The test of parallel loops, without TBB
 add_executable(test_plain_threads test_for_each_index.cpp ${PROJECT_SOURCE_DIR}/src/base/for_each_index.cpp)
 target_link_libraries(test_plain_threads PRIVATE test_main)
 target_compile_options(test_plain_threads PRIVATE -UCGAL_LINKED_WITH_TBB)
 add_test(NAME test_plain_threads COMMAND test_plain_threads)
 
-# version.h has the version of the project
+# The test compares version.h with the version of the project
 target_compile_definitions(test_program PRIVATE SHAPE_CORRESPONDENCE_PROJECT_VERSION="${PROJECT_VERSION}")
 
-# They share headers with benchmarks, or take generated shapes
+# Tests that share headers with the benchmarks, or use generated shapes
 foreach(name test_peers test_role_validation)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/benchmark/Shape_correspondence)
 endforeach()

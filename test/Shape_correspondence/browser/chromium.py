@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 import time
 
-SECONDS = 60  # that anything may take
+SECONDS = 60  # limit for every wait
 
 
 def find():
@@ -19,7 +19,7 @@ def find():
 
 
 def _above_9(descriptor):
-    """A copy that is not in the way of 3 and 4."""
+    """Moves a descriptor to a number above 9, so that 3 and 4 are free."""
     copy = fcntl.fcntl(descriptor, fcntl.F_DUPFD, 10)
     os.close(descriptor)
     return copy
@@ -43,7 +43,7 @@ class Browser:
         os.close(write_there)
         self.out, self.into = open(read_here, "rb", 0), open(write_here, "wb", 0)
         self.rest, self.number, self.events = b"", 0, []
-        self.contexts = {}  # of scripts, by frame
+        self.contexts = {}  # identifiers of the execution contexts of frames
         self.session = None
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
@@ -85,7 +85,7 @@ class Browser:
             self.events.append(message)
 
     def inner_frame(self):
-        """The one frame that is in the page."""
+        """The identifier of the only frame in the page."""
         return self.call("Page.getFrameTree")["frameTree"]["childFrames"][0]["frame"]["id"]
 
     def evaluate(self, expression, frame=None):
@@ -105,7 +105,7 @@ class Browser:
         raise RuntimeError("never true: " + expression)
 
     def allow_motion(self, is_allowed):
-        """Whether pages may move by themselves; at first they may not."""
+        """Sets whether pages may move by themselves; at first they may not."""
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "no-preference" if is_allowed else "reduce"}])
 
     def resize(self, width, height, is_phone=False):
@@ -113,7 +113,7 @@ class Browser:
         self.call("Emulation.setTouchEmulationEnabled", enabled=is_phone)
 
     def open(self, file):
-        """Opens a file, or an address. Returns the errors and the requests for anything else."""
+        """Opens a file, or an address. Returns the errors, and the addresses of all other requests."""
         self.events = []
         self.url = file if "://" in file else "file://" + os.path.abspath(file)
         self.call("Page.navigate", url=self.url)
@@ -121,7 +121,7 @@ class Browser:
         return self.heard()
 
     def heard(self):
-        """The errors since the page was opened, and the requests for anything else."""
+        """The errors since the page was opened, and the addresses of all other requests."""
         errors = [e["params"] for e in self.events if e["method"] == "Runtime.exceptionThrown"
                   or (e["method"] == "Log.entryAdded" and e["params"]["entry"]["level"] == "error")]
         requests = [e["params"]["request"]["url"] for e in self.events if e["method"] == "Network.requestWillBeSent"]

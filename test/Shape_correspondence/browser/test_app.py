@@ -27,15 +27,15 @@ import unittest
 import chromium
 from test_pages import AFTER_DRAWING, DESKTOP, LIT, PHONE, PLACE_OF
 
-MOST_TIMES_AS_LONG = 8  # machines are noisy
-LARGEST_PAGE = 2_140_000  # bytes, as a host sends it
+MOST_TIMES_AS_LONG = 8  # limit for the time in the page over that of the program; machines are noisy
+LARGEST_PAGE = 2_140_000  # bytes, compressed as a host sends it
 LONGEST_START = 5000  # milliseconds until one can choose models; on an idle machine far less
 SCREEN = (1200, 760)
 REPOSITORY = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
 arguments = None
 browser = None
 
-# The pages that the program wrote, by the names of their tabs
+# The names of the tabs, one for each page that the program wrote
 TABS = "[...document.querySelectorAll('#tabs button')].map(b => b.textContent)"
 IS_IDLE = "document.querySelector('#work').hidden"
 ERROR = "document.querySelector('#error').textContent"
@@ -125,7 +125,7 @@ class App(unittest.TestCase):
     def test_it_opens_with_a_matched_pair_that_turns_slowly(self):
         yaw = "document.querySelector('#stage').stage.pose.yaw"
         still = browser.evaluate(yaw, self.shown())
-        self.assertEqual(browser.evaluate(yaw, self.shown()), still)  # where motion is unwanted
+        self.assertEqual(browser.evaluate(yaw, self.shown()), still)  # nothing moves where the user prefers reduced motion
         self.assertEqual(browser.evaluate("document.querySelector('.next').id"), "blend")
         browser.allow_motion(True)
         try:
@@ -211,7 +211,7 @@ class App(unittest.TestCase):
                     self.picture("error")
                 for word in words:
                     self.assertIn(word, browser.evaluate(ERROR))
-                self.assertNotIn("source/", browser.evaluate(ERROR))  # a folder of the module's
+                self.assertNotIn("source/", browser.evaluate(ERROR))  # a folder in the file system of the module
                 browser.evaluate("document.querySelector('#error').textContent = ''")
             browser.drop(600, 300, [raw("chair_swivel")] * 3)
             browser.wait_for(ERROR)

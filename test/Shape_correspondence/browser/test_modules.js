@@ -21,7 +21,7 @@ function equal(got, wanted) {
   if (a !== b) failures.push(`${new Error().stack.split('\n')[2].trim()}: ${a} is not ${b}`);
 }
 
-/** A GLB of a document, with numbers of four bytes. */
+/** The bytes of a GLB file of a JSON document and a buffer of 32-bit numbers. */
 function glb(json, numbers) {
   let text = JSON.stringify(json);
   while (text.length % 4) text += ' ';
@@ -35,7 +35,7 @@ function glb(json, numbers) {
   return bytes;
 }
 
-// extent.js: a chair of boxes, of whose seat and back one piece is made, and whose legs go on as arms
+// extent.js: a chair of boxes, whose seat and back are one piece, and whose legs continue as armrests
 {
   const box = (part, low, high) => {
     const points = Array.from({length: 8}, (_, i) => [0, 1, 2].map(k => (i >> k & 1 ? high : low)[k])).flat();
@@ -83,7 +83,7 @@ function glb(json, numbers) {
   equal(refused, true);
 }
 
-// match_view.js: a label on a large part, beside a thin one, and none where another part is all around or a label stands
+// match_view.js: a label is on a large part or beside a thin one; there is none if other parts or labels leave no place
 {
   const confine = {left: 0, top: 0, width: 400, height: 400}, spots = [{x: 200, y: 200}];
   const place = (partHalf, backgroundFrom, placed = []) => Overlay.prototype.placeOfLabel.call({placed}, {spots, number: 3, confine, shareOf: ({left, right}, number) =>

@@ -24,12 +24,12 @@ import chromium
 HERE = os.path.dirname(os.path.abspath(__file__))
 DESKTOP, PHONE = (900, 560), (390, 844)
 LARGEST_PAGE = 8 << 20
-LARGEST_SCRIPT = 510000  # if three.module.js and Python made it
+LARGEST_SCRIPT = 510000  # characters, if Python made it of three.module.js
 arguments = None
 browser = None
 pages = {}
 
-# Where in the window the pointer meets a part of a view
+# A point of the window at which a part of a view is under the pointer
 PLACE_OF = """((view, name) => {
   const stage = document.querySelector('#stage').stage, {camera} = stage.views[view];
   const {left, top, width, height} = stage.boxOf(stage.views[view]);
@@ -108,14 +108,14 @@ class Pages(unittest.TestCase):
         browser.resize(*size, is_phone=size == PHONE)
         errors, requests = browser.open(pages[name])
         browser.wait_for("document.body.dataset.ready")
-        if size == PHONE:  # sets open on the set
+        if size == PHONE:  # shows the models, since pages of sets open with the set
             browser.evaluate("document.body.dataset.tab = 'models'")
         browser.evaluate(AFTER_DRAWING)
         self.assertEqual(errors, [])
         self.assertEqual([request for request in requests if not request.startswith("data:")], [])
 
     def check_picture(self, name):
-        """The stage is not blank, nor is all of the window."""
+        """Checks that neither the stage nor the window is blank."""
         if arguments.screenshots:
             os.makedirs(arguments.screenshots, exist_ok=True)
             with open(os.path.join(arguments.screenshots, name + ".png"), "wb") as file:
@@ -229,7 +229,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(browser.evaluate("document.querySelector('h1').textContent"), "From chair_four_legged to chair_swivel")
         self.assertRegex(browser.evaluate("document.querySelector('#facts').textContent"), r"^Press Play: .* \d+ less probable pairs of the match are left out")
         line = "(t => { const s = document.querySelector('#player input'); s.value = t; s.oninput(); const bar = document.querySelector('.bars > span:nth-of-type(2)').getBoundingClientRect(), {left, width} = s.getBoundingClientRect(); return [bar.left + t * bar.width, left + 10 + t * (width - 20)]; })"
-        for t in (0, 0.25, 1):  # of the bars, and of the slider's thumb
+        for t in (0, 0.25, 1):  # the bars and the thumb of the slider show the same time
             bar, thumb = browser.evaluate(f"{line}({t})")
             self.assertAlmostEqual(bar, thumb, delta=1)
         self.assertEqual(browser.evaluate("document.querySelector('.between figcaption').textContent"), "chair_swivel")
@@ -338,7 +338,7 @@ class Pages(unittest.TestCase):
         self.assertIn("turned_leg_a", seen[3])
         roles = browser.evaluate("[...document.querySelectorAll('.bars > span:nth-child(odd)')].map(span => span.textContent)")
         self.assertIn("seat", roles)
-        self.assertEqual(len(roles), len(set(roles)))  # a bar a role
+        self.assertEqual(len(roles), len(set(roles)))  # one bar for each role
         tasks = browser.evaluate("[...document.querySelectorAll('.bars > span:nth-child(even)')].flatMap(span => span.title.split('\\n')).length")
         self.assertEqual(tasks, browser.evaluate("JSON.parse(document.querySelector('#blend').textContent).tasks.length"))
         browser.evaluate(slide + "(0.2)")
@@ -399,7 +399,7 @@ class Pages(unittest.TestCase):
         self.assertIn("Striped parts are unsure, less than 50 %.", browser.evaluate(told))
         self.assertIn("least 10 %", browser.evaluate("document.querySelector('table').textContent"))
         striped = [browser.evaluate(f"document.querySelectorAll('{rows} i.{kind}').length") for rows in ("tr:not(.part)", "tr.part") for kind in ("unsure", "partly")]
-        self.assertEqual(striped, [0, 1, 1, 0])  # some blocks of the row; the block below it
+        self.assertEqual(striped, [0, 1, 1, 0])  # striped in part: the row of all blocks of a role; entirely: the row of a block below it
         del pages["unsure"]
 
     def test_roles_stand_at_the_parts(self):
@@ -410,7 +410,7 @@ class Pages(unittest.TestCase):
         for text, x, y in placed:
             item = browser.evaluate(f"(item => item && item.node.name)({stage}.itemAt({x}, {y}))")
             self.assertIsNotNone(item, text)
-        browser.evaluate(f"{stage}.pose.zoom = 20; {stage}.draw()")  # far away: what is small has none
+        browser.evaluate(f"{stage}.pose.zoom = 20; {stage}.draw()")  # far away, small parts have no labels
         self.assertLess(browser.evaluate(f"{stage}.labels().length"), len(placed))
 
     def test_a_table_has_at_most_ten_rows_and_labels_of_at_most_24_characters(self):

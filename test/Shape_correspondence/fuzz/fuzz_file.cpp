@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Fuzz target for READER, a reader of other files: all inputs are read or refused.
+// Fuzz target for READER, a macro that names a function of file_readers.h: every input is read or refused.
 
 #include "file_readers.h"
 

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Fuzz target for READER of structural graphs: inputs are refused, or give a graph that can be written and read.
+// Fuzz target for readers of structural graphs: an input is refused, or gives a graph that can be written and read.
 
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Fuzz target for READER, a reader of models: all inputs are read or refused; models are welded.
+// Fuzz target for READER, a macro that names a reader of models: every input is refused, or read and welded.
 
 #include "io/read/model_parts.h"
 

@@ -20,7 +20,7 @@ import zipfile
 
 NAME = "shape_correspondence"
 WINE = shutil.which("wine")
-FOREIGN = "Stühle 椅子 🪑"  # in no single code page
+FOREIGN = "Stühle 椅子 🪑"  # no code page has all these characters
 SECONDS = 300
 TIMES = re.compile(rb'"seconds":.*')
 archive, linux, data = None, None, None
@@ -59,7 +59,7 @@ class Zip(unittest.TestCase):
                                 stderr=subprocess.PIPE)
 
     def run_it(self, *words, status=0):
-        """What it prints on standard output and, for an error, on the other."""
+        """Runs the program. Returns its standard output or, if `status` is not 0, its standard error."""
         process = self.start(*words)
         out, error = process.communicate(timeout=SECONDS)
         self.assertEqual(process.returncode, status, error.decode())
@@ -72,7 +72,7 @@ class Zip(unittest.TestCase):
         printed = self.run_it("demo").decode()
         self.assertIn("deformation energy", printed)
         self.assertEqual(sorted(os.listdir(self.path(NAME + "_demo"))), ["blend.glb", "blend.html", "match.html", "match.json"])
-        self.run_it("demo")  # takes the place of what it wrote before
+        self.run_it("demo")  # overwrites the files of the first run
 
     def test_same_bytes_as_on_linux(self):
         # Pages and pictures of curves are left out: sines of the C libraries differ in their last bits
@@ -156,5 +156,5 @@ if __name__ == "__main__":
         print("wine is missing")
         sys.exit(77)
     archive, linux, data = map(os.path.abspath, sys.argv[1:4])
-    os.environ.update(WINEDEBUG="-all", LC_ALL="C.UTF-8")  # wine takes names of files as the locale says
+    os.environ.update(WINEDEBUG="-all", LC_ALL="C.UTF-8")  # wine encodes names of files as the locale says
     unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)
