@@ -110,8 +110,8 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
 /// Transfers the appearance of a mesh to another mesh on the same surface, such as a piece or a subdivision of it: a
 /// triangle gets the material of the triangle nearest to its centroid, whose texture coordinates and colours are
 /// interpolated. O(n log n).
-/// \param mesh, appearance the mesh and its appearance
-/// \param on_it the mesh on the same surface
+/// \param mesh, appearance the mesh with the appearance
+/// \param on_it the other mesh
 Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it);
 
 /// \ingroup PkgShapeCorrespondenceAppearance
