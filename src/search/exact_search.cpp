@@ -148,7 +148,7 @@ private:
           "exact search: min-marginals are asked for of the result of another energy; give that of this one");
   }
 
-  // Sets up the bound; if there is no time for it, finds a solution without one.
+  // Computes the bound; if there is no time for that, finds a solution without a bound.
   void prepare()
   {
     try {
@@ -165,8 +165,8 @@ private:
     keep();
   }
 
-  // Computes tangents, the first at the greatest sums, each next one at the first solution found with the one before,
-  // and keeps the one with the greatest bound.
+  // Computes tangents of the root terms, the first at the greatest sums (Q = n), each next one at the first solution
+  // found with the one before, and keeps the one with the greatest bound.
   void choose_tangent()
   {
     constexpr int maximum_tangents = 5;
