@@ -51,7 +51,7 @@ struct Blend_part
   Points end_points(int at_end) const { return points(end_surface(at_end), at_end); }
   const contacts::Triangle_tree& end_tree(int at_end) const { return trees[std::size_t(end_surface(at_end))]; }
 
-  /// Sets the members derived from the surfaces: trees and size.
+  /// Sets the members that are derived from the surfaces: `trees` and `size`.
   void set_ends();
 };
 

@@ -32,7 +32,7 @@ struct In_between_shape
   }
   /// The points of a surface of a part at this time, even if it is not the present one.
   Points points_of(std::size_t part, int surface) const;
-  /// The parts that are present.
+  /// The surfaces of the parts that are present.
   std::vector<Seen_surface> seen() const;
   Blend_quality quality() const;
 

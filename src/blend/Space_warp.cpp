@@ -94,7 +94,7 @@ Eigen::MatrixXd kernels(const Points& points, const Points& controls, std::size_
   return result;
 }
 
-/// Numbers of samples of a part along an axis, and of all but its contacts.
+/// Numbers of samples of an unmatched part along each axis of its chart, and in all, without its contacts.
 constexpr int steps = 3, lattice = steps * steps * steps;
 
 Points mapped(const Eigen::Matrix<double, 3, 4>& affine, const Points& points)
@@ -102,7 +102,8 @@ Points mapped(const Eigen::Matrix<double, 3, 4>& affine, const Points& points)
   return (affine.leftCols<3>() * points).colwise() + affine.col(3);
 }
 
-/// The map that keeps right angles between axes, of which the first ones go where the linear map takes them.
+/// The linear map without shear: it takes the first axis, and the plane of the first two, to where `linear` takes them,
+/// and keeps the right angles between the axes.
 Eigen::Matrix3d without_shear(const Eigen::Matrix3d& linear, const Eigen::Matrix3d& axes)
 {
   const Eigen::HouseholderQR<Eigen::Matrix3d> qr(linear * axes); // turned axes and, on the diagonal, their lengths
@@ -245,7 +246,7 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
                                  const Points& ways)
     : axes_(chart.axes()), samples_(3, lattice + contacts.cols()), stands_(stands)
 {
-  constexpr double most = 0.015; // distance from where the warp takes a contact, over the height
+  constexpr double most = 0.015; // largest distance of a contact from where the warp takes it, over the height
   const auto coordinate = [](int i) { return 2. * (i % steps) / (steps - 1) - 1; };
   for (int i = 0; i < lattice; ++i)
     samples_.col(i) = chart({coordinate(i / steps / steps), coordinate(i / steps), coordinate(i)});
@@ -260,7 +261,7 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
   if (kind_ == Kind::TURN && is_off()) kind_ = Kind::FREE;
 }
 
-/// The map of the kind that is next to the warp at the samples. Contacts are met before the lattice is; a foot on the
+/// The map of the kind that is nearest to the warp at the samples. Contacts weigh more than the lattice; a foot on the
 /// ground may slide on it.
 Straight_motion::Affine Straight_motion::fitted(const Space_warp& warp, const Points& ways) const
 {

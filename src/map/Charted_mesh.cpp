@@ -31,7 +31,7 @@ Eigen::Vector3d barycentric(const Point& p, const contacts::Triangle& t)
   return {1 - a - b, a, b};
 }
 
-constexpr double facing = 0.5; // cosine; the angle between a normal and the nearest of the six directions is smaller
+constexpr double facing = 0.5; // least cosine of a normal and a direction that it faces; each faces one of the six
 
 /// The six coordinate directions of a chart, positive ones first of each pair.
 Point direction(std::size_t side) { return (side % 2 ? -1. : 1.) * Point::Unit(Eigen::Index(side / 2)); }

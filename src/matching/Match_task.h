@@ -152,8 +152,7 @@ std::optional<Role_votes_of_pair> votes_of(const Match_task& task, const Pair_ca
 Part_match_result matched_parts(const Match_task& task, const Deadline& limit);
 // Removes pairs of confidence below `Search_options::min_confidence`.
 Part_match_result without_unsure(Part_match_result found, const Search_options& options);
-// The correspondence, with the energy of deforming the source into all counterparts, or only the likeliest to save
-// time.
+// The correspondence, with the energy of deforming the source into all counterparts, or the likeliest to save time.
 Correspondence rated(const Shared_shape& source, const Part_match_result& found, const Search_options& options,
                      const Deadline& limit);
 std::array<Correspondence, 2> both_orders(const Match_task& task);
