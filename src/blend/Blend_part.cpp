@@ -109,7 +109,7 @@ std::set<std::array<std::size_t, 2>> contacts_at(int end, const Blend_stage& sta
 /// that changes less. Two parts may separate if they are apart at the other end, and each touches a part at both ends.
 Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  constexpr double widest = 0.05; // ratio of the gap to the height
+  constexpr double widest = 0.05; // widest gap of parts that count as in contact, over the height
   const auto come_off = [&](std::size_t a, std::size_t b) {
     for (double t : {0.25, 0.5, 0.75})
       if (!tree_at(parts[a], t).is_within(tree_at(parts[b], t), widest * widest)) return true;

@@ -67,7 +67,7 @@ Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::
 
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees)
 {
-  constexpr Eigen::Index samples = 24; // number of points of a surface
+  constexpr Eigen::Index samples = 24; // number of points taken of each surface, at most
   double sum = 0;
   Eigen::Index count = 0;
   std::size_t last = 0; // tree nearest to the last point, tried first, since it is probably nearest to the next one

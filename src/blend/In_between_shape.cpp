@@ -61,7 +61,7 @@ Blend_quality In_between_shape::quality() const
   return result;
 }
 
-/// The points of an unmatched part as far as it has grown, where it is at its end.
+/// The points of an unmatched part as far as it has grown, at its place in the shape of its end.
 Points In_between_shape::grown(std::size_t part, const std::vector<Blend_task>& tasks)
 {
   constexpr double least_remaining = 1e-6; // share below which a part counts as gone, since its surface has no area

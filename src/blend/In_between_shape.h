@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// warps of the ends. Then the whole is stretched vertically to stand with the interpolated height.
 struct In_between_shape
 {
-  /// \param tasks empty: all parts of both ends are present in full size
+  /// \param tasks the tasks with their times; if empty, all parts of both ends are present in full size
   In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t);
 
   const Blend_structure& blend;

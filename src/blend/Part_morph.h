@@ -21,7 +21,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// \param own_axes rotations to the axes of the surfaces
 /// \param much ratio of volumes below which a box is much smaller
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
-                       double much = 0.45); // a square turned by 45 degrees is above it
+                       double much = 0.45); // less than 1/2, the ratio of a square turned by 45 degrees
 
 /// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
@@ -47,8 +47,8 @@ public:
   /// Root mean square distance of either surface from the other when one replaces the other, over its diagonal: the
   /// larger of the two.
   double misfit() const { return misfit_; }
-  /// Root mean square change of the edges of either surface until then, over their lengths, due to bending: the larger
-  /// of the two. 0 without bending.
+  /// Root mean square change of the edges of either surface by bending, until one replaces the other, over their
+  /// lengths: the larger of the two; 0 without bending.
   double strain() const { return strain_; }
   /// Misfit plus weighted strain, by which morphs are compared: 0 if surfaces keep their shapes and fit each other.
   double effort() const
@@ -74,7 +74,7 @@ private:
   void add(std::size_t end, const Part_mesh& mesh);
   contacts::Triangle_tree tree_at_change(std::size_t surface) const;
 
-  // Members by end
+  // Arrays indexed by end: 0 is the source, 1 the target
   std::array<Part_chart, 2> charts_;
   std::array<Chart_outline, 2> outlines_;
   std::vector<Moving_surface> surfaces_; ///< empty if the strain is too large

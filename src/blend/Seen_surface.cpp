@@ -55,7 +55,7 @@ Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
 
 double widest_gap(const Tree_pointers& surfaces, double enough)
 {
-  // (quantized length, whether it is a bound, the two surfaces, length)
+  // An edge of the tree: quantized length, whether this is a lower bound, the two surfaces, length
   using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
   Disjoint_sets components(surfaces.size());

@@ -117,7 +117,7 @@ Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& 
                        int end)
     : end_(end), box_(stage.boxes[std::size_t(end)]), cells_(lattice_cells(box_))
 {
-  // Smoothing over the height: the ground is held firmly, the rest softly
+  // Smoothing of control points, over the height: the ground is held firmly, the rest softly
   constexpr double on_ground = 0.02, elsewhere = 0.3;
   add_box(stage.boxes, 2, Point::Constant(elsewhere)); // includes the centre of the ground
   for (Control& control : controls_)
@@ -169,7 +169,7 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
 /// Adds points of matched parts and, so that the warp between symmetric shapes is symmetric, their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  // Numbers of points: their limits bound the time for hundreds of parts
+  // Numbers of points: of all parts together, least and most of a part, limit for all, which bounds time and memory
   constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000;
   const auto end = std::size_t(end_);
   const Eigen::Index matched =

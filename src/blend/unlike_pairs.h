@@ -40,7 +40,7 @@ struct Difference
 
   double change;  ///< sum of the absolute log ratios of the extents
   double stretch; ///< absolute log ratio of the longest extents
-  double way;     ///< displacement of the centre, within the boxes of the shapes
+  double way;     ///< displacement of the centre relative to the shapes' bounding boxes
   double size;    ///< longest extent of both
   double whole;   ///< mean diagonal of the shapes
 };

@@ -63,7 +63,7 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
   return (correspondence.energy + charged) / double(std::max<std::size_t>(1, counted));
 }
 
-namespace internal { // for lambdas of public templates
+namespace internal { // not anonymous, since lambdas of public templates use it
 
 /// Reports finished work to a callback, one call at a time, and records whether the callback ended the work.
 class Shared_progress

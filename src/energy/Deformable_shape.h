@@ -24,7 +24,7 @@ public:
   /// The structural rods of a contact. Each sample of a part is used as often as its `repeats` say: `samples_per_side`
   /// times if a curve becomes a sheet, else once.
   const Structural_rods& rods(std::size_t contact, int first_repeats, int second_repeats) const;
-  /// The least distance between the samples of two parts.
+  /// The matrix of the least distances between the samples of every two parts.
   const Eigen::MatrixXd& part_distances() const;
 
   /// A copy in which every part is a group.

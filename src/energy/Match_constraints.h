@@ -22,7 +22,7 @@ class Match_constraints
 public:
   Match_constraints() = default;
 
-  /// \throw Invalid_input if a pinned part is not in its aligned shape, or a pair is both pinned and forbidden
+  /// Reads `options`. \throw Invalid_input if a pinned part is not in its aligned shape, or a pinned pair is forbidden
   Match_constraints(const Aligned_shape& source, const Aligned_shape& target, const Energy_options& options);
 
   bool empty() const { return pinned_.empty(); }

@@ -36,7 +36,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// \throw Too_large if `bytes` are more than `most_bytes_of_tables`
+/// Checks the size of tables. \throw Too_large if `bytes` are more than `most_bytes_of_tables`
 void check_bytes_of_tables(double bytes);
 
 /// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. A part that
@@ -73,7 +73,7 @@ public:
 
   /// E of Eq. 1 of complete assignments of labels to groups.
   const Pairwise_energy& energy() const { return energy_; }
-  /// The terms of E.
+  /// The terms of E of a complete assignment.
   Energy_terms terms(const Assignment& assignment) const;
   /// The terms of E of a partial assignment. \param contacts energies of all contacts; 0 for those of unmatched groups
   Energy_terms terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const;

@@ -18,7 +18,7 @@ class Chart_outline
 public:
   /// The unit circle in every section: coordinates relative to it are the coordinates in the chart.
   Chart_outline();
-  /// \param coordinates points of a surface, in chart coordinates
+  /// The outline of a surface. \param coordinates its points, in chart coordinates
   Chart_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles);
 
   /// Converts chart coordinates to coordinates relative to the outline; `absolute()` is the inverse.

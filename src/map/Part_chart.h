@@ -43,7 +43,7 @@ public:
   /// The chart with its spine in the middle of the surface everywhere, which separates the two sides of a thin and bent
   /// part; unchanged if that is not narrower. \param surface points that cover the surface as densely as the stations
   Part_chart centred(const Points& surface) const;
-  /// The chart of the box from `low` to `high`, in coordinates.
+  /// The chart of the box from `low` to `high`, which are given in coordinates of this chart.
   Part_chart restricted(const Point& low, const Point& high) const;
   /// The chart in rotated coordinates k: those of this chart are `turn` * k.
   /// \pre `turn` is a rotation of the cube that keeps the direction of a curve or the normal of a sheet, up to sign

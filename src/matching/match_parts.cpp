@@ -169,7 +169,7 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Completes blocks to all pairs, where the numbers of parts differ, or panels do not pair one to one.
+// Adds all pairs of a block if its numbers of parts of both shapes differ, or its panels do not pair one to one.
 void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
                      const Shape_features& source, const Shape_features& target, const Part_matching_options& options,
                      Match_matrix& pairs)

@@ -30,7 +30,7 @@ constexpr std::size_t patience = 1u << 16;
 constexpr std::size_t table_growth = 16;         // factor by which the tables are enlarged
 constexpr std::size_t largest_tables = 1u << 20; // largest number of entries of a table
 
-// The energy, after checks of its sizes and indices.
+// Checks the sizes and indices of an energy, and returns it.
 const Pairwise_energy& checked(const Pairwise_energy& energy)
 {
   const std::size_t n = energy.number_of_variables();

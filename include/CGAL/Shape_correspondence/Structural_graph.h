@@ -39,7 +39,7 @@ struct Symmetry
 {
   Symmetry_type type = Symmetry_type::NONE; ///< kind of the symmetry
   Point point{0, 0, 0};                     ///< point on the mirror plane or the rotation axis
-  Point direction{0, 0, 0}; ///< unit normal of the plane; unit axis; the translation from member to member
+  Point direction{0, 0, 0}; ///< by type: unit normal of the plane, unit axis, or translation from member to member
   int order = 1;            ///< order n of an n-fold rotation
   double residual = 0;      ///< mean distance of members from their images, over the height of the shape
 };

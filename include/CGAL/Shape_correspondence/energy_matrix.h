@@ -43,7 +43,7 @@ struct Energy_matrix_options
 struct Rated_map
 {
   double energy = std::numeric_limits<double>::quiet_NaN(); ///< see `distance_energy()`; NaN: not computed
-  Part_map map;                                             ///< source to target
+  Part_map map;                                             ///< part map from the source to the target
 };
 
 /// \ingroup PkgShapeCorrespondenceSets
