@@ -14,8 +14,8 @@ namespace CGAL::Shape_correspondence::internal {
 class Growth
 {
 public:
-  /// \param chart the chart of the part
-  /// \param holds where it is held, at least one place
+  /// \param chart the chart of the part \param points its vertices
+  /// \param holds the places where it is held, at least one
   Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& holds);
 
   /// The points when a share, in [0, 1], of the part has grown.

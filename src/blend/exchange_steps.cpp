@@ -109,7 +109,7 @@ public:
     for (std::size_t i = 0; i < result.size(); ++i)
       if (is_exchanged(i)) result[i].step = is_there[i] != old_[i] ? Exchange_step::FIRST : Exchange_step::SECOND;
     for (Exchange_step step : {Exchange_step::FIRST, Exchange_step::SECOND}) {
-      std::vector<std::size_t> places; // in which something changes in this step, from the ground up
+      std::vector<std::size_t> places; // the places where parts change in this step, from the ground up
       for (const Parts& group : exchanged_)
         if (const std::size_t part = group.find_first(); result[part].step == step)
           if (std::find(places.begin(), places.end(), places_[part]) == places.end()) places.push_back(places_[part]);

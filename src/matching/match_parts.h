@@ -23,7 +23,7 @@ struct Part_matching
   std::vector<Part_correspondence> pairs; ///< sorted by source, then target; indices of parts of the aligned shapes
   Eigen::MatrixXd costs;         ///< `part_costs()`: source part × target part, by index of the aligned shapes
   bool upside_down = false;      ///< whether one shape was turned over, such as a lamp that hangs from a chain
-  Eigen::MatrixXd probabilities; ///< of all pairs: source part × target part; empty without roles
+  Eigen::MatrixXd probabilities; ///< of every pair: source part × target part; empty without roles
   Eigen::MatrixXd evidence;      ///< `evidence_of_features()`
 };
 

@@ -65,8 +65,8 @@ struct Correspondence
   /// of every part of the deformed shape, with the segments of cut curves. Matching by parts pairs sets of parts, every
   /// part of one set with every part of the other, and gives confidences.
   std::vector<Part_correspondence> pairs;
-  std::vector<Group_match> groups;           ///< indexed by group of the deformed shape
-  std::vector<Contact_energy> contacts;      ///< indexed by contact of the deformed shape
+  std::vector<Group_match> groups;           ///< one for each group of the deformed shape, sorted by parts
+  std::vector<Contact_energy> contacts;      ///< one for each contact of the deformed shape, sorted by parts
   std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
   /// Deformation energy, E of Eq. 1. After a search, each piece of a sheet that splits or merges is deformed by itself;

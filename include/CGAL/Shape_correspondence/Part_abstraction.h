@@ -74,7 +74,7 @@ struct Abstraction_report
     NONE,  ///< nothing was changed
     SOUP,  ///< double and degenerate triangles were removed, others oriented
     HOLES, ///< holes were filled
-    WRAP   ///< it was wrapped (`CGAL::alpha_wrap_3()`)
+    WRAP   ///< the surface was wrapped (`CGAL::alpha_wrap_3()`)
   };
 
   Method method = Method::GIVEN; ///< object to which the curve or sheet was fitted

@@ -28,8 +28,8 @@ namespace CGAL::Shape_correspondence {
 enum class Symmetry_type {
   NONE,       ///< a single part without a mirror plane of its own
   SELF,       ///< a single part that is its own mirror image
-  REFLECTION, ///< parts that are images under reflection in a plane
-  ROTATION,   ///< parts that are images under rotation about an axis
+  REFLECTION, ///< parts that a reflection in a plane maps to each other
+  ROTATION,   ///< parts that rotations about an axis map to each other
   TRANSLATION ///< parts in a row
 };
 

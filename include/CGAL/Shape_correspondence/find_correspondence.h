@@ -56,7 +56,7 @@ private:
 /// A label transferred from a part of the source to a part of a target.
 struct Transferred_label
 {
-  Part_label label;      ///< empty if the part is excluded from the match
+  Part_label label;      ///< label of the source part; empty if the target part is excluded
   double confidence = 0; ///< probability that the two parts correspond; 0: the source part of least cost was used
 };
 

@@ -36,10 +36,10 @@ enum class Part_splitting {
 struct Part_splitting_options
 {
   Part_splitting mode = Part_splitting::AUTO; ///< how parts are made
-  double layer_distance = 0.015;     ///< largest distance of all points of a piece from another piece that it lies on
-  double small_size = 0.04;          ///< largest size of pieces that join a piece in contact
+  double layer_distance = 0.015;     ///< a piece lies on another one if all of its points are within this distance
+  double small_size = 0.04;          ///< size below which a piece joins a larger one in contact with it
   double touching_distance = 0.005;  ///< largest gap of pieces in contact
-  std::size_t most_parts = 100;      ///< largest number of parts of an object; an object with more stays whole
+  std::size_t most_parts = 100;      ///< largest number of parts of one of several objects; with more it stays whole
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
   /// Index of the material by object and triangle. Empty: a single material.
   std::vector<std::vector<int>> materials;
@@ -67,7 +67,7 @@ struct Model_piece
 struct Part_split
 {
   Segmented_shape shape;              ///< the parts
-  std::vector<Model_piece> pieces;    ///< sorted by object, then by their first triangles
+  std::vector<Model_piece> pieces;    ///< sorted by object, then by place along a direction of the frame
   std::vector<std::string> decisions; ///< for every object: the result, and its reason
   bool by_segments = false;           ///< whether pieces are segments
   bool is_found = false;              ///< whether parts were found by their similarity to labelled parts

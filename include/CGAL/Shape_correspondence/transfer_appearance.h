@@ -28,7 +28,7 @@ namespace CGAL::Shape_correspondence {
 struct Transfer_options
 {
   int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
-  int margin = 4;  ///< pixels by which the colours of a chart are extended past its border, at least 1, at most 64
+  int margin = 4;  ///< width, in pixels, by which the colours of a chart extend past its border, from 1 to 64
   int samples = 2; ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
   bool new_coordinates = false; ///< whether to compute new texture coordinates even if those of the target are usable
   Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of parts without appearance
@@ -58,7 +58,7 @@ struct Transferred_part
 /// The result of `transfer_appearance()` and `transfer_labels()`.
 struct Transferred_appearance
 {
-  Shape_appearance appearance; ///< appearance of the target: one material with one texture, which is only decoded
+  Shape_appearance appearance; ///< appearance of the target: one material with one texture, without `Texture::bytes`
   std::vector<Transferred_part> parts; ///< indexed by target part
   bool has_given_coordinates = false;  ///< whether the texture coordinates are those of the target
 };
