@@ -27,9 +27,9 @@ struct Part_cost_weights
 {
   /// Share of the smaller bounding box that lies outside of the other one.
   double overlap = 2;
-  /// Absolute log ratio of the sides of the bounding boxes, summed over the axes.
+  /// |log(ratio of the sides of the bounding boxes)|, summed over the axes.
   double extent = 0.7;
-  /// 1 if only one of the parts stands on the ground, but 1/2 if one of them is an upright board.
+  /// Cost if only one of the parts stands on the ground; half of it if one of them is an upright board.
   double ground = 1.5;
   /// Horizontal distance of the centres of the bounding boxes, summed over the two axes.
   double place = 3.2;
@@ -61,13 +61,13 @@ struct Part_matching_options : Role_options
   /// Limit for c - c1 + c - c2, where c is the cost of a matched pair, and c1, c2 are the least costs of its two parts,
   /// one of which must be c. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
-  /// Limit like `excess` for the pairs that decide which sets of parts correspond.
+  /// Limit for the same sum of differences as `excess`, for the pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;
   /// Least share of the top view that a seat or table top covers; also its largest thickness over its shorter side.
   double main_surface = 0.3;
   /// Largest thickness of a board that belongs to a side of the shape, and its largest distance from that side.
   double side_depth = 0.1;
-  /// Width above which a part on the ground is a wall rather than a leg.
+  /// Length: largest width of a part on the ground that is a leg rather than a wall.
   double wall_width = 0.7;
   /// Least number of parts of a regular arrangement, at least 2.
   std::size_t repetition = 3;

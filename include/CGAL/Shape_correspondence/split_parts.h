@@ -37,7 +37,7 @@ struct Part_splitting_options
 {
   Part_splitting mode = Part_splitting::AUTO; ///< how parts are made
   double layer_distance = 0.015;     ///< a piece lies on another one if all of its points are within this distance
-  double small_size = 0.04;          ///< size below which a piece joins a larger one in contact with it
+  double small_size = 0.04;          ///< largest size of a piece that joins a larger one in contact with it
   double touching_distance = 0.005;  ///< largest gap of pieces in contact
   std::size_t most_parts = 100;      ///< largest number of parts of one of several objects; with more it stays whole
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece

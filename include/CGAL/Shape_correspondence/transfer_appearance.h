@@ -27,9 +27,9 @@ namespace CGAL::Shape_correspondence {
 /// Options of `transfer_appearance()` and `transfer_labels()`.
 struct Transfer_options
 {
-  int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
-  int margin = 4;  ///< width, in pixels, by which the colours of a chart extend past its border, from 1 to 64
-  int samples = 2; ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
+  int size = 1024;              ///< width and height of the texture in pixels, at least 16, at most 8192
+  int margin = 4;               ///< number of pixels by which colours extend past the border of a chart, from 1 to 64
+  int samples = 2;              ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
   bool new_coordinates = false; ///< whether to compute new texture coordinates even if those of the target are usable
   Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of parts without appearance
 };
