@@ -169,7 +169,7 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
 /// Adds points of matched parts and, so that the warp between symmetric shapes is symmetric, their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  // Numbers of points: of all parts together, least and most of a part, limit for all, which bounds time and memory
+  // Numbers of points: of all parts together, least and most of a part, limit for all, which bounds the time
   constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000;
   const auto end = std::size_t(end_);
   const Eigen::Index matched =
