@@ -24,7 +24,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The task of one of the pairs. \param corresponds whether the parts correspond; otherwise they are exchanged
+/// The task of one of all pairs. \param corresponds whether the parts correspond; otherwise they are exchanged
 Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, bool corresponds)
 {
   const auto uses = [&](std::size_t Piece_pair::*part) {
@@ -42,7 +42,7 @@ Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, b
 std::vector<std::vector<Pair_charts>> likely_charts(const Blend_stage& stage, const Piece_pair& pair,
                                                     const Part_mesh& source, const Part_mesh& target)
 {
-  constexpr double any = 10; // ratio of volumes of boxes; by this one, own axes are always taken
+  constexpr double any = 10; // ratio of volumes (`pair_boxes()`), so large that own axes are always taken
   const auto& [from, to] = stage.charted;
   const std::array<Eigen::Matrix3d, 2> own = {from.charts[pair.source].axes(), to.charts[pair.target].axes()};
   std::vector<std::vector<Pair_charts>> result;
@@ -67,7 +67,7 @@ std::vector<std::vector<Pair_charts>> likely_charts(const Blend_stage& stage, co
   return result;
 }
 
-/// The part for a pair; without a morph if there is none between its surfaces or pieces of them.
+/// The part of the blend for a pair of parts or pieces; without a morph if none between them is faithful.
 Blend_part matched_part(const Blend_stage& stage, const Piece_pair& pair)
 {
   const auto& [from, to] = stage.charted;
@@ -105,11 +105,11 @@ std::set<std::array<std::size_t, 2>> contacts_at(int end, const Blend_stage& sta
   return result;
 }
 
-/// Parts that change more than little and on the way come off another one with which they are in contact, unless they
-/// have parted at the other end, where others hold both: of both, the one that changes more.
+/// The pairs whose part changes more than little and during the blend comes off a part that it touches at an end and
+/// that changes less. Two parts may separate if they are apart at the other end, and each touches a part at both ends.
 Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  constexpr double widest = 0.05; // ratio of the gap to the height
+  constexpr double widest = 0.05; // widest gap of parts that count as in contact, over the height
   const auto come_off = [&](std::size_t a, std::size_t b) {
     for (double t : {0.25, 0.5, 0.75})
       if (!tree_at(parts[a], t).is_within(tree_at(parts[b], t), widest * widest)) return true;

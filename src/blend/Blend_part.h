@@ -43,7 +43,7 @@ struct Blend_part
 
   const Eigen::Matrix3Xi& triangles(int surface) const { return morph ? morph->triangles(surface) : mesh.triangles; }
   int number_of_surfaces() const { return morph ? 2 : 1; }
-  /// \param progress time of the morph in [0, 1]; ignored for unmatched parts
+  /// The points of a surface. \param progress time of the morph in [0, 1]; ignored for unmatched parts
   Points points(int surface, double progress) const { return morph ? morph->points(surface, progress) : mesh.points; }
 
   /// The surface of the part at an end, and its points there. \pre the end has the part
@@ -51,7 +51,7 @@ struct Blend_part
   Points end_points(int at_end) const { return points(end_surface(at_end), at_end); }
   const contacts::Triangle_tree& end_tree(int at_end) const { return trees[std::size_t(end_surface(at_end))]; }
 
-  /// Sets the members derived from the surfaces: trees and size.
+  /// Sets the members that are derived from the surfaces: `trees` and `size`.
   void set_ends();
 };
 

@@ -67,10 +67,10 @@ Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::
 
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees)
 {
-  constexpr Eigen::Index samples = 24; // number of points of a surface
+  constexpr Eigen::Index samples = 24; // number of points taken of each surface, at most
   double sum = 0;
   Eigen::Index count = 0;
-  std::size_t last = 0; // tried first, since the surface nearest to a point is probably nearest to the next one
+  std::size_t last = 0; // tree nearest to the last point, tried first, since it is probably nearest to the next one
   for (const Points* points : surfaces) {
     const Eigen::Index n = std::min(points->cols(), samples);
     count += n;

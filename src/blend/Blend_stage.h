@@ -47,7 +47,7 @@ struct Blend_stage
   std::array<contacts::Box, 2> boxes;  ///< bounding boxes of the shapes
   std::array<double, 2> widest_gap;    ///< largest gap that has to be bridged to join all parts, see `widest_gap()`
   std::array<double, 2> heights;       ///< heights of the shapes in the world
-  /// The shapes as given, but scaled to these heights and rotated to the axes of the source.
+  /// The shapes as given, but scaled to `heights` and rotated to the axes of the source.
   std::array<Segmented_shape, 2> shapes;
 
   /// Adds the pair of mirror images of every pair whose two parts have mirror images.

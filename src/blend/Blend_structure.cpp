@@ -12,7 +12,7 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The pairs of parts whose given parts are in contact according to the graphs; of pieces, only those that are near.
+/// The pairs of parts that stem from parts in contact in one of the graphs; of pieces, those within the tolerance.
 std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_part>& parts, double tolerance)
 {
   std::set<Touch> found; // the smaller index first
@@ -31,7 +31,7 @@ std::vector<Touch> touches_of(const Blend_stage& stage, const std::vector<Blend_
 
 bool stands(const Blend_part& part) { return part.trees[0].box().min().y() <= Blend_part::on_ground; }
 
-/// The mean of the lowest points.
+/// The mean of the lowest points: the place where a part stands.
 Point foot_of(const Points& points)
 {
   const double lowest = points.row(1).minCoeff() + Blend_part::on_ground;
@@ -41,7 +41,7 @@ Point foot_of(const Points& points)
   return sum.hnormalized();
 }
 
-/// Whether others are carried by the part, and not it by them.
+/// Whether the part carries those that it touches, rather than being carried by them.
 bool carries(const Blend_part& part)
 {
   return part.is_matched() || part.task.obstacle != Blend_obstacle::NONE || stands(part);

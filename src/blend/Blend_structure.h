@@ -31,8 +31,8 @@ public:
   Part_pairs unlike;             ///< pairs of the given parts that correspond but do not morph
   std::vector<Touch> touches;
   std::vector<std::optional<Growth>> growths; ///< for each part, defined if it is unmatched
-  /// For each part, the number of parts between it and what carries it: what morphs, is exchanged, or stands on the
-  /// ground.
+  /// For each part, the least number of contacts from it to a part that carries others, since it morphs, corresponds
+  /// without morphing, or stands on the ground: 0 for such a part, and 1 for one that is connected to none.
   std::vector<int> depths;
   std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts
   /// For each part, how it follows the warp of its end; defined if it is unmatched.

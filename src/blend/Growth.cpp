@@ -16,8 +16,8 @@ namespace CGAL::Shape_correspondence::internal {
 Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& holds)
     : chart_(chart), points_(points), coordinates_(3, points.cols()), offsets_(3, points.cols())
 {
-  constexpr double near = 0.25; // distance along the axis, in coordinates, of places of which one stays
-  // Half extent, over the height and over that along the axis, up to which the line is in the middle of the part
+  constexpr double near = 0.25; // distance along the axis, in coordinates, up to which two places become one
+  // Half extents, over the height and over that along the axis, up to which the line runs in the middle of the part
   constexpr double thin = 0.03, slender = 0.2;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Point k = chart.coordinates(points.col(i));
@@ -48,7 +48,7 @@ Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<
     else if (key(station) < key(stations_.back()))
       stations_.back() = station;
     else if (!(key(stations_.back()) < key(station)))
-      stations_.back() = (stations_.back() + station) / 2; // mirror images
+      stations_.back() = (stations_.back() + station) / 2; // the two are mirror images
 }
 
 /// The place on the line from which the points at a coordinate along the axis grow.

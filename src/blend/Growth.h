@@ -14,11 +14,11 @@ namespace CGAL::Shape_correspondence::internal {
 class Growth
 {
 public:
-  /// \param chart the chart of the part
-  /// \param holds where it is held, at least one place
+  /// \param chart the chart of the part \param points its vertices
+  /// \param holds the places where it is held, at least one
   Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& holds);
 
-  /// The points when a share, in [0, 1], has grown.
+  /// The points when a share, in [0, 1], of the part has grown.
   Points points(double share) const;
 
 private:
@@ -26,7 +26,7 @@ private:
 
   Part_chart chart_;
   Points points_;
-  Points coordinates_, offsets_; ///< in the chart, and from there to the points in the chart's frames
+  Points coordinates_, offsets_; ///< of the points, see `Charted_mesh`
   int axis_ = 0;                 ///< coordinate along which the places are farthest apart
   std::vector<Point> stations_;  ///< coordinates of the line's ends and bends, sorted along the axis
 };

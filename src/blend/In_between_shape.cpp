@@ -61,12 +61,12 @@ Blend_quality In_between_shape::quality() const
   return result;
 }
 
-/// The points of an unmatched part as far as it has grown, where it is at its end.
+/// The points of an unmatched part as far as it has grown, at its place in the shape of its end.
 Points In_between_shape::grown(std::size_t part, const std::vector<Blend_task>& tasks)
 {
   constexpr double least_remaining = 1e-6; // share below which a part counts as gone, since its surface has no area
   const int end = blend.parts[part].end();
-  // Old parts have not begun to shrink, new ones have finished growing
+  // Without tasks, old parts have not begun to shrink, and new ones have finished growing
   const double done = tasks.empty() ? end : share_done(tasks[part], time), share = end == 0 ? 1 - done : done;
   if (share > least_remaining) surfaces[part] = 0;
   return blend.growths[part]->points(share);

@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// warps of the ends. Then the whole is stretched vertically to stand with the interpolated height.
 struct In_between_shape
 {
-  /// \param tasks empty: all parts of both ends are present in full size
+  /// \param tasks the tasks with their times; if empty, all parts of both ends are present in full size
   In_between_shape(const Blend_structure& blend, const std::vector<Blend_task>& tasks, double t);
 
   const Blend_structure& blend;
@@ -32,7 +32,7 @@ struct In_between_shape
   }
   /// The points of a surface of a part at this time, even if it is not the present one.
   Points points_of(std::size_t part, int surface) const;
-  /// The parts that are present.
+  /// The surfaces of the parts that are present.
   std::vector<Seen_surface> seen() const;
   Blend_quality quality() const;
 

@@ -78,7 +78,7 @@ std::array<double, 3> covered_shares(const Points& points, const Eigen::Matrix3X
   return result;
 }
 
-constexpr double most_effort = 0.035; // effort above which a part is exchanged
+constexpr double most_effort = 0.035; // `Part_morph::effort()` above which parts do not morph, but are exchanged
 
 } // namespace
 
@@ -102,7 +102,7 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends)
     : charts_{charts.source, charts.target}
 {
-  constexpr double fine = 0.3; // length of edges in coordinates, of meshes that have outlines
+  constexpr double fine = 0.3; // longest edge, in coordinates, of meshes from which outlines are computed
   constexpr int samples = 400;
   const std::array<const Part_mesh*, 2> meshes = {&source, &target};
   if (bends) {
@@ -128,11 +128,11 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
   }
 }
 
-/// The strain of a surface, without what is linear in its cross-sections and along the axis: moved, stretched, sheared
-/// and tapered parts stay straight.
+/// The strain of a surface, without that part of its motion which is linear in its cross-sections and along the axis:
+/// moved, stretched, sheared and tapered parts stay straight.
 double Part_morph::strain_of(std::size_t end, const Charted_mesh& mesh) const
 {
-  constexpr double flat = 1e-6; // keeps the equations of flat parts solvable
+  constexpr double flat = 1e-6; // relative, added to the diagonal, so that the equations of flat parts are solvable
   const Point half = Part_chart::between(charts_[0], charts_[1], change).half_extents();
   const Chart_outline outline = Chart_outline::between(outlines_[0], outlines_[1], change);
   const Points before = half.asDiagonal() * mesh.coordinates;
@@ -170,7 +170,7 @@ double Part_morph::strain_of(std::size_t end, const Charted_mesh& mesh) const
 /// Adds the surface of an end, subdivided until its edges stay nearly straight on the way to the other end.
 void Part_morph::add(std::size_t end, const Part_mesh& mesh)
 {
-  constexpr double bent = 0.002; // distance of the middle of an edge from where it would be, over the diagonal
+  constexpr double bent = 0.002; // largest distance of an edge's middle from where it should be, over the diagonal
   constexpr std::size_t most_triangles = 20000;
   constexpr int most_rounds = 6;
   const Part_chart &chart = charts_[end], &other = charts_[1 - end];
@@ -224,7 +224,7 @@ void Part_morph::meet()
 
 bool Part_morph::is_faithful() const
 {
-  constexpr double unlike = 0.4; // share of the bounding rectangle, as of a hoop and a panel
+  constexpr double unlike = 0.4; // difference of shares of a bounding rectangle, as of a hoop and a panel
   if (effort() > most_effort) return false;
   const Eigen::Matrix3d axes = Part_chart::between(charts_[0], charts_[1], change).axes();
   const auto first = covered_shares(points(0, change), triangles(0), axes),

@@ -21,7 +21,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// \param own_axes rotations to the axes of the surfaces
 /// \param much ratio of volumes below which a box is much smaller
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
-                       double much = 0.45); // a square turned by 45 degrees is above it
+                       double much = 0.45); // less than 1/2, the ratio of a square turned by 45 degrees
 
 /// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
@@ -33,7 +33,7 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 class Part_morph
 {
 public:
-  /// \param charts the charts of both ends, of curves, along which the sections are
+  /// \param charts the charts of both ends, as of curves: cross-sections are perpendicular to the first coordinate
   Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends);
 
   static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
@@ -44,13 +44,13 @@ public:
   /// The points of a surface at time `t`, even if it is not the present one.
   Points points(int surface, double t) const;
 
-  /// Root mean square distance of the surfaces from each other when one replaces the other, over their diagonals: the
-  /// larger one.
+  /// Root mean square distance of either surface from the other when one replaces the other, over its diagonal: the
+  /// larger of the two.
   double misfit() const { return misfit_; }
-  /// Root mean square change of edges in the chart until then, over their lengths: the larger one. 0 if it does not
-  /// bend.
+  /// Root mean square change of the edges of either surface by bending, until one replaces the other, over their
+  /// lengths: the larger of the two; 0 without bending.
   double strain() const { return strain_; }
-  /// How far the morph is from one that keeps its shape and loses nothing.
+  /// Misfit plus weighted strain, by which morphs are compared: 0 if surfaces keep their shapes and fit each other.
   double effort() const
   {
     constexpr double of_strain = 0.15; // weight of the strain, over that of the misfit
@@ -65,16 +65,16 @@ private:
   struct Moving_surface
   {
     Eigen::Matrix3Xi triangles;
-    Points places;  ///< in the chart, relative to the outline
-    Points offsets; ///< from there to the surface at its end, in the frames of the chart
-    Points meets;   ///< likewise, from there to where the surfaces meet, at the change
+    Points places;  ///< chart coordinates of the vertices, relative to the outline
+    Points offsets; ///< vectors from the chart's points there to the vertices at the surface's end, in its frames
+    Points meets;   ///< vectors from the vertices to where the surfaces meet at the change, in the chart's frames
   };
 
   double strain_of(std::size_t end, const Charted_mesh& mesh) const;
   void add(std::size_t end, const Part_mesh& mesh);
   contacts::Triangle_tree tree_at_change(std::size_t surface) const;
 
-  // Members by end
+  // Arrays indexed by end: 0 is the source, 1 the target
   std::array<Part_chart, 2> charts_;
   std::array<Chart_outline, 2> outlines_;
   std::vector<Moving_surface> surfaces_; ///< empty if the strain is too large
@@ -82,7 +82,7 @@ private:
 };
 
 /// The morph of least effort in one of several pairs of charts; null if none is faithful.
-/// \param charts groups of straight ones, which differ by their first axis, or of one pair that may be bent
+/// \param charts groups of pairs: of straight charts, which differ by their first axis, or one pair of curves' charts
 std::shared_ptr<const Part_morph> best_morph(const std::vector<std::vector<Pair_charts>>& charts,
                                              const Part_mesh& source, const Part_mesh& target);
 

@@ -19,13 +19,13 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// Whether most rays from a point, along three axes, cross a surface, which may have holes, an odd number of times.
+/// Whether a point is inside a surface, which may have holes: most of six rays cross it an odd number of times.
 bool is_inside(const Point& p, const contacts::Triangle_tree& surface)
 {
   static const std::array<Point, 3> along = {Point(1, 0.0123, 0.0217), Point(0.0171, 1, 0.0119),
                                              Point(0.0223, 0.0137, 1)}; // oblique, since edges may follow the axes
   constexpr double least_depth = 0.005; // distance, over the height, below which a point is on the surface
-  constexpr int most = 5;               // number of rays, of six
+  constexpr int most = 5;               // least number of such rays
   if (!surface.box().contains(p)) return false;
   int votes = 0;
   for (const Point& way : along)
@@ -55,7 +55,7 @@ Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees)
 
 double widest_gap(const Tree_pointers& surfaces, double enough)
 {
-  // (quantized length, whether it is a bound, the two surfaces, length)
+  // An edge of the tree: quantized length, whether this is a lower bound, the two surfaces, length
   using Candidate = std::tuple<Steps, bool, std::size_t, std::size_t, double>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
   Disjoint_sets components(surfaces.size());

@@ -16,7 +16,7 @@ Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees);
 
 /// The widest gap that has to be bridged to join all surfaces: the longest edge of a minimum spanning tree of their
 /// distances, by Kruskal's algorithm. Distances are computed in the order of the distances of bounding boxes, which are
-/// lower bounds, until all surfaces are joined; these are seldom more than there are surfaces.
+/// lower bounds, until all surfaces are joined: seldom more distances than there are surfaces.
 /// \param enough gaps that are no wider count as this wide, which saves computing the distances of surfaces in contact
 double widest_gap(const Tree_pointers& surfaces, double enough = 0);
 

@@ -94,7 +94,7 @@ Eigen::MatrixXd kernels(const Points& points, const Points& controls, std::size_
   return result;
 }
 
-/// Numbers of samples of a part along an axis, and of all but its contacts.
+/// Numbers of samples of an unmatched part along each axis of its chart, and in all, without its contacts.
 constexpr int steps = 3, lattice = steps * steps * steps;
 
 Points mapped(const Eigen::Matrix<double, 3, 4>& affine, const Points& points)
@@ -102,7 +102,8 @@ Points mapped(const Eigen::Matrix<double, 3, 4>& affine, const Points& points)
   return (affine.leftCols<3>() * points).colwise() + affine.col(3);
 }
 
-/// The map that keeps right angles between axes, of which the first ones go where the linear map takes them.
+/// The linear map without shear: it takes the first axis, and the plane of the first two, to where `linear` takes them,
+/// and keeps the right angles between the axes.
 Eigen::Matrix3d without_shear(const Eigen::Matrix3d& linear, const Eigen::Matrix3d& axes)
 {
   const Eigen::HouseholderQR<Eigen::Matrix3d> qr(linear * axes); // turned axes and, on the diagonal, their lengths
@@ -116,7 +117,7 @@ Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& 
                        int end)
     : end_(end), box_(stage.boxes[std::size_t(end)]), cells_(lattice_cells(box_))
 {
-  // Smoothing over the height: the ground is held firmly, the rest softly
+  // Smoothing of control points, over the height: the ground is held firmly, the rest softly
   constexpr double on_ground = 0.02, elsewhere = 0.3;
   add_box(stage.boxes, 2, Point::Constant(elsewhere)); // includes the centre of the ground
   for (Control& control : controls_)
@@ -168,7 +169,7 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
 /// Adds points of matched parts and, so that the warp between symmetric shapes is symmetric, their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
-  // Numbers of points: their limits bound the time for hundreds of parts
+  // Numbers of points: of all parts together, least and most of a part, limit for all, which bounds the time
   constexpr Eigen::Index all = 400, least = 16, most = 48, too_many = 1000;
   const auto end = std::size_t(end_);
   const Eigen::Index matched =
@@ -245,7 +246,7 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
                                  const Points& ways)
     : axes_(chart.axes()), samples_(3, lattice + contacts.cols()), stands_(stands)
 {
-  constexpr double most = 0.015; // distance from where the warp takes a contact, over the height
+  constexpr double most = 0.015; // largest distance of a contact from where the warp takes it, over the height
   const auto coordinate = [](int i) { return 2. * (i % steps) / (steps - 1) - 1; };
   for (int i = 0; i < lattice; ++i)
     samples_.col(i) = chart({coordinate(i / steps / steps), coordinate(i / steps), coordinate(i)});
@@ -260,7 +261,7 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
   if (kind_ == Kind::TURN && is_off()) kind_ = Kind::FREE;
 }
 
-/// The map of the kind that is next to the warp at the samples. Contacts are met before the lattice is; a foot on the
+/// The map of the kind that is nearest to the warp at the samples. Contacts weigh more than the lattice; a foot on the
 /// ground may slide on it.
 Straight_motion::Affine Straight_motion::fitted(const Space_warp& warp, const Points& ways) const
 {

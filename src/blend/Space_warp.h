@@ -58,15 +58,15 @@ private:
   std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< indexed by axis
 };
 
-/// How an unmatched part follows a warp: by the simplest motion that keeps it at its contacts. What is straight or flat
-/// stays so but for the last one: it is stretched along the axes of the world, turned and stretched along its own
-/// axes, or bent as space is.
+/// How an unmatched part follows a warp: by the simplest of three motions that keep it at its contacts. It is stretched
+/// along the axes of the world; or turned, and stretched along its own axes; or bent as space is. Straight and flat
+/// parts stay so under the first two.
 class Straight_motion
 {
 public:
   /// \param contacts places of contacts of the part
   /// \param stands whether the last contact is its foot on the ground
-  /// \param ways of the warp, half-way of the blend
+  /// \param ways displacements of the warp's nodes half-way through the blend, which decide the kind of motion
   Straight_motion(const Part_chart& chart, const Points& contacts, bool stands, const Space_warp& warp,
                   const Points& ways);
 
@@ -79,7 +79,7 @@ private:
   Affine fitted(const Space_warp& warp, const Points& ways) const;
 
   Kind kind_ = Kind::STRETCH;
-  Eigen::Matrix3d axes_; ///< of the part
+  Eigen::Matrix3d axes_; ///< axes of the part's chart
   Points samples_;       ///< a lattice in the part's chart, then the contacts
   bool stands_;
 };

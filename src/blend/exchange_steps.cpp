@@ -63,7 +63,7 @@ double hidden(const Seen_surface& a, const Seen_surface& b)
   return share > most ? share : 0;
 }
 
-/// Distance, over the height, at which a part that was in contact counts as fully detached.
+/// Gap, over the height, from which on a part that was in contact counts as fully detached.
 constexpr double off = 0.04;
 
 /// An old part and a new part that occupy the same place.
@@ -109,7 +109,7 @@ public:
     for (std::size_t i = 0; i < result.size(); ++i)
       if (is_exchanged(i)) result[i].step = is_there[i] != old_[i] ? Exchange_step::FIRST : Exchange_step::SECOND;
     for (Exchange_step step : {Exchange_step::FIRST, Exchange_step::SECOND}) {
-      std::vector<std::size_t> places; // in which something changes in this step, from the ground up
+      std::vector<std::size_t> places; // the places where parts change in this step, from the ground up
       for (const Parts& group : exchanged_)
         if (const std::size_t part = group.find_first(); result[part].step == step)
           if (std::find(places.begin(), places.end(), places_[part]) == places.end()) places.push_back(places_[part]);
@@ -174,7 +174,7 @@ private:
       unite(groups_, part_of(0, s), part_of(1, t));
     const std::array<std::vector<std::size_t>, 2> symmetric = {group_of_parts(blend_.stage.graphs[0]),
                                                                group_of_parts(blend_.stage.graphs[1])};
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> unlike; // a part by end and symmetry group
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> unlike; // by end and symmetry group, the first such part
     std::optional<std::size_t> standing;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       if (is_matched(i)) continue;
@@ -346,7 +346,7 @@ private:
   double cost(const Parts& is_there, double limit = std::numeric_limits<double>::infinity()) const
   {
     constexpr double of_rivals = 2, of_holes = 3; // weights of rivalry and holes; the others have weight 1
-    constexpr double worth = 0.3;                 // gain for the share that changes in the smaller step
+    constexpr double worth = 0.3;                 // weight of the gain, the share that changes in the smaller step
     constexpr double least = 0.15;                // least share of the smaller step
     constexpr double too_little = 1000;           // cost above all others, of steps below this share
     double first = 0;                             // size of what changes in the first step
@@ -383,7 +383,7 @@ private:
   /// The best mixed shape, or `old_` if none is better than both ends.
   Parts best(const std::function<bool(double)>& progress) const
   {
-    constexpr std::size_t starts = 8; // number of starts of the search, from either end
+    constexpr std::size_t starts = 8; // one more than the number of starts of the search from either end
     const std::size_t count = exchanged_.size();
     if (count < 2) return old_;
     Parts result = old_;

@@ -10,7 +10,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// How a part changes: in the first or second step of an exchange, or (`NONE`) by morphing, appearing or vanishing.
+/// When a part changes: in the first or second step of an exchange, or (`NONE`) by morphing, growing or shrinking.
 enum class Exchange_step { NONE, FIRST, SECOND };
 
 /// A part's step of exchange, and the order in which the parts of a step change.

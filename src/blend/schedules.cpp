@@ -37,9 +37,9 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange>& exchanges,
                                     bool at_one_time)
 {
-  constexpr double middle = Part_morph::change, first = 0.36, second = 0.58; // of the exchanges
-  constexpr double spread = second - first, spread_of_step = 0.04; // times between the first and the last place
-  constexpr double vanishing = 0.15, vanished = 0.3, growing = 0.62, grown = 0.77;
+  constexpr double middle = Part_morph::change, first = 0.36, second = 0.58; // times of the exchanges
+  constexpr double spread = second - first, spread_of_step = 0.04; // durations from the first to the last place
+  constexpr double vanishing = 0.15, vanished = 0.3, growing = 0.62, grown = 0.77; // times of the other unmatched parts
   const auto is_first = [](const Exchange& exchange) { return exchange.step == Exchange_step::FIRST; };
   const bool has_steps = std::any_of(exchanges.begin(), exchanges.end(), is_first);
   const auto time_of = [&](const Exchange& exchange) {

@@ -37,7 +37,7 @@ Point relative_place(const contacts::Box& whole, const Point& p)
   return (p - whole.min()).cwiseQuotient(extents_of(whole));
 }
 
-/// The bounding box of a part in units of that of the shape, enlarged so that that of a plate has a volume.
+/// The bounding box of a part in units of the shape's bounding box, enlarged so that a plate's box has a volume.
 contacts::Box relative_box(const contacts::Box& whole, const Part_mesh& part)
 {
   constexpr double around = 0.03;
@@ -55,8 +55,8 @@ double shared_place(const Blend_stage& stage, std::size_t source, std::size_t ta
 
 void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs& paired)
 {
-  constexpr double same_place = 0.4; // least shared place of a pair
-  constexpr double nearly = 0.8;     // share of that from which another pair is a rival
+  constexpr double same_place = 0.4; // limit of `shared_place()`, which pairs must exceed
+  constexpr double nearly = 0.8;     // factor of a pair's shared place from which on another pair is a rival
   // Whether a part is in any pair
   std::vector<char> is_source(stage.meshes[0].size(), 0), is_target(stage.meshes[1].size(), 0);
   for (const Part_pairs* pairs : std::array<const Part_pairs*, 2>{&paired, &unlike.all})
@@ -66,7 +66,7 @@ void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pa
   for (std::size_t s = 0; s < is_source.size(); ++s)
     for (std::size_t t = 0; t < is_target.size(); ++t)
       if (!is_source[s] && !is_target[t]) leftover.emplace_back(s, t);
-  // Shared place of each similar pair
+  // Shared place of each pair with little difference; 0: no such pair
   Eigen::MatrixXd alike = Eigen::MatrixXd::Zero(is_source.size(), is_target.size());
   for (const auto& [s, t] : leftover) {
     const double shared = shared_place(stage, s, t);

@@ -17,32 +17,32 @@ struct Blend_stage;
 struct Unlike_pairs
 {
   Part_pairs all;
-  /// Those pairs, including leftover ones, without a morph between them or their pieces, and of these, those that would
-  /// come off what they touch.
+  /// `torn`: pairs, also of leftover parts, without a faithful morph, or whose part would come off what it touches;
+  /// `detached`: the latter ones.
   std::set<Part_pairs::value_type> torn, detached;
 };
 
 /// The change needed for a part, a piece, or the box around parts to become another. Lengths are over the height.
 struct Difference
 {
-  /// \param are_whole whether shares of the whole shape's extents are compared, too, taking the less different; not for
-  /// pieces
+  /// \param are_whole whether the charts are of whole parts: then extents relative to those of the shapes are compared,
+  /// too, and the smaller of both changes counts
   Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole = true);
 
   /// Whether the proportions change little.
   bool keeps_shape() const;
   /// Whether proportions and position change little, so that pieces of parts may morph.
   bool is_little() const;
-  /// Whether a whole part may morph to the other, if it stays in contact with others.
+  /// Whether the displacement is small enough for a whole part to morph, if it does not come off what it touches.
   bool is_possible() const;
-  /// Whether the position changes moderately.
+  /// Whether the position changes moderately, so that a `Space_warp` may follow the boxes.
   bool stays_near() const;
 
-  double change;  ///< sum of the log ratios of extents
-  double stretch; ///< log ratio of the longest extents
-  double way;     ///< displacement of the centre, within the boxes of the shapes
-  double size;    ///< longest extent
-  double whole;   ///< diagonal of the shapes
+  double change;  ///< sum of the absolute log ratios of the extents
+  double stretch; ///< absolute log ratio of the longest extents
+  double way;     ///< displacement of the centre relative to the shapes' bounding boxes
+  double size;    ///< longest extent of both
+  double whole;   ///< mean diagonal of the shapes
 };
 
 /// The pairs of parts that morph to each other:

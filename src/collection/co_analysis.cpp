@@ -100,11 +100,11 @@ private:
   }
 
   const std::vector<std::size_t>& first_;
-  std::vector<std::size_t> begins_, ends_; // ranges in `list_`, by part
+  std::vector<std::size_t> begins_, ends_; // for each part, the range of its counterparts in `list_`
   std::vector<Counterpart> list_;
 };
 
-// Of the third shapes in which both parts have counterparts, the share with a common one; 1 if there are none.
+// Of the third shapes in which both parts have counterparts, the share with a common counterpart; 1 if there are none.
 double cycle_support(const Counterpart_range& of_a, const Counterpart_range& of_b)
 {
   std::size_t able = 0, confirming = 0;

@@ -63,7 +63,7 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
   return (correspondence.energy + charged) / double(std::max<std::size_t>(1, counted));
 }
 
-namespace internal { // for lambdas of public templates
+namespace internal { // not anonymous, since lambdas of public templates use it
 
 /// Reports finished work to a callback, one call at a time, and records whether the callback ended the work.
 class Shared_progress
@@ -89,7 +89,7 @@ private:
   std::mutex mutex_;
 };
 
-// A pair of shapes, with the indices in a list of the pair and of the reversed pair.
+// A pair of shapes, and the indices in a list of this pair (`place`) and, if it is there, of the reversed pair.
 struct Both_orders
 {
   static constexpr std::size_t none = std::size_t(-1);
@@ -101,7 +101,7 @@ struct Both_orders
 
 namespace {
 
-// The distinct unordered pairs of a list.
+// The pairs of a list, each joined with its reversed pair if that is in the list, too.
 std::vector<Both_orders> both_orders(const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
 {
   // Index in `result` of pairs whose reversed pair has not been seen
@@ -212,7 +212,7 @@ template Energy_matrix energy_matrix<CGAL::Parallel_tag>(const std::vector<Struc
 namespace {
 
 constexpr std::size_t evaluated_at_a_time =
-    4; // independent of the number of threads, so that every run evaluates the same shapes
+    4; // number of shapes; independent of the number of threads, so that every run evaluates the same ones
 
 } // namespace
 

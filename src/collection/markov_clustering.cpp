@@ -43,7 +43,7 @@ double sum_of(const Column& column)
   return sum;
 }
 
-/// Appends the next column, sorted, to a flow, scaled to sum 1.
+/// Appends column j, whose entries are sorted by row, to a flow, scaled to sum 1.
 void append_column(const Column& column, Flow_matrix& flow, Eigen::Index j)
 {
   const double sum = sum_of(column);
@@ -145,7 +145,7 @@ void prune(const Markov_clustering_options& options, std::size_t column_limit, C
   std::sort(column.begin(), column.end());
 }
 
-/// The columns in an order in which those that flow the same way are neighbours.
+/// The columns ordered by the row of their largest entries, so that those that flow the same way are neighbours.
 std::vector<Eigen::Index> like_columns(const Flow_matrix& flow)
 {
   std::vector<std::pair<int, Eigen::Index>> order; // for each column, the row of its largest entry, and the column

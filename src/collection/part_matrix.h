@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence {
 struct Part_matrix
 {
   std::vector<std::size_t> first; ///< for each shape, the index of its first part; then the number of all parts
-  Eigen::SparseMatrix<double> confidences; ///< symmetric; means over the maps of both directions
+  Eigen::SparseMatrix<double> confidences; ///< by two parts, symmetric; mean over the maps of both directions
   std::size_t rejected = 0;                ///< number of pairs of parts left out as outliers
 };
 

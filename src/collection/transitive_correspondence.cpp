@@ -72,7 +72,7 @@ Shape_chain chain_of(const Eigen::MatrixXd& energies, std::vector<std::size_t> s
 
 constexpr std::size_t no_shape = std::size_t(-1);
 
-// The parent of each shape in the tree; `no_shape` for the root and for shapes outside of the tree.
+// The parent of each shape in the tree, the root being its own; `no_shape` for shapes that the tree does not connect.
 std::vector<std::size_t> towards(std::size_t root, const std::vector<Shape_pair>& tree)
 {
   std::vector<std::vector<std::size_t>> neighbours(tree.size() + 1);
@@ -117,7 +117,7 @@ Shape_chain bridge_chain(const Eigen::MatrixXd& energies, std::size_t source, st
   return chain_of(energies, best);
 }
 
-// The chain of least cost among all; `best` if tied.
+// The chain of least energy among all; `best` if tied.
 Shape_chain cheapest(Shape_chain best, const std::vector<Shape_chain>& others)
 {
   for (const Shape_chain& chain : others)
@@ -125,7 +125,7 @@ Shape_chain cheapest(Shape_chain best, const std::vector<Shape_chain>& others)
   return best;
 }
 
-// The best chain to a target. \param next by shape, the next shape towards the source
+// The best chain to a target. \param next for each shape, the next shape in the tree towards the source
 Shape_chain best_chain(const Eigen::MatrixXd& energies, std::size_t source, std::size_t target,
                        const std::vector<std::size_t>& next)
 {

@@ -33,7 +33,7 @@ public:
         distances_(fitted_.number_of_target_pieces())
   {}
 
-  // Lists the pairs of pieces whose energies are averaged to the energies of the next contact.
+  // Lists, for all labels of the next contact's parts, the pairs of pieces whose energies are averaged to its energy.
   void list(std::size_t contact)
   {
     contact_ = contact;
@@ -100,7 +100,7 @@ private:
   struct Target_pair
   {
     std::uint32_t first, second; // indices of fitted pieces
-    std::uint32_t comparison;    // index of the first in the list
+    std::uint32_t comparison;    // index of its first comparison; `Comparison::next` gives the next one
   };
 
   std::size_t number_of_lane_pairs() const
@@ -110,7 +110,7 @@ private:
     return lanes * lanes;
   }
 
-  // Lists for each clone of either part the pair of it and the nearest clone of the other part.
+  // Lists, for each clone of either part, its pair with the nearest clone of the other part.
   void list(const Range& first, const Range& second)
   {
     if (first.size() == 1 || second.size() == 1) {
@@ -214,7 +214,7 @@ private:
   std::vector<std::uint32_t> pair_of_;  // index in `pairs_` by `pair_index()`; empty if fitted pieces share no samples
   std::vector<Target_pair> pairs_;      // the pairs that have comparisons
   std::vector<Comparison> comparisons_; // ordered by contact
-  std::vector<std::uint32_t> counts_;   // number of comparisons by contact and labels
+  std::vector<std::uint32_t> counts_;   // number of comparisons of each contact, by the labels of its two parts
   std::vector<std::uint32_t> compared_; // indices of the comparisons, in the order of `counts_`
   // Rods by the source lanes of two pieces at least one of which is not a whole part
   std::map<std::array<std::size_t, 2>, Structural_rods> piece_rods_;
@@ -225,7 +225,7 @@ private:
   std::size_t contact_ = 0;
   std::array<std::size_t, 2> begin_, count_;   // range of the fitted pieces of either part
   std::array<std::vector<Range>, 2> touching_; // fitted pieces at the contact, by side and label
-  std::vector<std::uint32_t> known_;           // index of a comparison by two fitted pieces
+  std::vector<std::uint32_t> known_;           // index of the comparison of two fitted pieces, or `none`
 
   // Buffers, kept between calls so that they are allocated once
   std::vector<const Structural_rods*> rods_;

@@ -20,7 +20,7 @@ struct Deformable_shape::Measures
 
   explicit Measures(std::size_t contacts) : rods(new Lazy_rods[4 * contacts]) {}
 
-  std::unique_ptr<Lazy_rods[]> rods; // index: 4 contact + 2 (first repeated) + (second repeated)
+  std::unique_ptr<Lazy_rods[]> rods; // index: 4 contact + 2 (first part is repeated) + (second part is repeated)
   Once has_distances;
   Eigen::MatrixXd distances;
 };

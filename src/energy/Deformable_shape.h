@@ -21,10 +21,10 @@ class Deformable_shape : public Aligned_shape
 public:
   explicit Deformable_shape(Aligned_shape shape);
 
-  /// The structural rods of a contact. Samples of a part are used once, or `samples_per_side` times for a curve to
-  /// sheet.
+  /// The structural rods of a contact. Each sample of a part is used as often as its `repeats` say: `samples_per_side`
+  /// times if a curve becomes a sheet, else once.
   const Structural_rods& rods(std::size_t contact, int first_repeats, int second_repeats) const;
-  /// The least distance between the samples of two parts.
+  /// The matrix of the least distances between the samples of every two parts.
   const Eigen::MatrixXd& part_distances() const;
 
   /// A copy in which every part is a group.

@@ -53,7 +53,7 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
   image_begin_.push_back(images_.size());
 }
 
-// Returns the index of a fitted piece of the last part.
+// Returns the index of the fitted piece of an image of the last part; adds it if it is new.
 std::uint32_t Fitted_pieces::fit(const Piece_image& image)
 {
   const std::size_t from = source_pieces_.index(image.source), to = target_pieces_.index(image.target);

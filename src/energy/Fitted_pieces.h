@@ -17,7 +17,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The parts of a shape, followed by the pieces of parts that were added, each with one index.
+// Numbers the parts of a shape, and then the pieces of parts that are added to it, each piece once.
 class Piece_list
 {
 public:
@@ -58,8 +58,7 @@ using Fitted_range = boost::iterator_range<const std::uint32_t*>;
 class Fitted_pieces
 {
 public:
-  // \param labels by source group
-  // \throw Out_of_time
+  // \param labels the candidate images of each source group \throw Out_of_time
   Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
                 const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how, const Deadline& deadline);
 
@@ -81,7 +80,7 @@ public:
 
   const Sampled_part& source_piece(std::size_t index) const { return source_pieces_[index]; }
   const Sample_lanes& source_samples(const Fitted_piece& fitted) const { return source_lanes_[fitted.source_lanes]; }
-  // The samples of a source piece after the deformation, in its order.
+  // The samples of a source piece after the deformation, in the order before it.
   const Sample_lanes& samples(const Fitted_piece& fitted) const { return lanes_[fitted.lanes]; }
   const Points& points(const Fitted_piece& fitted) const { return points_[fitted.lanes]; }
   std::size_t number_of_lanes() const { return lanes_.size(); }
@@ -103,15 +102,15 @@ private:
   Piece_list source_pieces_, target_pieces_;
   const Eigen::MatrixXd& part_distances_; // distances of the target's parts
   std::vector<Fitted_piece> fitted_;
-  std::vector<std::size_t> fitted_begin_; // indexed by part
+  std::vector<std::size_t> fitted_begin_; // for each source part, its first fitted piece; then their number
   std::vector<Sample_lanes> source_lanes_, lanes_;
   std::vector<Points> points_; // same indices as `lanes_`
   // Index of `source_lanes_` by source piece and repeats
   std::map<std::pair<std::size_t, int>, std::size_t> source_lanes_of_;
   // Index of `lanes_` by target piece and order of `match_extremities()`
   std::map<std::pair<std::size_t, const std::vector<int>*>, std::size_t> lanes_of_;
-  std::vector<std::size_t> label_begin_; // for each part, an index of `image_begin_`
-  std::vector<std::size_t> image_begin_; // by part and label, an index of `images_`
+  std::vector<std::size_t> label_begin_; // for each source part, the index in `image_begin_` of its first label
+  std::vector<std::size_t> image_begin_; // by source part and label, the index in `images_` of the first image
   std::vector<std::uint32_t> images_;    // indices of fitted pieces
 };
 

@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Index in an aligned shape of a part of the structural graph; the number of its parts if it is not in it.
+/// Index in an aligned shape of a part of its structural graph; the shape's number of parts if it lacks that part.
 std::size_t place_of(const Aligned_shape& shape, std::size_t part);
 
 /// The parts of two aligned shapes that may and that must correspond, by `Energy_options::pinned` and `forbidden`.
@@ -22,7 +22,7 @@ class Match_constraints
 public:
   Match_constraints() = default;
 
-  /// \throw Invalid_input if a pinned part is not in its aligned shape, or a pair is both pinned and forbidden
+  /// Reads `options`. \throw Invalid_input if a pinned part is not in its aligned shape, or a pinned pair is forbidden
   Match_constraints(const Aligned_shape& source, const Aligned_shape& target, const Energy_options& options);
 
   bool empty() const { return pinned_.empty(); }
@@ -37,7 +37,7 @@ private:
   std::vector<std::vector<char>> allowed_;    // indexed by source part and target part
 };
 
-/// The connected components of the graph of pinned pairs, with source and target parts by the indices of the pins.
+/// The connected components of the graph of pinned pairs; indices of parts as in the pinned pairs.
 struct Pinned_sets
 {
   std::vector<std::vector<std::size_t>> source, target;

@@ -27,7 +27,7 @@ double distance(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
 }
 
 // The target groups that a source group may be matched to, ascending: the allowed ones whose symmetry permits it (all
-// allowed ones if none does), and of these at most the nearest `maximum_labels`. \param allowed empty: all
+// allowed ones if none does), and of these at most the nearest `maximum_labels`. \param allowed ascending; empty: all
 std::vector<std::size_t> candidates(const Aligned_shape& source, std::size_t group, const Aligned_shape& target,
                                     std::vector<std::size_t> allowed)
 {
@@ -87,7 +87,7 @@ std::vector<Group_label> labels_of_group(const Aligned_shape& source, std::size_
   return result;
 }
 
-// The labels. \throw Too_large if the tables of the contacts' energies need too much memory
+// Returns the labels if there is memory for the tables of the contacts' energies. \throw Too_large otherwise
 std::vector<std::vector<Group_label>> small_enough(const Aligned_shape& source,
                                                    std::vector<std::vector<Group_label>> labels)
 {

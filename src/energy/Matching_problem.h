@@ -36,7 +36,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// \throw Too_large if `bytes` are more than `most_bytes_of_tables`
+/// Checks the size of tables. \throw Too_large if `bytes` are more than `most_bytes_of_tables`
 void check_bytes_of_tables(double bytes);
 
 /// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. A part that
@@ -49,7 +49,7 @@ class Matching_problem
 public:
   using Shared_shape = std::shared_ptr<const Deformable_shape>;
 
-  /// \param allowed empty: all groups \throw Too_large, internal::Out_of_time
+  /// \param allowed candidates of each source group; empty: all groups \throw Too_large, internal::Out_of_time
   Matching_problem(const Shared_shape& source, const Shared_shape& target, const Energy_options& options = {},
                    const Group_candidates& allowed = {}, const internal::Deadline& deadline = internal::Deadline());
   Matching_problem(Aligned_shape source, Aligned_shape target, const Energy_options& options = {});
@@ -73,9 +73,9 @@ public:
 
   /// E of Eq. 1 of complete assignments of labels to groups.
   const Pairwise_energy& energy() const { return energy_; }
-  /// The terms of E.
+  /// The terms of E of a complete assignment.
   Energy_terms terms(const Assignment& assignment) const;
-  /// The terms of E of a partial assignment, given the energies of all contacts: 0 where a group is unmatched.
+  /// The terms of E of a partial assignment. \param contacts energies of all contacts; 0 for those of unmatched groups
   Energy_terms terms(const Assignment& assignment, const std::vector<Rod_energy>& contacts) const;
 
   std::array<std::size_t, 2> groups_of_contact(std::size_t contact) const
@@ -100,7 +100,7 @@ public:
   /// neighbouring segments of its cut parts, and role costs (`Energy_options::role_costs`).
   const Energy_terms& group_terms(std::size_t group, std::size_t label) const { return group_terms_[group][label]; }
 
-  /// The source parts after the deformation, by label.
+  /// The source parts and pieces after the deformation, for every label.
   const internal::Fitted_pieces& fitted() const { return fitted_; }
   /// The fitted pieces that touch at a side of a contact: all clones of the part there, or the one segment.
   internal::Fitted_range touching(std::size_t contact, std::size_t side, std::size_t label) const
@@ -124,7 +124,7 @@ private:
   bool has_shortlists_ = false;
   std::vector<std::vector<Group_label>> labels_; // indexed by source group
   internal::Fitted_pieces fitted_;
-  std::vector<std::size_t> contact_begin_;             // index of `contact_energies_` by contact
+  std::vector<std::size_t> contact_begin_;             // for each contact, the index of its first energy
   std::vector<Rod_energy> contact_energies_;           // indexed by contact and the labels of its two groups
   std::vector<std::vector<Energy_terms>> group_terms_; // indexed by group and label
   Pairwise_energy energy_;

@@ -43,7 +43,7 @@ public:
     return static_cast<Rod_block*>(::operator new(blocks * sizeof(Rod_block), std::align_val_t(alignof(Rod_block))));
   }
 
-  // \param blocks the number passed to take()
+  // Frees memory for reuse. \param blocks the number passed to take()
   void give_back(Rod_block* memory, std::size_t blocks)
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -54,7 +54,7 @@ public:
   /// E_c (Eq. 4) if the least distance of the two parts after the deformation is `distance`.
   double connectedness(double distance) const;
 
-  /// E_d and E_c after the samples moved to `first` and `second`.
+  /// E_d and E_c after the samples of the two parts moved to `first` and `second`.
   Rod_energy energy(const internal::Sample_lanes& first, const internal::Sample_lanes& second) const;
   Rod_energy energy(const Points& first, const Points& second) const;
 
@@ -70,8 +70,8 @@ private:
   double longest_ = 0;  // f of Eq. 4
 };
 
-/// E_d (Eq. 3) for each of several pairs of parts that are deformed to the same samples `first` and `second`, with as
-/// many samples as those. O(number of rods).
+/// E_d (Eq. 3) for each of several pairs of parts that are deformed to the same samples `first` and `second`; all pairs
+/// have equally many samples. O(number of rods).
 void distortions(const std::vector<const Structural_rods*>& pairs, const internal::Sample_lanes& first,
                  const internal::Sample_lanes& second, std::vector<double>& result);
 

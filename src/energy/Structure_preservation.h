@@ -40,7 +40,7 @@ public:
   /// Weight of the scatter of a part's samples relative to that of its contact points (weight 1): its resistance to
   /// stretching. A bar with contacts at its two ends follows them to within 2 % of their relative displacement.
   static constexpr double stiffness = 0.1;
-  /// The weight where contacts are hard constraints: just enough for a unique map.
+  /// The same weight if contacts are hard constraints (`Energy_options::hard_proximity`): just enough for a unique map.
   static constexpr double least_stiffness = 1e-9;
 
   explicit Structure_preservation(const Aligned_shape& shape, bool has_hard_contacts = false);
@@ -66,7 +66,7 @@ private:
   {
     std::size_t representative = 0, begin = 0, end = 0; // range of its contacts in `touches_`
     Point middle = Point::Zero();                       // mean of the contact points, relative to the part's centroid
-    std::vector<Point> slopes;               // indexed by contact; the stretch is the sum of displacement × slope
+    std::vector<Point> slopes;               // indexed by contact; the stretch is the sum of displacement × slope^T
     std::vector<Eigen::Matrix3d> directions; // for each member, the linear map from the representative to it
   };
 

@@ -16,7 +16,7 @@ constexpr int samples_of_sheet = samples_per_side * samples_per_side;
 using Kind = Sampled_part::Kind;
 using Permutation = std::vector<int>;
 
-// The 2 orders of the samples of a curve; of a closed one, the 2 n with any first sample.
+// The 2 orders of the samples of an open curve; the 2 e orders of a closed one, which may begin with any sample.
 std::vector<Permutation> curve_orders(bool closed)
 {
   constexpr int e = samples_per_side;

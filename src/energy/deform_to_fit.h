@@ -18,10 +18,11 @@ namespace CGAL::Shape_correspondence {
 Points deform_to_fit(const Sampled_part& source, const Sampled_part& target,
                      Deform_to_fit fit = Deform_to_fit::SAMPLES);
 
-/// The first step of deform-to-fit: sample i of the source goes to sample [i] of the target. After the centres are
-/// aligned, extremities are matched by proximity: of the 2 directions of a curve, the 8 layouts of a sheet or the 2 e
-/// orders of a closed curve, the one with the least sum of squared distances of ends, corners or samples. If one part
-/// is a sheet, a curve counts as a sheet of e equal columns: [i] is its sample [i] / e. Refers to a static table.
+/// The first step of deform-to-fit: sample i of the source goes to sample `result[i]` of the target. After the centres
+/// are aligned, extremities are matched by proximity: of the 2 directions of a curve, the 8 layouts of a sheet or the
+/// 2 e orders of a closed curve, the one with the least sum of squared distances of ends, corners or samples. If one
+/// part is a sheet, a curve counts as a sheet of e equal columns: sample j of that sheet is sample j / e of the curve.
+/// Refers to a static table.
 const std::vector<int>& match_extremities(const Sampled_part& source, const Sampled_part& target);
 
 Points ordered_samples(const Sampled_part& target, const std::vector<int>& order);

@@ -34,7 +34,7 @@ std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost
   return cols_of;
 }
 
-// Added to the distance of parts that must not correspond; greater than any distance in unit boxes.
+// Number added to the distance of parts that must not correspond; greater than any distance in unit boxes.
 constexpr double forbidden_distance = 1e3;
 
 Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,

@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Sums of squared cosines, and least squared lengths, by lane of a block.
+// By lane of a block: sums of squared cosines, for each of `Sources` pairs of parts, and least squared lengths.
 template <int Sources>
 struct Comparison_lanes
 {
@@ -140,7 +140,7 @@ CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE void write_row(const float (&from)[3], c
   if (full < count) write_block<false>(from, to, full, count - full, *rods, totals);
 }
 
-// Writes the rods from the samples `begin` to `end`. \return the end of the written blocks
+// Writes the rods from samples `begin` to `end` of `from` to `count` samples of `to`. \return the end of the blocks
 CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE Rod_block* write_rows(const Sample_lanes& from, int begin, int end,
                                                               const Sample_lanes& to, int count, Rod_block* rods,
                                                               Length_lanes& totals)

@@ -64,14 +64,14 @@ struct Rod_lengths
 // Writes the directions of the rods between n samples of one part and m of another.
 Rod_lengths write_rods(const Sample_lanes& first, int n, const Sample_lanes& second, int m, Rod_block* rods);
 
-// Rods after a deformation, compared with those of one or two pairs of parts before it.
+// The rods of a pair of parts after a deformation, compared with those of up to two pairs before it.
 struct Rod_comparison
 {
-  float squared_cosines[2] = {};  // sums over the rods with a direction before
-  float least_squared_length = 0; // after the deformation; not set by all functions
+  float squared_cosines[2] = {};  // for each pair before: sum over its rods that have a direction
+  float least_squared_length = 0; // of a rod after the deformation; not set by all functions
 };
 
-// Comparisons with no pair of parts before (least length only), one (least length or not), or two (cosines only).
+// Comparisons with no pair before (least length only), one pair (with or without it), or two pairs (cosines only).
 using Compare_rods = Rod_comparison(const Rod_block* const* before, const Sample_lanes& first, int n,
                                     const Sample_lanes& second, int m);
 Compare_rods least_length_of_rods, compare_rods_and_length, compare_rods_of_one, compare_rods_of_two;

@@ -19,7 +19,7 @@ constexpr double last_station = 0.998; // coordinate; a little inside of the end
 
 double station(int i) { return -last_station * std::cos(double(EIGEN_PI * i / (stations - 1))); }
 
-/// The endpoints of the segments in which triangles cross the plane of a section.
+/// The two ends of each segment in which a triangle crosses the plane of a section.
 std::vector<Eigen::Vector2d> crossed(const Points& coordinates, const Eigen::Matrix3Xi& triangles, double station)
 {
   std::vector<Eigen::Vector2d> result;
@@ -51,10 +51,10 @@ double turn_of(const Eigen::Vector2d& direction, int angles)
 
 } // namespace
 
-/// \return whether there is an outline
+/// Sets the outline of a section. \param segments the two ends of each segment \return whether there is an outline
 bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vector2d>& segments)
 {
-  constexpr double least_half = 1e-3, least_radius = 0.02; // a section that is a point has an outline, too
+  constexpr double least_half = 1e-3, least_radius = 0.02; // lower bounds: a section may be a point
   if (segments.size() < 4) return false;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& p : segments)

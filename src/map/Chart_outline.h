@@ -16,16 +16,16 @@ namespace CGAL::Shape_correspondence::internal {
 class Chart_outline
 {
 public:
-  /// The outline to which all coordinates are relative as they are.
+  /// The unit circle in every section: coordinates relative to it are the coordinates in the chart.
   Chart_outline();
-  /// \param coordinates points of a surface, in chart coordinates
+  /// The outline of a surface. \param coordinates its points, in chart coordinates
   Chart_outline(const Points& coordinates, const Eigen::Matrix3Xi& triangles);
 
-  /// Coordinates relative to the outline, and the inverse.
+  /// Converts chart coordinates to coordinates relative to the outline; `absolute()` is the inverse.
   Point relative(const Point& k) const;
   Point absolute(const Point& q) const;
 
-  /// The outline in the large, as it changes smoothly along the part and around it.
+  /// The outline without details: averaged along the part and around it.
   Chart_outline smoothed() const;
   static Chart_outline between(const Chart_outline& a, const Chart_outline& b, double t);
 

@@ -31,9 +31,9 @@ Eigen::Vector3d barycentric(const Point& p, const contacts::Triangle& t)
   return {1 - a - b, a, b};
 }
 
-constexpr double facing = 0.5; // cosine; the angle between a normal and the nearest of the six directions is smaller
+constexpr double facing = 0.5; // least cosine of a normal and a direction that it faces; each faces one of the six
 
-/// The six coordinate directions of a chart, positive ones first of each pair.
+/// The six coordinate directions of a chart: +x, -x, +y, -y, +z, -z.
 Point direction(std::size_t side) { return (side % 2 ? -1. : 1.) * Point::Unit(Eigen::Index(side / 2)); }
 
 } // namespace
@@ -119,7 +119,7 @@ Place_finder::Place_finder(const Points& coordinates, const Eigen::Matrix3Xi& tr
 Mesh_place Place_finder::operator()(const Point& p, const Point& normal) const
 {
   constexpr double far = 1;       // distance in coordinates beyond which normals do not count
-  constexpr double averse = -0.2; // cosine of two normals on different sides
+  constexpr double averse = -0.2; // cosine of normals below which they are on different sides of a part
   const Mesh_place nearest = nearest_place(all_, p);
   if (normal.dot(nearest.of(normals_, triangles_)) >= averse) return nearest;
   Mesh_place best = nearest;

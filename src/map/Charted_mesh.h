@@ -20,13 +20,13 @@ struct Charted_mesh
   Points points; ///< positions in space
   Eigen::Matrix3Xi triangles;
   Points coordinates; ///< positions in the chart
-  Points offsets;     ///< vectors from the chart's points with these coordinates to `points`, in the chart's frames
+  Points offsets;     ///< vectors from the chart's points at `coordinates` to `points`, in the chart's frames
 };
 
 /// Subdivides a mesh until its edges are short in the chart, so that it can be bent.
 Charted_mesh charted_mesh(const Part_mesh& mesh, const Part_chart& chart, double longest_edge);
 
-/// Subdivides a mesh likewise, and replaces the chart by its centred version, in which the result is.
+/// Subdivides a mesh like `charted_mesh()`, and charts it in the chart's centred version, which replaces `chart`.
 Charted_mesh finely_charted(const Part_mesh& mesh, Part_chart& chart, double longest_edge);
 
 /// Unit normals of the vertices in chart coordinates, oriented outwards as a whole; zero where undefined.

@@ -42,7 +42,7 @@ std::pair<double, double> closed_curve_fit(const Part_abstraction& source, const
   return best;
 }
 
-/// The points that represent the surfaces of parts without a mesh.
+/// The samples of the parts' surfaces, which stand for their meshes.
 std::vector<const Points*> sampled_surfaces(const Structural_graph& graph)
 {
   std::vector<const Points*> result;

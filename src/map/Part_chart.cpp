@@ -86,7 +86,7 @@ Eigen::Matrix3d axes_of_ring(const Points& spine)
 }
 
 /// The rotation angle of the least rectangle around the surface, projected along the first coordinate of a curve's
-/// chart, or along the last one of a box.
+/// chart, or along the last one of a box. \param first the first of the two coordinates of the projection
 double section_angle(const Part_chart& chart, const Points& surface, const Point& half, int first)
 {
   Planar_points section;

@@ -19,9 +19,9 @@ class Part_chart
 {
 public:
   static constexpr int curve_stations = 17, sheet_stations = 9;
-  static constexpr double least_half_extent = 1e-4; ///< lower bound, so that flat parts have coordinates across as well
+  static constexpr double least_half_extent = 1e-4; ///< lower bound, over the height, for flat parts
 
-  /// The chart of a part with points of its surface. A closed curve gets the chart of its bounding box.
+  /// The chart of a part, fitted to points of its surface. A closed curve gets the chart of its bounding box.
   static Part_chart around(const Part_abstraction& part, const Points& control_points, const Points& surface);
 
   /// A straight chart whose directions are the columns of the rotation `axes`.
@@ -43,9 +43,9 @@ public:
   /// The chart with its spine in the middle of the surface everywhere, which separates the two sides of a thin and bent
   /// part; unchanged if that is not narrower. \param surface points that cover the surface as densely as the stations
   Part_chart centred(const Points& surface) const;
-  /// The chart of the box from `low` to `high`, in coordinates.
+  /// The chart of the box from `low` to `high`, which are given in coordinates of this chart.
   Part_chart restricted(const Point& low, const Point& high) const;
-  /// The chart in other coordinates, which multiplied by `turn` give those of this chart.
+  /// The chart in rotated coordinates k: those of this chart are `turn` * k.
   /// \pre `turn` is a rotation of the cube that keeps the direction of a curve or the normal of a sheet, up to sign
   Part_chart turned(const Eigen::Matrix3d& turn) const;
   /// A rotation from the coordinates of `lengthwise()` to those of this chart.

@@ -76,7 +76,7 @@ Part_pairs matched_by_place(const Connected_parts& sets, const Charted_shape& so
 {
   constexpr double as_near =
       0.02; // tolerance, in units of the bounding box, for parts about as near as the nearest one
-  // Weight of distances between the shapes, so that ties are not settled by the order of parts
+  // Weight of the distance in the common frame, so that ties are not settled by the order of parts
   constexpr double tie = 1e-3;
   const Points from = places(source, sets.source), to = places(target, sets.target);
   Eigen::MatrixXd cost(from.cols(), to.cols());
@@ -128,7 +128,7 @@ Eigen::Matrix3d best_turn(const Part_chart& source, const Part_chart& target, Pa
   return best;
 }
 
-/// Centre and extents of another part along the axes of a part to be divided.
+/// The centre and the extents of another part along the axes of the part that is divided.
 Share share_of(const Part_chart& divided, const Part_chart& other)
 {
   const Eigen::Matrix3d axes = divided.axes();

@@ -20,7 +20,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// A shape in the common frame: height 1, standing on the ground.
+/// The parts of a shape, and their charts, in the common frame: height 1, standing on the ground.
 struct Charted_shape
 {
   std::vector<Points> surfaces; ///< vertices of the parts' meshes, or samples of their surfaces
@@ -30,17 +30,17 @@ struct Charted_shape
 
 Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points& world);
 
-/// \param surfaces points of the parts' surfaces, in the world; if empty, the control points are used
+/// Charts all parts. \param surfaces points of the parts' surfaces, in the world; if empty: the control points
 Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
                             const std::vector<const Points*>& surfaces);
 
-/// Parts of both shapes that are connected by pairs.
+/// A connected component of the graph of pairs: the parts of both shapes in it.
 struct Connected_parts
 {
   std::vector<std::size_t> source, target;
 };
 
-/// \param sources, targets numbers of parts
+/// The components that have parts of both shapes. \param sources, targets numbers of parts of the shapes
 std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_t sources, std::size_t targets);
 
 /// The pairs of parts that are mapped to each other. If one part corresponds to several, these are the given pairs. If
@@ -75,7 +75,7 @@ struct Piece_pair
 
 inline bool is_whole(const Piece_pair& pair) { return is_whole(pair.source_piece) && is_whole(pair.target_piece); }
 
-/// How the charts of two parts are aligned.
+/// Ways to align the charts of two parts.
 enum class Pair_kind {
   SAME,       ///< two curves or two sheets: with each other
   LENGTHWISE, ///< a curve and a sheet: along the curve and the longer direction of the sheet
@@ -88,7 +88,7 @@ std::vector<Eigen::Matrix3d> cube_rotations();
 std::array<Part_chart, 2> piece_charts(const Piece_pair& pair, const Charted_shape& source,
                                        const Charted_shape& target);
 
-/// The kind by charts: a part may have the chart of its mirror image, whose kind can differ.
+/// How the charts of two parts are aligned.
 Pair_kind pair_kind(const Piece_pair& pair, const Charted_shape& source, const Charted_shape& target);
 
 /// The pairs of pieces for pairs of parts, in the same order.

@@ -53,7 +53,7 @@ public:
   template <typename Where>
   bool split_edges(const Where& where)
   {
-    std::map<std::pair<int, int>, int> middles; // -1: none
+    std::map<std::pair<int, int>, int> middles; // for each edge, the point that splits it; -1: none
     const auto middle = [&](int a, int b) {
       const std::pair<int, int> edge = std::minmax(a, b);
       const auto [known, is_new] = middles.try_emplace(edge, -1);
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  /// \param m for each edge from corner i to i + 1, the point that splits it, or -1
+  /// Splits a triangle. \param m for each edge from corner i to i + 1, the point that splits it, or -1
   static void split(std::array<int, 3> t, std::array<int, 3> m, std::vector<std::array<int, 3>>& result)
   {
     const auto is_split = [&](int i) { return m[std::size_t(i)] >= 0; };

@@ -292,7 +292,7 @@ private:
     add_filling(axis, at, points, sides, fill_section(vertices, sides));
   }
 
-  /// \param points points of the mesh for the section's vertices, the first of the filling
+  /// Adds a filling to the mesh. \param points the mesh's points for the section's vertices, the first of the filling
   void add_filling(int axis, double at, std::vector<int> points, const std::vector<Section_side>& sides,
                    const Section_filling& filling)
   {
@@ -329,7 +329,7 @@ private:
     return result;
   }
 
-  /// Splits edges of a filling, but for its sides, until it follows the chart, unlike a long edge in a bent part.
+  /// Splits the inner edges of a filling until it follows the chart, which long edges in a bent part do not.
   void bend(Subdivision& section, std::vector<Point>& coordinates, const std::vector<Section_side>& sides) const
   {
     std::set<Section_side> kept;
@@ -357,7 +357,7 @@ private:
     }
   }
 
-  /// Whether at every position as many sides end as begin.
+  /// Whether the sides form closed curves: at every position as many of them end as begin.
   static bool is_closed(const std::vector<Section_side>& sides, const Planar_points& vertices)
   {
     std::map<std::array<std::int64_t, 2>, int> balance;

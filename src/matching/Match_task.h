@@ -24,7 +24,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 using Shared_shape = Matching_problem::Shared_shape;
 
-/// A shape turned by quarter turns about the up axis; each is aligned on demand. Thread-safe.
+/// A shape turned by each number of quarter turns about the up axis; aligned on demand. Thread-safe.
 class Turned_shapes
 {
 public:
@@ -41,7 +41,7 @@ private:
   std::array<Shared_shape, turns> shapes_;
 };
 
-/// The data that all matches of a shape share, computed on demand. Thread-safe.
+/// What all matches of a shape share: its alignments, features and roles, computed on demand. Thread-safe.
 struct Alignments
 {
   explicit Alignments(const Structural_graph& graph) : shapes_(std::make_shared<Turned_shapes>(graph)) {}
@@ -66,7 +66,7 @@ constexpr const char* search_was_cancelled = "The search was cancelled";
 constexpr const char* time_is_over = "The time limit ended the search";
 constexpr double small_time = 1; // seconds granted to the fallback when the time limit left no time for a search
 
-/// A source and options, to be matched with any target.
+/// A source shape and the options by which it is matched with any target.
 struct Match_source
 {
   /// \throw Invalid_input if an option is out of range or names a part that does not exist
@@ -103,11 +103,11 @@ struct Alignment_candidate
 /// The result of `Search_method::PARTS` before its energy is computed.
 struct Part_match_result
 {
-  Part_matching matching;                ///< part indices of the source and of the target in the alignment
+  Part_matching matching;                ///< the matching; its indices are those of the aligned shapes
   Shared_shape target;                   ///< the target in the alignment
   Alignment_candidate alignment;         ///< the alignment of least cost
   Correspondence known;                  ///< roles, category and warnings
-  std::size_t tried = 0, candidates = 0; ///< numbers of alignments
+  std::size_t tried = 0, candidates = 0; ///< numbers of alignments that were tried, and to be tried
   std::string end;                       ///< why alignments were not tried; empty if all were
 };
 
@@ -137,7 +137,7 @@ Shared_shape aligned_target(const Match_task& task, int quarter_turns);
 std::vector<int> tried_turns(const Match_task& task);
 
 void take_roles(const Correspondence& known, Correspondence& correspondence);
-// \param end `search_was_cancelled` or `time_is_over`
+// Marks a result as incomplete, with a warning. \param end `search_was_cancelled` or `time_is_over`
 void mark_ended(const std::string& end, std::size_t done, std::size_t runs, Correspondence& correspondence);
 
 std::vector<Correspondence> ranked(const Match_task& task);
@@ -146,13 +146,13 @@ std::vector<Correspondence> ranked(const Match_task& task);
 
 // The alignments to try, the likeliest first. \param category set to the category of both shapes, if roles tell one
 std::vector<Alignment_candidate> candidates(const Match_task& task, Pair_category& category);
-// \param result receives the roles, or a warning why there are none
+// The votes for the roles of all parts; none without a category. \param result receives the roles, or a warning
 std::optional<Role_votes_of_pair> votes_of(const Match_task& task, const Pair_category& category,
                                            const Alignment_candidate& alignment, Correspondence& result);
 Part_match_result matched_parts(const Match_task& task, const Deadline& limit);
 // Removes pairs of confidence below `Search_options::min_confidence`.
 Part_match_result without_unsure(Part_match_result found, const Search_options& options);
-// The result with the energy of deforming the source, with only the likeliest counterparts if all would take long.
+// The correspondence, with the energy of deforming the source into all counterparts, or the likeliest to save time.
 Correspondence rated(const Shared_shape& source, const Part_match_result& found, const Search_options& options,
                      const Deadline& limit);
 std::array<Correspondence, 2> both_orders(const Match_task& task);

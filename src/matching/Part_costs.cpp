@@ -40,7 +40,7 @@ bool compares_features(const Shape_features& a, const Shape_features& b, const P
   return true;
 }
 
-// The weighted cosine distance of features of length 1 at most.
+// The weighted cosine distance of features, which are given as vectors of length 1 at most.
 double cost_of_features(const Eigen::MatrixXd& a, std::size_t i, const Eigen::MatrixXd& b, std::size_t j,
                         const Part_matching_options& options)
 {
@@ -77,7 +77,7 @@ Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
   return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
 }
 
-// Pairs of parts whose boxes attract each other in a warp, with weights.
+// The pairs of parts whose boxes attract each other in a warp, and the weights of these pairs.
 struct Anchors
 {
   std::array<std::vector<Eigen::Index>, 2> parts;
@@ -128,8 +128,8 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
   return result;
 }
 
-// The costs of kind plus the mean of three costs of boxes: as given, and after either shape was warped towards the
-// other by the pairs that are most probable by all costs.
+// `costs_of_kind` plus the mean of three costs of boxes: as given, and after either shape was warped towards the other
+// by the pairs that are most probable by all costs.
 Eigen::MatrixXd costs_after_warping(const Shape_features& a, const Shape_features& b,
                                     const Eigen::MatrixXd& costs_of_kind, const Part_matching_options& options)
 {
@@ -182,7 +182,7 @@ void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
   if (numbers.size() < count) numbers.resize(count);
 }
 
-// Single distances are kept only for parts in unions; those of all parts would take gigabytes for thousands of parts.
+// Distances of single points are kept only for parts in unions; for all parts they would take gigabytes.
 Point_distances::Point_distances(const Shape_features& from, const Shape_features& to)
     : from_(from),
       number_(to.surfaces.size(), -1),

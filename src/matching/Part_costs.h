@@ -29,8 +29,9 @@ Eigen::MatrixXd part_costs(const internal::Shape_features& source, const interna
                            const Part_matching_options& options,
                            const internal::Deadline* deadline = &internal::no_deadline);
 
-/// How far the features of a pair of parts are nearer than those of its parts are on average, times their weight:
-/// source part × target part. 0 for parts without features. Empty if they have no weight, or a shape has none.
+/// For source part × target part: the cosine of the features of both parts, minus the mean cosine of either part with
+/// the parts of the other shape, times `Part_cost_weights::features`. 0 if one of the parts has no features. Empty if
+/// the weight is 0, or one of the shapes has no features.
 Eigen::MatrixXd evidence_of_features(const internal::Shape_features& source, const internal::Shape_features& target,
                                      const Part_matching_options& options);
 

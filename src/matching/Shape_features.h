@@ -28,7 +28,7 @@ struct Boxes
   Eigen::ArrayX3d low, high;
 };
 
-// Boxes with the derived values of one shape that their costs need.
+// Boxes with values derived from them, by which the costs of pairs are computed.
 struct Measured_boxes : Boxes
 {
   Eigen::ArrayXd volumes;
@@ -38,8 +38,8 @@ struct Measured_boxes : Boxes
   Measured_boxes(const Boxes& boxes, double tolerance);
 };
 
-// The influence of the ends of boxes on each other in a warp, along each axis: 1 at the same coordinate, decreasing
-// with distance in units of `width`. The low end of part i has index 2 i, its high end 2 i + 1.
+// The influence of the ends of boxes on each other in a warp, along each axis: exp(-(d / width)² / 2) at distance d.
+// The low end of part i has index 2 i, its high end 2 i + 1.
 class Closeness
 {
 public:
@@ -55,7 +55,7 @@ private:
   std::array<Eigen::MatrixXd, 3> kept_; // one column for each end, symmetric; empty for shapes of many parts
 };
 
-// The properties of a part, or of a union of parts.
+// What is compared of a part, or of a union of parts, besides its box and points.
 struct Part_extent
 {
   Eigen::Matrix3d orientation;
@@ -80,14 +80,14 @@ struct Shape_features
   std::vector<Point_lanes> lanes; // points of the surfaces, by part
   std::vector<Part_extent> parts;
   Measured_boxes boxes;
-  Closeness closeness; // closeness of the ends of the boxes
+  Closeness closeness; // of the ends of the parts' boxes
 
   std::vector<std::vector<std::size_t>> unions; // sets of parts that may correspond to one part
   std::vector<Part_extent> union_parts;
   Measured_boxes union_boxes;
 
-  // Of parts, and of unions: features of length 1. What has none has the mean of all parts, so that its distances from
-  // the parts of the other shape are theirs on average. Empty: the shape has no features
+  // Features of the parts and of the unions, one column each, of length 1. A part or union without features gets the
+  // mean of all parts, and so their mean distance from parts of the other shape. Empty: the shape has no features
   Eigen::MatrixXd learned, learned_of_unions;
   Eigen::VectorXd mean_learned;
   std::vector<char> has_learned; // indexed by part
@@ -99,7 +99,7 @@ struct Shape_features
   std::size_t size() const { return shape.parts.size(); }
 };
 
-// Whether a shape has the same features under both options.
+// Whether `Shape_features` are the same under both options.
 bool have_same_features(const Part_matching_options& a, const Part_matching_options& b);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -12,7 +12,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Logarithm of width over depth; 0 if one of them vanishes.
+// Logarithm of the shape's width over its depth; 0 if one of them vanishes.
 double log_proportion(const Aligned_shape& shape)
 {
   Point low = shape.parts[0].surface.col(0), high = low;

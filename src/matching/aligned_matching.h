@@ -13,8 +13,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The label of every source group by the matching. S_i is known where a group becomes all of another group. Clones are
-// whole parts, as in the lower bound of the energy.
+// The label of every source group: what its parts correspond to in the matching. S_i is set if the group corresponds to
+// a whole target group, else it is 1. Images are whole parts, as in the lower bound of the energy.
 std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching, const Aligned_shape& source,
                                                    const Aligned_shape& target);
 
@@ -22,7 +22,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
 // the difference of the shapes' proportions.
 Steps alignment_cost(const Part_matching& matching, const Aligned_shape& source, const Aligned_shape& target);
 
-// The pairs by index in the structural graphs.
+// The pairs of a matching, by the indices of parts in the structural graphs.
 std::vector<Part_correspondence> original_pairs(const Part_matching& matching, const Aligned_shape& source,
                                                 const Aligned_shape& target);
 

@@ -29,7 +29,7 @@ bool have_common(const Groups& a, const Groups& b)
   return std::any_of(a.begin(), a.end(), [&](std::size_t g) { return b.count(g) > 0; });
 }
 
-/// For each group, the coarse groups nearest to it in the graph; for a coarse group, itself.
+/// For each group, the coarse groups that the fewest contacts separate from it; for a coarse group, itself.
 std::vector<Groups> nearest_coarse(const Aligned_shape& shape, const std::vector<char>& is_coarse)
 {
   const std::size_t n = shape.number_of_groups();
@@ -161,7 +161,7 @@ std::vector<Groups> images_of(const Matching_problem& problem, const Assignment&
   return result;
 }
 
-// \throw Too_large if there is no memory for exact search, which holds four tables of the size of the energy's
+// Checks that there is memory for exact search, which takes four times that of the energy's tables. \throw Too_large
 void check_exact_tables(const Pairwise_energy& energy)
 {
   double values = 0;

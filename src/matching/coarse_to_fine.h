@@ -25,7 +25,7 @@ bool is_coarse_to_fine(const Aligned_shape& source, const Aligned_shape& target,
 /// group depends on the coarse groups nearest, by contacts, to itself or to a group in contact with it; it may become a
 /// target group that is near an image of these. O(n²) for n groups.
 /// \param source the shape that is deformed
-/// \param options with `energy` set for this direction
+/// \param options options, whose `energy` is set for this direction of the deformation
 /// \return empty unless `is_coarse_to_fine()` \throw Out_of_time, Too_large
 Group_candidates coarse_candidates(const Matching_problem::Shared_shape& source,
                                    const Matching_problem::Shared_shape& target, const Search_options& options,

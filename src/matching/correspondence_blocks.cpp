@@ -22,7 +22,7 @@ namespace CGAL::Shape_correspondence {
 namespace {
 
 constexpr double other_role_weight = .5; // weight of a pair whose parts have different roles
-// Mean weight of the pairs between two sets, over that inside them, below which they stay apart
+// Mean weight of the pairs between two sets, over the lesser mean inside them, below which they stay apart
 constexpr double weak_bridge = .5;
 
 /// Two parts, and the weight of all pairs of their segments; indices of target parts follow those of the source.
@@ -185,7 +185,7 @@ private:
 
   std::vector<Part_set> sets_;
   internal::Disjoint_sets set_of_;
-  std::vector<std::size_t> present_; // sets that are in no other one, in order
+  std::vector<std::size_t> present_; // sets that were not united into another one, ascending
   Eigen::MatrixXd between_;          // total weight of the pairs between two sets
   std::vector<Best> best_;           // indexed by set
 };
@@ -201,7 +201,7 @@ public:
     internal::Disjoint_sets connected = set_of_;
     for (const Weighted_pair& pair : pairs_)
       connected.unite(pair.source, pair.target);
-    std::map<std::size_t, std::vector<std::size_t>> sets; // by first part of all that are connected
+    std::map<std::size_t, std::vector<std::size_t>> sets; // key: the first of all parts that pairs connect
     for (std::size_t part = 0; part < set_of_.size(); ++part)
       if (set_of_[part] == part) sets[connected[part]].push_back(part);
     std::map<std::size_t, std::vector<Weighted_pair>> pairs;
@@ -214,7 +214,7 @@ public:
   std::size_t operator[](std::size_t part) const { return set_of_[part]; }
 
 private:
-  /// Unites parts whose pairs have the greatest weight before anything is kept of each pair.
+  /// Unites the parts of all pairs of greatest weight, so that the tables of `Connected_sets` are for fewer sets.
   void unite_closest_parts()
   {
     internal::Steps greatest = -1;
@@ -224,7 +224,7 @@ private:
       if (internal::quantized(pair.weight) == greatest) set_of_.unite(pair.source, pair.target);
   }
 
-  /// \param firsts the first parts of the sets
+  /// Unites sets by their mean weights. \param firsts the first part of each set \param pairs those of their parts
   void unite(const std::vector<std::size_t>& firsts, const std::vector<Weighted_pair>& pairs)
   {
     const auto index = [&](std::size_t part) {

@@ -40,7 +40,7 @@ struct Search_runs
   std::string too_large; // message about runs whose tables exceed the memory; empty if there are none
 };
 
-// The number of pairs of connected parts and of isolated parts.
+// The number of pairs of connected parts plus the number of isolated parts, by which `distance_energy()` divides.
 std::size_t number_of_counted_pairs(const Aligned_shape& shape)
 {
   std::vector<char> touches(shape.parts.size(), 0);
@@ -80,7 +80,7 @@ Matching_problem problem_of(const Shared_shape& source, const Shared_shape& targ
   return {source, target, options.energy, coarse_candidates(source, target, options, deadline), deadline};
 }
 
-// \throw Out_of_time, Too_large if time or memory does not suffice for the tables
+// Searches in one alignment and direction. \throw Out_of_time, Too_large if time or memory is too little for tables
 Search_run search(const Shared_shape& source, const Shared_shape& target, Direction direction, int turns,
                   const Search_options& options, const Deadline& deadline)
 {
@@ -118,7 +118,7 @@ bool merges_into_asymmetric_part(const Matching_problem& problem, const Assignme
   return false;
 }
 
-// \param min_marginals by group; may be empty
+// The correspondence of an assignment, with warnings. \param min_marginals by group; may be empty
 Correspondence correspondence_of(const Search_run& run, const Assignment& assignment,
                                  const std::vector<double>& min_marginals)
 {

@@ -39,7 +39,7 @@ std::shared_ptr<const Shape_features> features(const Prepared_shape& of, const S
                                        : std::make_shared<Shape_features>(*shape, options);
 }
 
-// Matches the shapes, each turned from its own frame.
+// Matches the shapes, each turned by a number of quarter turns from its own frame.
 Part_matching matched_in_frames(const Match_task& task, const Aligned_shape& shape, int source_turn, int target_turn,
                                 const Deadline* deadline)
 {
@@ -55,7 +55,7 @@ Part_matching matched_in_frames(const Match_task& task, const Aligned_shape& sha
   return result;
 }
 
-// \param deadline see `part_costs()`
+// Matches the shapes in an alignment. \param shape the target in it \param deadline see `part_costs()`
 Part_matching matched_in(const Match_task& task, const Shared_shape& shape, const Alignment_candidate& alignment,
                          const Deadline* deadline)
 {
@@ -166,7 +166,7 @@ bool is_rated_fast(const Part_matching& matching, const Aligned_shape& source)
   return comparisons <= most_comparisons;
 }
 
-// The matching reduced to the likeliest counterpart of every source part, of several the first.
+// The matching reduced to the likeliest counterpart of every source part; of equally likely ones, the first.
 Part_matching likeliest_only(const Part_matching& matching)
 {
   std::map<std::size_t, Part_correspondence> best;

@@ -72,7 +72,7 @@ std::vector<Block> blocks_of(const Match_matrix& confident, const Shape_features
   return result;
 }
 
-// The pairs that are the best of a part, and whose cost exceeds the least costs of both by at most `excess` in sum.
+// The pairs that are the best of one of their parts, and exceed the least costs of both by at most `excess` in sum.
 Match_matrix pairs_within(const Eigen::MatrixXd& costs, double excess)
 {
   const Eigen::VectorXd least_in_row = costs.rowwise().minCoeff(), least_in_column = costs.colwise().minCoeff();
@@ -169,7 +169,7 @@ void match_all(const std::vector<std::size_t>& source, const std::vector<std::si
       pairs(Eigen::Index(i), Eigen::Index(j)) = true;
 }
 
-// Completes blocks to all pairs, where the numbers of parts differ, or panels do not pair one to one.
+// Adds all pairs of a block if its numbers of parts of both shapes differ, or its panels do not pair one to one.
 void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confident, const Eigen::MatrixXd& costs,
                      const Shape_features& source, const Shape_features& target, const Part_matching_options& options,
                      Match_matrix& pairs)
@@ -251,7 +251,7 @@ Eigen::MatrixXd margins(const Eigen::MatrixXd& costs, const Match_matrix& pairs)
 // Logistic function of the margin. Pairs of blocks with negative margins are right as often as those of margin 0.
 double confidence(double margin) { return std::min(1 / (1 + std::exp(-std::max(0., margin))), 1 - least_doubt); }
 
-// Cost of a pair that is not allowed; greater than all others.
+// Cost of a pair that is forbidden; greater than all other costs.
 constexpr double forbidden_cost = 1e4;
 
 Eigen::MatrixXd costs_of(const Shape_features& a, const Shape_features& b, const Part_matching_options& options,

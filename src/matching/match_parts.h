@@ -14,17 +14,17 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// Keeps the costs of features below those of pairs that are forbidden.
+/// Limit of `Part_cost_weights::features`, which keeps costs of features below those of forbidden pairs.
 constexpr double largest_feature_weight = 1000;
 
 /// A part-to-part correspondence of two aligned shapes.
 struct Part_matching
 {
   std::vector<Part_correspondence> pairs; ///< sorted by source, then target; indices of parts of the aligned shapes
-  Eigen::MatrixXd costs;                  ///< source part × target part, by index of the aligned shapes
-  bool upside_down = false;               ///< one shape was turned over, such as a lamp that hangs from a chain
-  Eigen::MatrixXd probabilities;          ///< source part × target part; empty without roles
-  Eigen::MatrixXd evidence;               ///< `evidence_of_features()`
+  Eigen::MatrixXd costs;         ///< `part_costs()`: source part × target part, by index of the aligned shapes
+  bool upside_down = false;      ///< whether one shape was turned over, such as a lamp that hangs from a chain
+  Eigen::MatrixXd probabilities; ///< of every pair: source part × target part; empty without roles
+  Eigen::MatrixXd evidence;      ///< `evidence_of_features()`
 };
 
 /// Matches parts by their costs alone, without deforming a shape.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t no_surface = std::size_t(-1);
 
-// Finds the assemblies, one kind after the other.
+// Finds the assemblies (`Part_assemblies`) of a shape, one kind after the other.
 class Assembly_finder
 {
 public:

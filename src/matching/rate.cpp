@@ -19,7 +19,7 @@ std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::v
   return result;
 }
 
-// Gives every contact its energy, and half of it to each of its two groups.
+// Lists the energy of every contact, and shares it between its two groups. \return energies of groups, with their cuts
 std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assignment& assignment,
                                      Correspondence& correspondence)
 {

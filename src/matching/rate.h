@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The correspondence by an assignment of labels, with its energy, but without its unmatched parts.
+// The correspondence that an assignment of labels gives, with its energy, but without lists of unmatched parts.
 // \param direction which shape is the source of the problem \param turns quarter turns of the target
 // \param min_marginals by group; may be empty
 Correspondence rate(const Matching_problem& problem, const Assignment& assignment, Direction direction, int turns,

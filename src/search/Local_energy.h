@@ -23,7 +23,7 @@ public:
         edges_of_[v].push_back(e);
   }
 
-  // The change of the energy by new label of v.
+  // The change of the energy for each new label of v.
   std::vector<double> rises(std::size_t v, const Assignment& assignment) const
   {
     const auto edge_cost = [&](std::size_t e) -> const Eigen::MatrixXd& { return energy_.edges[e].cost; };
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  // Sums of the terms of v, by its label. \param unary, of_edge the tables
+  // For each label of v, the sum of the terms that depend on it. \param unary, of_edge tables of these terms
   template <typename Of_edge>
   std::vector<double> sums(std::size_t v, const Assignment& assignment, const std::vector<Eigen::VectorXd>& unary,
                            const Of_edge& of_edge, bool has_edges) const

@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// The sample of a piece for a sample of its part; none if that is on another piece.
+// The index, among the samples of a piece, of a sample of its part; none if the sample is on another piece.
 std::optional<std::size_t> sample_on_piece(const Piece& piece, std::size_t sample)
 {
   constexpr int last = samples_per_side - 1;
@@ -91,7 +91,7 @@ double Partial_energy::operator()(const Assignment& assignment, std::size_t grou
   return energy;
 }
 
-// Updates the state of a group from its label.
+// Updates `matched_` and `contact_displacement_` for the label of a group.
 void Partial_energy::assign(std::size_t group, const Assignment& assignment)
 {
   matched_[group] = assignment[group] != unassigned && !problem_.is_unmatched(group, std::size_t(assignment[group]));

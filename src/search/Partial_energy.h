@@ -34,11 +34,11 @@ public:
   // Sets the solution whose expansions are rated next.
   void set_parent(const Assignment& assignment, const Rating& rating);
 
-  // The energy of the parent with a group assigned, without the contacts of unassigned groups.
+  // The energy of the parent with one more group assigned, without the contacts of unassigned groups, which add to it.
   double lower_bound(const Assignment& assignment, std::size_t group);
 
-  // The energy of the parent with a group assigned. \param least its lower bound \param greatest rating stops early,
-  // with some value above `greatest`, once the energy exceeds it
+  // The energy of the parent with one more group assigned. \param least its `lower_bound()` \param greatest rating
+  // stops early, with some value above `greatest`, once the energy exceeds it
   double operator()(const Assignment& assignment, std::size_t group, double least, double greatest);
 
 private:
@@ -63,7 +63,7 @@ private:
   const Deformable_shape& shape_;
   Structure_preservation preserve_structure_;
   std::vector<std::vector<std::size_t>> contacts_of_; // indexed by group
-  // Displacement of the contact point of a matched part, by side and label
+  // Displacement of the contact point of a matched part, by 2 contact + side, and label
   std::vector<std::vector<Point>> contact_movement_;
   std::vector<std::deque<Piece_rods>> piece_rods_; // indexed by contact
 

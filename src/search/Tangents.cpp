@@ -36,7 +36,7 @@ void Tangents::touch(const std::vector<double>& touched, Tangent_bound& bound)
     unary_[i] = energy_.unary[order_[i]];
   for (std::size_t e = 0; e < pairs_.size(); ++e)
     set_cost(e, energy_.edges[e].cost);
-  // w (1 - sqrt(Q / n)) >= w (1 - sqrt(q / n) / 2) - slope Q
+  // Tangent at Q = q: w (1 - sqrt(Q / n)) >= w (1 - sqrt(q / n) / 2) - slope Q
   bound.offset = 0;
   for (std::size_t r = 0; r < touched.size(); ++r) {
     const Pairwise_energy::Root_term& term = energy_.root_terms[r];

@@ -14,8 +14,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-// The energy with root terms replaced by tangents: a sum of unary and binary terms, a lower bound, since -sqrt is
-// convex.
+// A lower bound of the energy: root terms, which are convex in Q, are replaced by tangents, which leaves a sum of unary
+// and binary terms.
 struct Tangent_bound
 {
   Mini_bucket_bound tables;
@@ -28,7 +28,7 @@ struct Tangent_bound
 class Tangents
 {
 public:
-  /// \throw Out_of_time
+  // \param order the search order of the variables \param table_limit see `Mini_buckets` \throw Out_of_time
   Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit,
            const Deadline& deadline = Deadline());
 
@@ -41,7 +41,7 @@ public:
 
   Tangent_bound make() const { return {Mini_bucket_bound(*buckets_)}; }
 
-  // Sets the bound whose tangents touch the root terms where these have the sums `touched`. \throw Out_of_time
+  // Computes the bound by the tangents of the root terms at Q = `touched`. \throw Out_of_time
   void touch(const std::vector<double>& touched, Tangent_bound& bound);
 
 private:

@@ -18,7 +18,7 @@ using namespace internal;
 
 namespace {
 
-// The order of assignment: first the group with most contacts, then always the one with most to assigned groups.
+// The order of assignment: first the group with most contacts, then always the one with most to groups assigned so far.
 std::vector<std::size_t> assignment_order(const Aligned_shape::Graph& graph)
 {
   const std::size_t n = num_vertices(graph);

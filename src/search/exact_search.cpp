@@ -30,7 +30,7 @@ constexpr std::size_t patience = 1u << 16;
 constexpr std::size_t table_growth = 16;         // factor by which the tables are enlarged
 constexpr std::size_t largest_tables = 1u << 20; // largest number of entries of a table
 
-// The energy, after checks of its sizes and indices.
+// Checks the sizes and indices of an energy, and returns it.
 const Pairwise_energy& checked(const Pairwise_energy& energy)
 {
   const std::size_t n = energy.number_of_variables();
@@ -148,7 +148,7 @@ private:
           "exact search: min-marginals are asked for of the result of another energy; give that of this one");
   }
 
-  // Sets up the bound; if there is no time for it, finds a solution without one.
+  // Computes the bound; if there is no time for that, finds a solution without a bound.
   void prepare()
   {
     try {
@@ -165,8 +165,8 @@ private:
     keep();
   }
 
-  // Computes tangents, the first at the greatest sums, each next one at the first solution found with the one before,
-  // and keeps the one with the greatest bound.
+  // Computes tangents of the root terms, the first at the greatest sums (Q = n), each next one at the first solution
+  // found with the one before, and keeps the one with the greatest bound.
   void choose_tangent()
   {
     constexpr int maximum_tangents = 5;

@@ -28,14 +28,14 @@ class Message_passing
 public:
   bool has_messages() const { return !pairs_of_.empty(); }
 
-  /// \throw Out_of_time
+  // Moves costs, in `sweeps` passes forwards and backwards through the variables. \throw Out_of_time
   void operator()(std::vector<Eigen::VectorXd>& unary, std::vector<Pair_cost>& pairs, int sweeps,
                   const Deadline& deadline = Deadline());
 
 private:
   struct Pairs_of
   {
-    std::vector<std::size_t> forward, backward; // pairs with later and with earlier variables
+    std::vector<std::size_t> forward, backward; // its terms with later and with earlier variables
   };
 
   void start(const std::vector<Eigen::VectorXd>& unary, const std::vector<Pair_cost>& pairs);

@@ -32,8 +32,8 @@ struct Cost_table
 class Mini_buckets
 {
 public:
-  // Tables over `scopes`, for variables with `labels` labels. A message has at most `table_limit` entries jointly with
-  // its variable. \throw Out_of_time
+  // Sets up tables over the variables in `scopes`, which have `labels` labels. A mini-bucket, the joint table of a
+  // message and the variable it eliminates, has at most `table_limit` entries, or is one table. \throw Out_of_time
   Mini_buckets(std::vector<std::size_t> labels, std::size_t table_limit, std::vector<std::vector<std::size_t>> scopes,
                const Deadline& deadline = Deadline());
 
@@ -51,7 +51,8 @@ private:
     std::vector<std::size_t> tables;
     std::size_t message;
   };
-  // Tables in the bound of a variable: given ones completed by it, messages to it, and messages past it.
+  // Tables that add to the bound at a variable: given ones whose last variable it is, messages whose last variable it
+  // is, and messages of later variables whose last variable is earlier.
   struct Level
   {
     std::vector<std::size_t> complete, arriving, passing;
@@ -80,10 +81,10 @@ public:
       : buckets_(&buckets), values_(buckets.values_), labels_(buckets.labels_.size(), 0)
   {}
 
-  // The values of a given table, to be set before run().
+  // The values of a given table, to be filled in before `run()`.
   double* values(std::size_t table) { return values_.data() + buckets_->tables_[table].begin; }
 
-  // Eliminates all variables from the last to the first. \throw Out_of_time
+  // Computes the bound: eliminates all variables, from the last to the first. \throw Out_of_time
   void run(const Deadline& deadline = Deadline())
   {
     bound_ = 0;

@@ -37,8 +37,8 @@ struct Blend_options
   double min_confidence = 0.5;
   Blend_size size = Blend_size::BLEND; ///< size of the in-between shapes
   std::string schedule;                ///< name of the schedule to use; empty: the best one
-  /// Called during the search for steps and before a schedule is rated, with the fraction done, in [0, 1]; `false` ends
-  /// both, and the schedule `in two steps` is used with the best steps so far.
+  /// Called with the fraction done, in [0, 1], during the search for the steps in which parts are exchanged, and before
+  /// a schedule is rated; `false` ends both, and the schedule `in two steps` is used with the best steps so far.
   std::function<bool(double)> progress;
 };
 

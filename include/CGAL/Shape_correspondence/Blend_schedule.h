@@ -31,10 +31,10 @@ enum class Blend_task_type {
 /// \ingroup PkgShapeCorrespondenceMaps
 /// The reason why a part does not morph to its counterpart.
 enum class Blend_obstacle {
-  NONE, ///< none: it morphs, or has no counterpart
-  TORN, ///< its surface is too different from that of its counterpart
-  /// It, or a part with the same counterpart, would move far, come off what it touches, or be cut into pieces of other
-  /// proportions.
+  NONE, ///< none: the part morphs, or has no counterpart
+  TORN, ///< the part's surface is too different from that of its counterpart
+  /// The part, or another one with the same counterpart, would move far, come off what it touches, or be cut into
+  /// pieces of other proportions.
   UNLIKE
 };
 
@@ -43,7 +43,7 @@ enum class Blend_obstacle {
 /// grows.
 struct Blend_task
 {
-  static constexpr std::size_t no_part = std::size_t(-1); ///< index that stands for no part
+  static constexpr std::size_t no_part = std::size_t(-1); ///< index for "no part"
 
   Blend_task_type type = Blend_task_type::MORPH;  ///< kind of change
   std::size_t source = no_part;                   ///< index of the source part, or `no_part`
@@ -57,8 +57,9 @@ struct Blend_task
 /// Measures of an in-between shape, by which schedules are rated; 0 is best.
 struct Blend_quality
 {
-  double support = 0; ///< share of the interpolated number of parts on the ground that is missing
-  /// Width of the widest gap that exceeds those at the ends, minus these, over the height; 0 if less than .005.
+  double support = 0; ///< 1 - number of parts on the ground / its interpolated value, not negative
+  /// Widest gap that has to be bridged to join all parts, minus that of the source or the target, whichever is wider;
+  /// over the height; 0 if less than .005.
   double apart = 0;
 };
 
@@ -68,7 +69,7 @@ struct Blend_schedule
 {
   std::string name;              ///< one of `Shape_blend::schedule_names()`
   std::vector<Blend_task> tasks; ///< the tasks and their times
-  Blend_quality quality;         ///< largest measures over the in-between shapes by which it is rated
+  Blend_quality quality;         ///< largest measures over its `Blend_options::samples` in-between shapes
 };
 
 } // namespace CGAL::Shape_correspondence

@@ -65,12 +65,12 @@ struct Correspondence
   /// of every part of the deformed shape, with the segments of cut curves. Matching by parts pairs sets of parts, every
   /// part of one set with every part of the other, and gives confidences.
   std::vector<Part_correspondence> pairs;
-  std::vector<Group_match> groups;           ///< indexed by group of the deformed shape
-  std::vector<Contact_energy> contacts;      ///< indexed by contact of the deformed shape
+  std::vector<Group_match> groups;           ///< one for each group of the deformed shape, sorted by parts
+  std::vector<Contact_energy> contacts;      ///< one for each contact of the deformed shape, sorted by parts
   std::vector<std::size_t> unmatched_source; ///< source parts without a counterpart, ascending
   std::vector<std::size_t> unmatched_target; ///< target parts without a counterpart, ascending
-  /// Deformation energy, E of Eq. 1; after matching by parts, of whole parts, after a search with the pieces of split
-  /// sheets.
+  /// Deformation energy, E of Eq. 1. After a search, each piece of a sheet that splits or merges is deformed by itself;
+  /// after matching by parts, whole parts are deformed.
   double energy = 0;
   Energy_terms terms;                                ///< the terms of the energy
   Direction direction = Direction::SOURCE_TO_TARGET; ///< which shape was deformed into which
@@ -82,9 +82,9 @@ struct Correspondence
   std::string category;         ///< category whose roles were used; empty: none
   std::vector<std::string> source_roles; ///< most probable role of each source part; empty without a category
   std::vector<std::string> target_roles; ///< most probable role of each target part; empty without a category
-  /// Dimension of the features that were compared (`Shape_structure::features`), and their weight; 0: none.
+  /// Number of rows of `Shape_structure::features`, if features were compared, else 0.
   std::size_t feature_dimension = 0;
-  double feature_weight = 0;         ///< see `feature_dimension`
+  double feature_weight = 0;         ///< `Part_cost_weights::features`, if features were compared, else 0
   std::vector<std::string> warnings; ///< sentences on approximations made and limits reached
 };
 

@@ -31,7 +31,7 @@ enum class Energy_norm {
 /// \ingroup PkgShapeCorrespondenceOptions
 /// Ways to deform a matched part into its target part (paper, section 5, "Deform-to-fit").
 enum class Deform_to_fit {
-  SAMPLES,    ///< sample by sample: it becomes the target part
+  SAMPLES,    ///< sample by sample: the part becomes the target part
   EXTREMITIES ///< ends or corners move to those of the target, with linearly interpolated displacements in between,
               ///< which keeps the part's curvature; closed curves are fitted sample by sample
 };
@@ -48,7 +48,7 @@ struct Part_pair
 /// Options of the deformation energy and its labels.
 struct Energy_options
 {
-  /// An infinite cost, for what is not allowed.
+  /// An infinite `unmatched_cost`: every group must be matched.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Energy_weights weights;                     ///< weights of the terms of the energy

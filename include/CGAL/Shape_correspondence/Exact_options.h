@@ -24,7 +24,8 @@ struct Exact_options
   std::size_t table_limit = 1u << 12;
   std::size_t node_limit =
       2'000'000; ///< limit for the nodes of the search tree; if reached, the best solution so far is returned
-  /// Limit in seconds from construction, with the same effect; 0: no limit, so that results do not depend on speed.
+  /// Time limit, in seconds from construction; if reached, the best solution so far is returned. 0: no limit, so that
+  /// results do not depend on speed.
   double time_limit = 0;
   std::size_t solutions = 1; ///< number of best assignments to return, at least 1
 };

@@ -22,7 +22,7 @@ enum class Operation {
   DUPLICATE, ///< some of several parts are cloned
   MERGE,     ///< many parts become fewer
   CUT,       ///< curves are cut into equally long segments, one for each target part
-  JOIN,      ///< the inverse: several curves become the segments of one
+  JOIN,      ///< the inverse of `CUT`: several curves become the segments of one
   NONE       ///< the group is left unmatched
 };
 

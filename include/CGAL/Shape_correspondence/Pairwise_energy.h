@@ -35,7 +35,7 @@ struct Pairwise_energy
   {
     std::size_t first;    ///< the smaller variable
     std::size_t second;   ///< the larger variable; a pair of variables has one edge at most
-    Eigen::MatrixXd cost; ///< label of first × label of second
+    Eigen::MatrixXd cost; ///< indexed by label of `first` and label of `second`
   };
 
   /// w (1 - sqrt(Q / n)), `norm_loss()` with a weight.
@@ -43,7 +43,7 @@ struct Pairwise_energy
   struct Root_term
   {
     double weight = 0;                  ///< w, not negative
-    double count = 1;                   ///< n
+    double count = 1;                   ///< n, the number of squares that Q sums, each at most 1
     std::vector<Eigen::VectorXd> unary; ///< contribution to Q, by variable and label
     std::vector<Eigen::MatrixXd> edge;  ///< contribution to Q, by edge and pair of labels; empty: none
 

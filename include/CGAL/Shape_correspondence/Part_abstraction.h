@@ -74,7 +74,7 @@ struct Abstraction_report
     NONE,  ///< nothing was changed
     SOUP,  ///< double and degenerate triangles were removed, others oriented
     HOLES, ///< holes were filled
-    WRAP   ///< it was wrapped (`CGAL::alpha_wrap_3()`)
+    WRAP   ///< the surface was wrapped (`CGAL::alpha_wrap_3()`)
   };
 
   Method method = Method::GIVEN; ///< object to which the curve or sheet was fitted
@@ -87,10 +87,10 @@ struct Abstraction_report
   bool time_limit = false;  ///< whether the time limit was reached
   std::string fallback;     ///< reason for using the bounding box (for a copy: of its original); empty: it was not used
   std::string copy_of;      ///< name of the original, if the part is a copy
-  double residual = 0;      ///< root mean square distance of the fitted points, over the diagonal of the part
-  double coverage = 1; ///< length of the curve over that of the skeleton; share of the sheet that is inside the part
-  int iterations = 0;  ///< number of steps of the flow
-  double milliseconds = 0;   ///< time of the abstraction; not saved in files
+  double residual = 0;      ///< root mean square distance from the points it was fitted to, over the part's diagonal
+  double coverage = 1;      ///< of a curve: its length over that of the skeleton; of a sheet: its share inside the part
+  int iterations = 0;       ///< number of steps of the flow
+  double milliseconds = 0;  ///< time of the abstraction; not saved in files
   Phase_milliseconds phases; ///< time of each phase
 
   /// Whether the bounding box was used because no skeleton could be computed.

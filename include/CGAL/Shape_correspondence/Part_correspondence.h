@@ -24,7 +24,7 @@ namespace CGAL::Shape_correspondence {
 /// The types are small, since sets of shapes keep millions of pairs.
 struct Curve_segment
 {
-  short index = 0; ///< along the curve, from 0 on
+  short index = 0; ///< position along the curve, from 0 on
   short count = 1; ///< number of segments of the curve
 
   /// Whether the part is not cut.
@@ -75,7 +75,7 @@ inline Part_correspondence inverse(const Part_correspondence& pair)
 }
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence
-/// Indices of a source part and a target part.
+/// Pairs of a source part and a target part, by their indices.
 using Part_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// \ingroup PkgShapeCorrespondenceCorrespondence

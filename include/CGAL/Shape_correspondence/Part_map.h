@@ -37,7 +37,7 @@ struct Shape_pair_map
 {
   std::size_t source; ///< index of the source shape
   std::size_t target; ///< index of the target shape
-  Part_map map;       ///< source to target
+  Part_map map;       ///< map from the source to the target
 };
 
 /// \ingroup PkgShapeCorrespondenceSets

@@ -27,9 +27,9 @@ struct Part_cost_weights
 {
   /// Share of the smaller bounding box that lies outside of the other one.
   double overlap = 2;
-  /// Cost: absolute log ratio of the sides of the bounding boxes, summed over the axes.
+  /// |log(ratio of the sides of the bounding boxes)|, summed over the axes.
   double extent = 0.7;
-  /// Cost if only one of the parts stands on the ground; half of it for upright boards.
+  /// Cost if only one of the parts stands on the ground; half of it if one of them is an upright board.
   double ground = 1.5;
   /// Horizontal distance of the centres of the bounding boxes, summed over the two axes.
   double place = 3.2;
@@ -51,22 +51,23 @@ struct Part_matching_options : Role_options
   /// Cost added if a part corresponds to a panel or a regular arrangement as a whole.
   double whole = 1;
   /// Length that counts as 0: added to the sides of bounding boxes, and the height up to which a part stands on the
-  /// ground. Parts that pair one to one at a cost of at most this number are the same.
+  /// ground. Parts that pair one to one at a cost of at most this number count as identical.
   double tolerance = 0.03;
-  /// Likelihood, in [0, 1], above which pairs warp one shape towards the other; also the weight of no displacement.
+  /// Likelihood, in [0, 1], above which a pair of parts takes part in warping one shape towards the other; also the
+  /// weight of a zero displacement in the mean of the displacements.
   double anchor = 0.2;
-  /// Length: standard deviation of the influence of such a pair.
+  /// Standard deviation, a length, of the Gaussian by which the influence of such a pair falls with distance.
   double warp_width = 0.15;
-  /// Cost by which a matched pair may exceed the least costs of its two parts in sum; it must be the least one of
-  /// either part. Smaller values give fewer pairs of higher precision.
+  /// Limit for c - c1 + c - c2, where c is the cost of a matched pair, and c1, c2 are the least costs of its two parts,
+  /// one of which must be c. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
-  /// The same bound on the difference of costs, for pairs that decide which sets of parts correspond.
+  /// Limit for the same sum of differences as `excess`, for the pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;
-  /// Share of the top view that a seat or table top covers at least, and its largest thickness over its shorter side.
+  /// Least share of the top view that a seat or table top covers; also its largest thickness over its shorter side.
   double main_surface = 0.3;
-  /// Length: largest thickness of a board that belongs to a side of the shape, and its largest distance from that side.
+  /// Largest thickness of a board that belongs to a side of the shape, and its largest distance from that side.
   double side_depth = 0.1;
-  /// Length: width from which on a part on the ground is a wall rather than a leg.
+  /// Length: largest width of a part on the ground that is a leg rather than a wall.
   double wall_width = 0.7;
   /// Least number of parts of a regular arrangement, at least 2.
   std::size_t repetition = 3;

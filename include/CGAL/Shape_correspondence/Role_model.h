@@ -67,12 +67,14 @@ private:
 /// Thresholds for the category of shapes and for the direction that they face.
 struct Role_options
 {
-  /// Limit for the distance from a category's labelled parts over that from any other's for a shape to belong to it.
+  /// A shape belongs to a category only if its distance from the category's labelled parts is at most this multiple of
+  /// its distance from those of every other category.
   double category_ratio = 0.82;
-  /// Largest mean distance from a category's labelled parts of a shape that belongs to it, in standard deviations of a
-  /// feature.
+  /// Largest distance of a shape from the labelled parts of its category (`Part_roles::distance`), in standard
+  /// deviations of a feature.
   double category_distance = 0.45;
-  /// Share, less than 1. Another front or alignment is preferred to the given one if it is better by more than this.
+  /// Share, less than 1, by which another front must be more likely, or another alignment cost less, than the given one
+  /// to be taken in its place.
   double clearly_better = 0.05;
 };
 
@@ -107,8 +109,8 @@ struct Labelled_graph
   /// parts of a role have one; `left` and `right` in them are replaced by the side of the part.
   std::vector<Part_label> labels;
   double weight = 1; ///< weight in the training, above 0; smaller for generated shapes than for real ones
-  /// Whether the shape is generated. Every tree is trained on a sample of the generated shapes; the distance from a
-  /// category that has others is measured to the others alone.
+  /// Whether the shape was made by a generator. Every tree is trained on some of these shapes only
+  /// (`Role_training_options::generated_per_tree`); distances from a category are measured to its other shapes, if any.
   bool is_generated = false;
 };
 
@@ -117,7 +119,7 @@ struct Labelled_graph
 struct Role_training_options
 {
   int trees = 80;              ///< number of trees in the forest of a category, from 1 to 1000
-  int generated_per_tree = 40; ///< number of generated shapes of the category that a tree sees at most, from 0
+  int generated_per_tree = 40; ///< largest number of generated shapes that a tree is trained on, from 0
   std::uint64_t seed = 0;      ///< seed of the random numbers
 };
 

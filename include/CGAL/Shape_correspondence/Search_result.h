@@ -33,7 +33,7 @@ struct Search_result
   std::vector<Solution> solutions; ///< the best first; at least one
   bool optimal = false;            ///< whether it is proven that no other assignment has a lower energy than these
   bool out_of_time = false;        ///< whether a time limit ended the search
-  Search_summary summary;          ///< how the search went
+  Search_summary summary;          ///< effort and lower bound of the search
 
   /// The first solution.
   const Solution& best() const { return solutions.front(); }

@@ -106,7 +106,7 @@ public:
     return result;
   }
 
-  /// The same with the name "shape" and the y axis up.
+  /// As above, with the name "shape" and the y axis up.
   template <typename TriangleMesh, typename SegmentIdMap, typename T, typename Tag, typename Base>
   static Segmented_shape from_segmentation(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                            const CGAL::Named_function_parameters<T, Tag, Base>& np)

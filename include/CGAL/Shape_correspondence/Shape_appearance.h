@@ -33,7 +33,7 @@ struct Image
 };
 
 /// \ingroup PkgShapeCorrespondenceAppearance
-/// Extension of a texture outside of [0, 1].
+/// How a texture continues at coordinates outside of [0, 1].
 enum class Texture_wrap { REPEAT, MIRROR, CLAMP };
 
 /// \ingroup PkgShapeCorrespondenceAppearance

@@ -28,8 +28,8 @@ namespace CGAL::Shape_correspondence {
 enum class Symmetry_type {
   NONE,       ///< a single part without a mirror plane of its own
   SELF,       ///< a single part that is its own mirror image
-  REFLECTION, ///< images under reflection in a plane
-  ROTATION,   ///< images under rotation about an axis
+  REFLECTION, ///< parts that a reflection in a plane maps to each other
+  ROTATION,   ///< parts that rotations about an axis map to each other
   TRANSLATION ///< parts in a row
 };
 
@@ -39,9 +39,9 @@ struct Symmetry
 {
   Symmetry_type type = Symmetry_type::NONE; ///< kind of the symmetry
   Point point{0, 0, 0};                     ///< point on the mirror plane or the rotation axis
-  Point direction{0, 0, 0}; ///< unit normal of the plane; unit axis; the translation from member to member
+  Point direction{0, 0, 0}; ///< by type: unit normal of the plane, unit axis, or translation from member to member
   int order = 1;            ///< order n of an n-fold rotation
-  double residual = 0;      ///< distance of members from their images, over the height of the shape
+  double residual = 0;      ///< mean distance of members from their images, over the height of the shape
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
@@ -74,7 +74,7 @@ struct Group_contact
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph
-/// Data of the whole shape.
+/// The parts of a shape, their contacts, and what is known of the shape as a whole: the data that the graph refers to.
 struct Shape_structure
 {
   std::string name;                    ///< name of the shape in messages and files
@@ -84,7 +84,7 @@ struct Shape_structure
   std::vector<std::string> warnings;   ///< sentences on approximations made and limits reached
   bool automatic_parts = false;        ///< whether the parts come from an automatic segmentation
   std::string content;                 ///< hash of the meshes and options of the graph; empty: unknown
-  Eigen::MatrixXd features; ///< by column, those of the parts (`features_of_parts()`); empty: none. Not saved in files
+  Eigen::MatrixXd features; ///< `features_of_parts()`, one column for each part; empty: none. Not saved in files
 };
 
 /// \ingroup PkgShapeCorrespondenceGraph

@@ -84,7 +84,7 @@ struct Abstraction_options
   /// Limit in seconds for one part; parts that need more get their bounding box, which the report states. Default: no
   /// limit, so that results do not depend on the speed of the machine.
   double time_limit = std::numeric_limits<double>::infinity();
-  int curve_points = 16; ///< control points of a curve, from 2 to 1000; as many again for each full turn
+  int curve_points = 16; ///< control points of a curve, from 2 to 1000; as many more for each full turn that it makes
   int sheet_points = 8;  ///< control points along each side of a sheet, from 2 to 1000
   /// Called after every part with the number of parts done and their total; from one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress;

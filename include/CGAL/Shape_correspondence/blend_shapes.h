@@ -34,7 +34,7 @@ struct Blend_surface
   std::string name; ///< `s~t` for a source part s that becomes t; `s~` for s that vanishes; `~t` for t that grows
   Blend_task task;  ///< the task to which the surface belongs
   Eigen::Matrix3Xi triangles; ///< one triangle in each column: indices into the points of the surface
-  double begin = 0; ///< exists at times t with `begin` <= t < `end`; a growing surface starts as a point or a line
+  double begin = 0; ///< it exists at times t with `begin` <= t < `end`; a growing surface starts as a point or line
   double end = 1;   ///< see `begin`
   int side = 0;     ///< the shape whose materials it has: 0, the source, or 1, the target
 };
@@ -47,7 +47,7 @@ struct Blend_surface
 /// - *Stage*: every shape stands on the ground with the centre of its bounding box, or its mirror plane, above the
 ///   origin, in the axes of the source; the source and the target are the inputs, moved there.
 /// - *Layout*: every matched part has a box at either end; position, size and rotation are interpolated between them;
-///   the axes of boxes are paired by the least rotation. The whole stands, with the interpolated height.
+///   the axes of boxes are paired by the least rotation. The shape stands on the ground with the interpolated height.
 /// - *Matched parts* morph in their boxes, or along their curves. Either surface moves with its box and, where that
 ///   brings it nearer to the other one, with a smooth change of space by the outlines of cross-sections. The target's
 ///   surface replaces the source's at time .45. A part that corresponds to many is cut into closed pieces, one for
@@ -57,9 +57,9 @@ struct Blend_surface
 ///   smoothing spline: it follows the surfaces of matched parts, the boxes of parts that correspond, and the bounding
 ///   box of the whole, so that parts stay in contact with their neighbours. Where their contacts allow it, they are
 ///   stretched, or turned and stretched, so that what is straight stays straight. They come and go along their own
-///   curve or sheet: from the place where they are held, or from the line between several such places. Old parts are
-///   replaced by those in their place in an instant, one place after the other; other old parts vanish before that, and
-///   other new parts grow after it, what is carried after what carries it.
+///   curve or sheet: from the place where they are held, or from the line between several such places. Old parts
+///   (of the source) are replaced by the new ones in their place in an instant, one place after the other; other old
+///   parts vanish before that, and other new parts grow after it, parts after those that carry them.
 /// - If both shapes have the common mirror plane, the *mirror image* of a part becomes the mirror image of its
 ///   counterpart, even if only one of the two pairs is in the correspondence.
 ///
@@ -97,7 +97,7 @@ public:
   /// \throw Invalid_input if `detail` is out of range
   Part_mesh solid(double t, double detail = 0.01) const;
 
-  /// The names of all schedules.
+  /// The names that `Blend_options::schedule` may have.
   static std::vector<std::string> schedule_names();
 
   /// The blends by schedules with different in-between shapes, the best first (Alhashim et al. 2014, section 6).

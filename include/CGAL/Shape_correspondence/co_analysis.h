@@ -24,7 +24,8 @@ namespace CGAL::Shape_correspondence {
 struct Co_analysis_options
 {
   Markov_clustering_options clustering; ///< options of the clustering
-  /// Share, in [0, 1], of the third shapes able to confirm a pair of parts below which it is an outlier; 0: none is.
+  /// A pair of parts is an outlier if they have a common counterpart in less than this share, in [0, 1], of the third
+  /// shapes where both have counterparts; 0: no pair is.
   double least_cycle_support = 0.5;
 };
 
@@ -37,7 +38,7 @@ struct Co_analysis
   /// Indexed by shape and part; 0 is the largest cluster; `none` for parts in no cluster.
   std::vector<std::vector<int>> labels;
   int number_of_labels = 0;       ///< labels are 0 to `number_of_labels` - 1
-  std::size_t part_pairs = 0;     ///< number of unordered pairs of parts in the matrix
+  std::size_t part_pairs = 0;     ///< number of unordered pairs of parts in the clustered matrix
   std::size_t rejected_pairs = 0; ///< number of pairs left out as outliers
 };
 

@@ -31,8 +31,8 @@ namespace CGAL::Shape_correspondence {
 struct Energy_matrix_options
 {
   Search_options search; ///< options of every match
-  /// Energy, not negative, of a pair of connected parts one of which is unmatched; by default about a bad
-  /// deformation's.
+  /// Energy, not negative, of a pair of connected parts one of which is unmatched; the default is about that of a bad
+  /// deformation.
   double unmatched_energy = 0.5;
   /// Called from one thread at a time with the numbers of completed and of all pairs of shapes; `false` ends the work.
   std::function<bool(std::size_t done, std::size_t total)> progress;
@@ -43,7 +43,7 @@ struct Energy_matrix_options
 struct Rated_map
 {
   double energy = std::numeric_limits<double>::quiet_NaN(); ///< see `distance_energy()`; NaN: not computed
-  Part_map map;                                             ///< source to target
+  Part_map map;                                             ///< part map from the source to the target
 };
 
 /// \ingroup PkgShapeCorrespondenceSets

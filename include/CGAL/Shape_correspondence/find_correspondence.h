@@ -35,7 +35,7 @@ Alignments& alignments_of(const Prepared_shape& shape);
 class Prepared_shape
 {
 public:
-  /// Keeps the graph by reference.
+  /// Keeps a reference to the graph.
   explicit Prepared_shape(const Structural_graph& graph);
   explicit Prepared_shape(const Structural_graph&&) = delete;
 
@@ -56,7 +56,7 @@ private:
 /// A label transferred from a part of the source to a part of a target.
 struct Transferred_label
 {
-  Part_label label;      ///< empty if the part is excluded from the match
+  Part_label label;      ///< label of the source part; empty if the target part is excluded
   double confidence = 0; ///< probability that the two parts correspond; 0: the source part of least cost was used
 };
 
@@ -65,7 +65,7 @@ struct Transferred_label
 class Correspondence_finder
 {
 public:
-  /// Keeps the graph by reference.
+  /// Keeps a reference to the graph.
   /// \pre the graph is valid (`is_valid_structural_graph()`)
   /// \throw Invalid_input if an option is out of its range
   explicit Correspondence_finder(const Structural_graph& source, const Search_options& options = {});

@@ -27,7 +27,7 @@ struct Markov_clustering_options
 {
   /// Exponent for the entries of columns, more than 1; larger values give more and smaller clusters.
   double inflation = 2;
-  double expansion_limit = 1e-4;   ///< share of a column below which its entries are dropped
+  double expansion_limit = 1e-4;   ///< share of the sum of a column below which an entry is dropped
   std::size_t column_limit = 1000; ///< largest number of entries of a column; the smallest ones are dropped
   /// Largest number of all entries, 28 bytes each; shared evenly if that is less than `column_limit` per column.
   std::size_t entry_limit = 30'000'000;

@@ -29,7 +29,7 @@ struct Near_shape
 {
   std::size_t shape = 0; ///< index of the shape
   double distance = 0;   ///< mean of the `distance_energy()` of both directions
-  Part_map map;          ///< query to shape
+  Part_map map;          ///< part map from the query to the shape
   std::string category;  ///< `Correspondence_finder::source_category()` of the shape
 };
 

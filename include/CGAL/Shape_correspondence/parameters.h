@@ -113,7 +113,7 @@ Options options_from(const NamedParameters& np)
 /// \param np named parameters, each of which sets a field, where its meaning, unit and default are documented
 ///
 /// | parameter | field | |---|---|
-/// | `time_limit`, `progress` | of this name in `Abstraction_options` |
+/// | `time_limit`, `progress` | fields of these names in `Abstraction_options` |
 /// | `detect_symmetry` | `Symmetry_options::enabled` |
 /// | `contact_tolerance` | `Contact_options::tolerance` |
 ///
@@ -132,10 +132,10 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 ///
 /// | parameter | field | |---|---|
 /// | `search_method` | `Search_options::method` |
-/// | `min_confidence`, `maximum_parts`, `alignments`, `front_is_sure`, `solutions` | of this name in `Search_options` |
+/// | `min_confidence`, `maximum_parts`, `alignments`, `front_is_sure`, `solutions` | same names in `Search_options` |
 /// | `feature_weight` | `Part_cost_weights::features` |
-/// | `beam_width`, `expansions` | of this name in `Beam_options` |
-/// | `unmatched_cost`, `pinned`, `forbidden` | of this name in `Energy_options` |
+/// | `beam_width`, `expansions` | fields of these names in `Beam_options` |
+/// | `unmatched_cost`, `pinned`, `forbidden` | fields of these names in `Energy_options` |
 ///
 /// \pre both graphs are valid (`is_valid_structural_graph()`)
 /// \throw Invalid_input if an option is out of its range

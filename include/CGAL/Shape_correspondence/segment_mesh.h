@@ -23,7 +23,7 @@ namespace CGAL::Shape_correspondence {
 struct Segmentation_options
 {
   std::size_t patches = 256; ///< number of surface patches that segments are composed of, at least 1
-  double probability = 0.5;  ///< probability, in (0, 1), of belonging to one part from which on neighbours are merged
+  double probability = 0.5;  ///< least probability, in (0, 1), that merged neighbours belong to one part
   double least_area = 0.01;  ///< share of the area of its component below which a segment joins a neighbour
 };
 

@@ -36,10 +36,10 @@ enum class Part_splitting {
 struct Part_splitting_options
 {
   Part_splitting mode = Part_splitting::AUTO; ///< how parts are made
-  double layer_distance = 0.015;     ///< largest distance of all points of a piece from another piece that it lies on
-  double small_size = 0.04;          ///< largest size of pieces that join a piece in contact
+  double layer_distance = 0.015;     ///< a piece lies on another one if all of its points are within this distance
+  double small_size = 0.04;          ///< largest size of a piece that joins a larger one in contact with it
   double touching_distance = 0.005;  ///< largest gap of pieces in contact
-  std::size_t most_parts = 100;      ///< largest number of parts of an object; an object with more stays whole
+  std::size_t most_parts = 100;      ///< largest number of parts of one of several objects; with more it stays whole
   Segmentation_options segmentation; ///< options of `Part_splitting::SEGMENTS`, and for models of one piece
   /// Index of the material by object and triangle. Empty: a single material.
   std::vector<std::vector<int>> materials;
@@ -58,7 +58,7 @@ struct Model_piece
   std::size_t object = 0; ///< index of the object
   std::size_t part = 0;   ///< index of its part; `no_part` if it is left out
   bool closed = false;    ///< whether every edge has two triangles
-  double size = 0;        ///< size over that of the model
+  double size = 0;        ///< size of the piece over that of the model
   std::string reason;     ///< why it is in a part with other pieces; empty for the largest piece of a part
 };
 
@@ -67,7 +67,7 @@ struct Model_piece
 struct Part_split
 {
   Segmented_shape shape;              ///< the parts
-  std::vector<Model_piece> pieces;    ///< sorted by object, then by their first triangles
+  std::vector<Model_piece> pieces;    ///< sorted by object, then by place along a direction of the frame
   std::vector<std::string> decisions; ///< for every object: the result, and its reason
   bool by_segments = false;           ///< whether pieces are segments
   bool is_found = false;              ///< whether parts were found by their similarity to labelled parts
@@ -75,8 +75,8 @@ struct Part_split
   std::string found_roles = {};
   std::vector<std::string> patched_objects = {}; ///< objects whose pieces are patches between creases
   bool by_materials = false;                     ///< whether pieces also end at changes of the material
-  /// If parts were found, the unions of pieces that may be parts, each of two numbers: a number below that of the
-  /// pieces is a piece, a larger one, less that number, an earlier union.
+  /// If parts were found, the unions of pieces that may be parts. A union has two members: a number i below
+  /// `pieces.size()` is the piece i, any other number the earlier union i - `pieces.size()`.
   std::vector<std::array<std::size_t, 2>> unions = {};
   std::size_t pieces_left_out = 0; ///< number of pieces without area
   /// Number of closed pieces that were not divided into segments, since they have no interior.
@@ -91,22 +91,22 @@ struct Part_split
 /// \ingroup PkgShapeCorrespondenceShapes
 /// Makes parts of the objects of a model. An object may have pieces that only share a material, such as four legs, and
 /// one part may have several pieces, such as the spokes of a wheel. In mode `Part_splitting::AUTO`
-/// - an object stays whole if it is one piece, if the hull of its largest piece contains all others (a spoked wheel, a
-///   cushion with its piping) and is smaller than .5 of the model, or if it is smaller than .3 of the model and its
-///   pieces touch, unless it is the only object;
-/// - in other objects every piece is a part, except that a piece joins the one on which it lies (a lining, a screw), a
-///   small piece joins one that it touches, and pieces that touch and are deep in each other's hulls stay together;
-/// - an object that has more than 1000 pieces stays as it is, and so does one of several objects if it would become
-///   over `most_parts` parts;
-/// - a model that would be one part is split into its pieces, and one that is one piece into its segments, if there are
-///   at most 30.
+/// - one of several objects stays whole if the hull of its largest piece contains all others and that piece is smaller
+///   than .5 of the model (a spoked wheel, a cushion with its piping), if it is smaller than .3 of the model and its
+///   pieces touch, if it has more than 1000 pieces, or if it would become more than `most_parts` parts;
+/// - in other objects every piece becomes a part, except that a piece joins a larger one on which it lies (a lining, a
+///   screw), a small piece joins a larger one that it touches, and pieces that touch and are deep in each other's hulls
+///   stay together;
+/// - a model that would become one part is split into its pieces, and a model of one piece into its segments, unless
+///   these are more than 30 or it has more than 200 000 triangles.
 ///
 /// The result does not depend on position, size, rotation (except for rounding) and order. Parts have the name of their
 /// object, with `#2`, `#3`, … after the first. An object that is not split keeps its mesh. Loose pieces without area
 /// are left out and counted. O(n log n) in the number of triangles, and quadratic in the number of pieces of an object.
 /// \param objects the model, whose parts are the objects
 /// \param options the mode and its options
-/// \throw Invalid_input if the model has no part, or materials do not fit its triangles
+/// \throw Invalid_input if the model has no part, more than 10 000 pieces to be grouped, or materials that do not fit
+/// its triangles
 Part_split split_parts(const Segmented_shape& objects, const Part_splitting_options& options = {});
 
 /// \ingroup PkgShapeCorrespondenceShapes

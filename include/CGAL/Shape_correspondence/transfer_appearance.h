@@ -27,9 +27,9 @@ namespace CGAL::Shape_correspondence {
 /// Options of `transfer_appearance()` and `transfer_labels()`.
 struct Transfer_options
 {
-  int size = 1024; ///< width and height of the texture in pixels, at least 16, at most 8192
-  int margin = 4;  ///< pixels by which the colours of a chart are extended past its border, at least 1, at most 64
-  int samples = 2; ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
+  int size = 1024;              ///< width and height of the texture in pixels, at least 16, at most 8192
+  int margin = 4;               ///< number of pixels by which colours extend past the border of a chart, from 1 to 64
+  int samples = 2;              ///< n, from 1 to 8: the colour of a pixel is the mean of n × n points
   bool new_coordinates = false; ///< whether to compute new texture coordinates even if those of the target are usable
   Eigen::Vector3d neutral = {0.45, 0.45, 0.45}; ///< linear colour of parts without appearance
 };
@@ -58,7 +58,7 @@ struct Transferred_part
 /// The result of `transfer_appearance()` and `transfer_labels()`.
 struct Transferred_appearance
 {
-  Shape_appearance appearance; ///< appearance of the target: one material with one texture, which is only decoded
+  Shape_appearance appearance; ///< appearance of the target: one material with one texture, without `Texture::bytes`
   std::vector<Transferred_part> parts; ///< indexed by target part
   bool has_given_coordinates = false;  ///< whether the texture coordinates are those of the target
 };
@@ -110,8 +110,8 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
 /// Transfers the appearance of a mesh to another mesh on the same surface, such as a piece or a subdivision of it: a
 /// triangle gets the material of the triangle nearest to its centroid, whose texture coordinates and colours are
 /// interpolated. O(n log n).
-/// \param mesh, appearance the mesh and its appearance
-/// \param on_it the mesh on the same surface
+/// \param mesh, appearance the mesh with the appearance
+/// \param on_it the other mesh
 Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it);
 
 /// \ingroup PkgShapeCorrespondenceAppearance

@@ -46,13 +46,13 @@ struct Collection
     Transitive_correspondence correspondence; ///< the correspondence via other shapes
   };
 
-  std::vector<Shape> shapes; ///< all indices refer to this order
+  std::vector<Shape> shapes; ///< the shapes; all indices refer to this order
   /// The energies of ordered pairs of shapes. A function, since a matrix of them might exceed memory.
   std::function<double(std::size_t source, std::size_t target)> energy;
   std::size_t medoid = 0;       ///< index of the `topological_medoid()`
   std::vector<Shape_pair> tree; ///< a minimum spanning tree by `symmetric_distances()`
   std::vector<Bridge> bridges;  ///< pairs of shapes for which a chain of shapes has less energy, the largest gain first
-  std::size_t bridge_count = 0; ///< number of such pairs, including those not in `bridges`
+  std::size_t bridge_count = 0; ///< number of all such pairs, of which `bridges` may list only some
   Co_analysis co_analysis;      ///< labels of parts
   std::size_t co_analysis_shape_pairs = 0; ///< number of unordered pairs of shapes whose maps were clustered
   std::vector<Shape_pair_map> matches;     ///< maps of ordered pairs of shapes to be written

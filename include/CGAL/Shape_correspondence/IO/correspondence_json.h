@@ -64,12 +64,12 @@ struct Named_correspondence
 {
   std::string source;                              ///< the source as the user named it
   std::string target;                              ///< the target as the user named it
-  std::vector<Named_part_correspondence> pairs;    ///< in the order of the file
+  std::vector<Named_part_correspondence> pairs;    ///< corresponding parts, in the order of the file
   bool complete = false;                           ///< see `Correspondence::complete`
   int target_quarter_turns = 0;                    ///< see `Correspondence::target_quarter_turns`
   std::string category;                            ///< category of both shapes; empty if the method does not use roles
-  std::map<std::string, std::string> source_roles; ///< by part name; empty if there is no category
-  std::map<std::string, std::string> target_roles; ///< see `source_roles`
+  std::map<std::string, std::string> source_roles; ///< roles of source parts, by name; empty without a category
+  std::map<std::string, std::string> target_roles; ///< roles of target parts, by name; empty without a category
 };
 
 /// \ingroup PkgShapeCorrespondenceIO

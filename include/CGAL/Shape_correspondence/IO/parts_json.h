@@ -27,7 +27,7 @@ namespace CGAL::Shape_correspondence::IO {
 void write_parts_json(std::ostream& out, const Part_split& split);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Splits a model into the parts defined by such a file.
+/// Splits a model into the parts that a file of `write_parts_json()`, perhaps edited, defines.
 /// \param objects the model
 /// \param path the file
 /// \param materials as in `Part_splitting_options`, for files whose pieces end at changes of the material

@@ -27,7 +27,7 @@ struct Labelled_shape
   std::string category;           ///< from the file; if not given there, the name of the parent folder
   std::string source;             ///< origin of the shape; empty if not given
   std::string license;            ///< licence of the shape; empty if not given
-  std::vector<std::string> parts; ///< names, each once
+  std::vector<std::string> parts; ///< names of the parts, each once
   std::vector<Part_label> labels; ///< indexed by part
 
   /// Index of the part of this name; the number of parts if there is none.

@@ -19,7 +19,7 @@
 namespace CGAL::Shape_correspondence::IO {
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// Writes a shape as Wavefront OBJ: one object for each part, with the part's name. Reading gives the same coordinates.
+/// Writes a shape as Wavefront OBJ: one object for each part, with the part's name. Coordinates are written exactly.
 void write_segmented_shape_obj(std::ostream& out, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceIO

@@ -111,7 +111,7 @@ private:
   Part_mesh_data data_;
 };
 
-/// The faces of each segment, by its id. \param segment_of the id of a face
+/// The faces of each segment, by the segment's id. \param segment_of returns the id of a face's segment
 template <typename Mesh, typename Function, typename VertexPointMap>
 auto meshes_of_segments(const Mesh& mesh, const Function& segment_of, const VertexPointMap& vertex_points)
 {
