@@ -5,7 +5,7 @@
 
 // By how much roles improve the matching of shapes that were left out of the training.
 
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/run.h"
 #include "command_line.h"
 #include "experiments/intervals.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/eigen_system.h"
-#include "base/generic_direction.h"
+#include "base/directions.h"
 #include "shape/Triangle_tree.h"
 #include "shape/oriented_box.h"
 #include "shape/triangle_distance.h"

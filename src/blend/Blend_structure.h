@@ -4,9 +4,8 @@
 #pragma once
 
 #include "blend/Blend_stage.h"
-#include "blend/Growth.h"
-#include "blend/Seen_surface.h"
 #include "blend/Space_warp.h"
+#include "map/Part_chart.h"
 
 #include <array>
 #include <cstddef>
@@ -14,6 +13,28 @@
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// How an unmatched part comes and goes: it grows from the line through the places where it is held, along its own
+/// curve or sheet, and is soon as thick as it will be.
+class Growth
+{
+public:
+  /// \param chart the chart of the part
+  /// \param holds where it is held, at least one place
+  Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& holds);
+
+  /// The points when a share, in [0, 1], has grown.
+  Points points(double share) const;
+
+private:
+  Point from(double at) const;
+
+  Part_chart chart_;
+  Points points_;
+  Points coordinates_, offsets_; ///< in the chart, and from there to the points in the chart's frames
+  int axis_ = 0;                 ///< coordinate along which the places are farthest apart
+  std::vector<Point> stations_;  ///< coordinates of the line's ends and bends, sorted along the axis
+};
 
 /// Two parts of a blend that touch at one of the ends or at both.
 using Touch = std::array<std::size_t, 2>;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/exchange_steps.h"
+#include "blend/schedules.h"
 
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"

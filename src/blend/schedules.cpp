@@ -5,7 +5,6 @@
 
 #include "base/for_each_index.h"
 #include "blend/Part_morph.h"
-#include "blend/exchange_steps.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,6 @@
 #include "io/system/atomic_file.h"
 #include "matching/unlikely_pairs.h"
 #include "viewer/match_page.h"
-#include "viewer/page_models.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 

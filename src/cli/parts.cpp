@@ -10,7 +10,7 @@
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "structure/outline_graph.h"
-#include "viewer/page_models.h"
+#include "viewer/match_page.h"
 #include "viewer/parts_sheet.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>

@@ -6,7 +6,7 @@
 #include "base/divide_box.h"
 #include "base/optimal_assignment.h"
 #include "base/quantized.h"
-#include "base/quarter_turn.h"
+#include "base/directions.h"
 
 #include <algorithm>
 #include <cstdint>

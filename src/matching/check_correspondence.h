@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "base/check_number.h"
+#include "base/limits.h"
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 

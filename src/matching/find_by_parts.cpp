@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/number_text.h"
-#include "base/quarter_turn.h"
+#include "base/directions.h"
 #include "matching/Match_task.h"
 #include "matching/aligned_matching.h"
 #include "matching/rate.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/canonical_surface.h"
-#include "base/generic_direction.h"
+#include "base/directions.h"
 #include "base/planar_hull.h"
 #include "shape/Flat_faces.h"
 #include "shape/all_vertices.h"

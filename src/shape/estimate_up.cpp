@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
-#include "base/check_number.h"
+#include "base/limits.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
 #include "shape/all_vertices.h"

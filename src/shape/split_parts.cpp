@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/generic_direction.h"
+#include "base/directions.h"
 #include "base/limits.h"
 #include "base/quantized.h"
 #include "shape/Loose_piece.h"

@@ -3,7 +3,7 @@
 
 #include "structure/align_shapes.h"
 #include "base/quantized.h"
-#include "base/quarter_turn.h"
+#include "base/directions.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 

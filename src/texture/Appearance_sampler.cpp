@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "texture/Appearance_sampler.h"
-#include "base/srgb.h"
+#include "io/system/colours.h"
 
 #include <algorithm>
 #include <cmath>

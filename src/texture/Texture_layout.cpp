@@ -3,7 +3,7 @@
 
 #include "texture/Texture_layout.h"
 #include "base/for_each_index.h"
-#include "base/srgb.h"
+#include "io/system/colours.h"
 #include "shape/triangle_distance.h"
 
 #include <Eigen/Geometry>

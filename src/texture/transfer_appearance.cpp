@@ -4,7 +4,7 @@
 #include "base/quantized.h"
 #include "io/read/model_parts.h"
 #include "map/Charted_mesh.h"
-#include "map/Point_map.h"
+#include "map/Piece_pair.h"
 #include "shape/sample_triangles.h"
 #include "shape/triangles_below.h"
 #include "texture/Appearance_sampler.h"

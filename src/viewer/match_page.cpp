@@ -4,7 +4,6 @@
 #include "viewer/match_page.h"
 #include "io/write/Json.h"
 #include "io/write/part_labels.h"
-#include "viewer/page_models.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>

@@ -4,15 +4,78 @@
 #pragma once
 
 #include "io/write/pictures.h"
-#include "viewer/page.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <algorithm>
+#include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::IO {
+
+/// The contents of a web page; the viewer (`src/viewer/page/`) finds the documents by their ids.
+struct Page
+{
+  struct Document
+  {
+    std::string id, content;
+  };
+
+  std::string title;
+  std::vector<Document> json; ///< JSON documents, as the package writes them into files
+  std::vector<Document> glb;  ///< binary glTF, as the package writes it into files
+  std::string summary = {};   ///< lines of text that are shown where no scripts run
+};
+
+/// Writes one file that holds all it needs: no network, and no script but the viewer's, whatever names are in it.
+/// \throw Invalid_input if the library was built without three.js
+void write_page(std::ostream& out, const Page& page);
+
+/// The most triangles of all surfaces of a page of one or two shapes; each takes about 60 bytes.
+constexpr std::size_t largest_page_triangles = 100000;
+
+/// The same for a page of a blend, whose surfaces move: each takes about 250 bytes.
+constexpr std::size_t largest_blend_page_triangles = 60000;
+
+/// The likeliest roles of a shape's parts by the model that comes with the package; none where the category is not
+/// clear.
+std::vector<std::string> likeliest_roles(const Structural_graph& graph);
+
+/// Models as pages show them: all simplified by the same factor if together they have too many triangles.
+class Page_models
+{
+public:
+  /// \param models may be null
+  Page_models(const std::vector<const Segmented_shape*>& models, std::size_t most_triangles) : models_(models)
+  {
+    std::size_t all = 0;
+    for (const Segmented_shape* model : models_)
+      all += model ? number_of_triangles(*model) : 0;
+    simplified_.resize(models_.size());
+    for (std::size_t i = 0; all > most_triangles && i < models_.size(); ++i) {
+      if (!models_[i]) continue;
+      const double share = double(number_of_triangles(*models_[i])) / double(all);
+      simplified_[i] = simplified_shape(*models_[i], std::size_t(share * double(most_triangles)));
+      models_[i] = &*simplified_[i];
+    }
+  }
+  Page_models(const Page_models&) = delete;
+  Page_models& operator=(const Page_models&) = delete;
+
+  const Segmented_shape* operator[](std::size_t i) const { return models_[i]; }
+
+  bool are_simplified() const
+  {
+    return std::any_of(simplified_.begin(), simplified_.end(), [](const auto& shape) { return shape.has_value(); });
+  }
+
+private:
+  std::vector<const Segmented_shape*> models_;
+  std::vector<std::optional<Segmented_shape>> simplified_;
+};
 
 /// The page of a match: its JSON, and its GLB, in which large surfaces are simplified.
 /// \param ranked the best one first \param source_shape may be null \param target_shape may be null

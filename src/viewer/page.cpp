@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/page.h"
+#include "viewer/match_page.h"
 #include "io/system/quoting.h"
 #include "viewer/shipped_viewer.h"
 

@@ -5,7 +5,7 @@
 #include "io/system/colours.h"
 #include "io/write/part_labels.h"
 #include "io/write/pictures.h"
-#include "viewer/page.h"
+#include "viewer/match_page.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
 

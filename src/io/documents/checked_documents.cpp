@@ -6,7 +6,7 @@
 #include "io/read/shipped_roles.h"
 #include "io/system/atomic_file.h"
 #include "io/system/input_file.h"
-#include "io/system/value_bytes.h"
+#include "io/system/bytes.h"
 #include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>

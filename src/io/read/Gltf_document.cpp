@@ -5,7 +5,7 @@
 #include "base/limits.h"
 #include "io/read/text_words.h"
 #include "io/system/input_file.h"
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

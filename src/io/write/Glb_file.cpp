@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "io/write/Glb_file.h"
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
 
 #include <CGAL/Shape_correspondence/version.h>
 
