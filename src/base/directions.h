@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <initializer_list>
 
 namespace CGAL::Shape_correspondence::internal {
 

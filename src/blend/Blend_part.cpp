@@ -15,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <memory>
 #include <set>
 #include <string>
 #include <utility>

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
 

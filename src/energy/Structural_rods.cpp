@@ -13,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <new>
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;

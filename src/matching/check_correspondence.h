@@ -7,7 +7,6 @@
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/match_page.h"
 #include "io/system/quoting.h"
+#include "viewer/match_page.h"
 #include "viewer/shipped_viewer.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -11,9 +11,6 @@
 #include "../abstraction_error.h"
 #include "methods.h"
 
-#include <ctime>
-#include <utility>
-
 namespace CGAL {
 namespace Shape_correspondence {
 namespace experiments {

@@ -9,8 +9,6 @@
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

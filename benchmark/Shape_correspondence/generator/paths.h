@@ -8,7 +8,6 @@
 
 #include "mesh.h"
 
-#include <algorithm>
 #include <functional>
 
 namespace CGAL {

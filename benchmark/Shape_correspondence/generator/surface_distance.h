@@ -8,9 +8,6 @@
 
 #include "mesh.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace CGAL {
 namespace Shape_correspondence {
 namespace generator {

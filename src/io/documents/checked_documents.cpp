@@ -5,8 +5,8 @@
 #include "io/read/document.h"
 #include "io/read/shipped_roles.h"
 #include "io/system/atomic_file.h"
-#include "io/system/input_file.h"
 #include "io/system/bytes.h"
+#include "io/system/input_file.h"
 #include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -33,11 +33,11 @@ constexpr int algorithms_version = 14;
 constexpr int reading_version = 2;
 constexpr std::size_t most_kept = 20'000'000; // bytes of an answer
 
-/// Writes values.
+/// \param values copies, since `pass()` takes values that it may change
 template <typename... Values>
-void append_all(Value_bytes& bytes, const Values&... values)
+void append_all(Value_bytes& bytes, Values... values)
 {
-  pass_all(bytes, const_cast<Values&>(values)...); // which do not change
+  pass_all(bytes, values...);
 }
 
 /// Does not depend on the compiler for the abstractors of the package.

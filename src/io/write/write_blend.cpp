@@ -12,7 +12,6 @@
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <ostream>
 
