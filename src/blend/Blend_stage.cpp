@@ -6,7 +6,7 @@
 #include "base/directions.h"
 #include "base/quantized.h"
 #include "map/Piece_pair.h"
-#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
 #include "shape/sample_triangles.h"
 
 #include <algorithm>

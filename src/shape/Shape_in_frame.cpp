@@ -3,7 +3,7 @@
 
 #include "shape/Shape_in_frame.h"
 #include "base/directions.h"
-#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
 #include "shape/canonical_surface.h"
 #include "shape/sample_triangles.h"
 

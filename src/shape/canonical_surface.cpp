@@ -5,9 +5,9 @@
 #include "base/directions.h"
 #include "base/planar_hull.h"
 #include "shape/Flat_faces.h"
-#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
 #include "shape/divide_polygon.h"
-#include "shape/has_area.h"
+#include "shape/sample_triangles.h"
 
 #include <Eigen/Geometry>
 

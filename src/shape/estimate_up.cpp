@@ -5,7 +5,7 @@
 #include "base/limits.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
-#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
 #include "shape/canonical_surface.h"
 #include "shape/sample_triangles.h"
 

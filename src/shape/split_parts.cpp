@@ -6,10 +6,10 @@
 #include "base/quantized.h"
 #include "shape/Loose_piece.h"
 #include "shape/Shape_in_frame.h"
-#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
 #include "shape/canonical_surface.h"
 #include "shape/group_pieces.h"
-#include "shape/has_area.h"
+#include "shape/sample_triangles.h"
 #include "shape/meshes.h"
 #include "shape/split_patches.h"
 

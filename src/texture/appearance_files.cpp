@@ -8,7 +8,6 @@
 #include "io/system/quoting.h"
 #include "io/write/ply_file.h"
 #include "map/Subdivision.h"
-#include "shape/all_vertices.h"
 #include "shape/oriented_box.h"
 #include "texture/Appearance_sampler.h"
 #include "texture/image_file.h"

@@ -5,7 +5,7 @@
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "io/write/pictures.h"
-#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
