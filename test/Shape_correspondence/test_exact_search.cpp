@@ -9,7 +9,7 @@
 #include "random_tables.h"
 #include "search/Local_energy.h"
 #include "search/beam_search.h"
-#include "search/message_passing.h"
+#include "search/Tangents.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/exact_search.h>
