@@ -5,8 +5,8 @@
 #include "base/directions.h"
 #include "base/planar_hull.h"
 #include "shape/Flat_faces.h"
-#include "shape/oriented_box.h"
 #include "shape/divide_polygon.h"
+#include "shape/oriented_box.h"
 #include "shape/sample_triangles.h"
 
 #include <Eigen/Geometry>

@@ -5,8 +5,8 @@
 #include "base/limits.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
-#include "shape/oriented_box.h"
 #include "shape/canonical_surface.h"
+#include "shape/oriented_box.h"
 #include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/estimate_up.h>

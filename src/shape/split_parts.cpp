@@ -6,11 +6,11 @@
 #include "base/quantized.h"
 #include "shape/Loose_piece.h"
 #include "shape/Shape_in_frame.h"
-#include "shape/oriented_box.h"
 #include "shape/canonical_surface.h"
 #include "shape/group_pieces.h"
-#include "shape/sample_triangles.h"
 #include "shape/meshes.h"
+#include "shape/oriented_box.h"
+#include "shape/sample_triangles.h"
 #include "shape/split_patches.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

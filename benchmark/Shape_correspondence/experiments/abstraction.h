@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The ways to abstract parts side by side: how near they are to what the generator states, and what matching makes of
 // them.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
+#pragma once
 
 #include "../abstraction_error.h"
 #include "methods.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 /// How near the abstractions of some parts are to those that the generator states.
 struct Abstraction_scores
@@ -98,8 +93,4 @@ inline void compare_abstractions(Dataset dataset)
   }
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
+} // namespace CGAL::Shape_correspondence::experiments

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_DATASET_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_DATASET_H
+#pragma once
 
 #include "../peers/unit_box.h"
 
@@ -23,9 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 namespace fs = std::filesystem;
 
@@ -116,8 +111,4 @@ inline Dataset load_dataset(const std::string& folder, const std::string& cache,
   return dataset;
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_DATASET_H
+} // namespace CGAL::Shape_correspondence::experiments

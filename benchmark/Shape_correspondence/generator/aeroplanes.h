@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_AEROPLANES_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_AEROPLANES_H
+#pragma once
 
 #include "assembly.h"
 #include "primitives.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// A landing wheel on an axle along x, as a solid of revolution.
 Solid landing_wheel(const Point& middle, double radius, double width);
@@ -28,8 +23,4 @@ Solid two_bladed_propeller(double radius, double chord);
 /// A light high-wing aeroplane: braced wings, one propeller, nose wheel.
 Assembly airplane_propeller();
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_AEROPLANES_H
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_CHAIRS_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_CHAIRS_H
+#pragma once
 
 #include "assembly.h"
 #include "primitives.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 Label leg_label(const std::string& row);
 
@@ -43,8 +38,4 @@ Assembly chair_spindle();
 /// A bar stool: a round board with a cushion, four splayed legs, a foot ring.
 Assembly stool();
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_CHAIRS_H
+} // namespace CGAL::Shape_correspondence::generator

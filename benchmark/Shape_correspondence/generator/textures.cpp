@@ -12,9 +12,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 namespace {
 
@@ -120,6 +118,4 @@ Files textured_file(const Assembly& shape)
           {"test_picture.png", test_picture()}};
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

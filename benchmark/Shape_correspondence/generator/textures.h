@@ -8,16 +8,13 @@
 //
 // Author(s)     : the Shape_correspondence developers
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_TEXTURES_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_TEXTURES_H
+#pragma once
 
 #include "writer.h"
 
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// A picture on which seams, flips and stretching show: 8 by 8 squares, redder to the right, greener downwards, every
 /// other one bluer, with a dark upper left corner each.
@@ -26,8 +23,4 @@ std::string test_picture();
 /// One file for the shape, with its material and its texture.
 Files textured_file(const Assembly& shape);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_TEXTURES_H
+} // namespace CGAL::Shape_correspondence::generator

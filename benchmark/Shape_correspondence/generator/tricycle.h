@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_TRICYCLE_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_TRICYCLE_H
+#pragma once
 
 #include "velocipedes.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// The joints of a child's tricycle, in its plane of symmetry.
 struct Tricycle_joints
@@ -29,8 +24,4 @@ void add_tricycle_wheels(Assembly& trike, const Tricycle_joints& at);
 /// A child's tricycle, its pedals on the front wheel.
 Assembly tricycle();
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_TRICYCLE_H
+} // namespace CGAL::Shape_correspondence::generator

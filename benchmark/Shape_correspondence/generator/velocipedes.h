@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_VELOCIPEDES_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_VELOCIPEDES_H
+#pragma once
 
 #include "assembly.h"
 #include "primitives.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 Solid tyre(const Point& middle, double radius, double thickness, int n = 36);
 
@@ -51,8 +46,4 @@ void add_bicycle_wheels(Assembly& bike, const Bicycle_joints& at);
 /// A city bicycle.
 Assembly bicycle();
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_VELOCIPEDES_H
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_NEAREST_PARTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_NEAREST_PARTS_H
+#pragma once
 
 #include "unit_box.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// Every source part goes to the target part of least Hausdorff distance in the shapes' unit boxes.
 inline Part_pairs match_nearest_parts(const Boxed_shape& source, const Boxed_shape& target)
@@ -25,8 +20,4 @@ inline Part_pairs match_nearest_parts(const Boxed_shape& source, const Boxed_sha
   return pairs;
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_NEAREST_PARTS_H
+} // namespace CGAL::Shape_correspondence::peers

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
+#pragma once
 
 #include "assignment.h"
 #include "fused_gromov_wasserstein.h"
@@ -16,9 +13,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 struct Named_peer
 {
@@ -38,8 +33,4 @@ inline std::vector<Named_peer> all_peers()
           {"fused Gromov-Wasserstein", "-", pairwise(match_by_fused_gromov_wasserstein)}};
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
+} // namespace CGAL::Shape_correspondence::peers

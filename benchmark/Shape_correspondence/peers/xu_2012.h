@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_XU_2012_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_XU_2012_H
+#pragma once
 
 #include "unit_box.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// K. Xu et al., *Fit and diverse: set evolution for inspiring 3D shape galleries*, 2012: shapes are aligned and scaled
 /// to one box, and parts correspond fuzzily, the more the nearer they are by Hausdorff distance.
@@ -23,8 +18,4 @@ inline Part_pairs match_xu_2012(const Boxed_shape& source, const Boxed_shape& ta
   return strong_entries((-(distance / width).array().square()).exp().matrix(), least_share);
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_XU_2012_H
+} // namespace CGAL::Shape_correspondence::peers
