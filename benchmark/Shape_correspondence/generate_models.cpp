@@ -4,9 +4,8 @@
 // Writes the models of data/, or the shapes of the benchmark, each a folder of parts with labels.
 
 #include "command_line.h"
-#include "generator/benchmark/boat_designs.h"
-#include "generator/benchmark/cart_designs.h"
 #include "generator/benchmark/degrade.h"
+#include "generator/benchmark/vehicles.h"
 #include "generator/grammar/kinds.h"
 #include "generator/models.h"
 #include "generator/textures.h"

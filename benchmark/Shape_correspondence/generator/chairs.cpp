@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "chairs.h"
+#include "designs.h"
 
 namespace CGAL::Shape_correspondence::generator {
 

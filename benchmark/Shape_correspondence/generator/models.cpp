@@ -3,12 +3,7 @@
 
 #include "models.h"
 
-#include "aeroplanes.h"
-#include "chairs.h"
-#include "furnishings.h"
-#include "tables.h"
-#include "tricycle.h"
-#include "velocipedes.h"
+#include "designs.h"
 
 namespace CGAL::Shape_correspondence::generator {
 

@@ -1,12 +1,5 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
-//
-// $URL$
-// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Shape_correspondence developers
 
 #pragma once
 

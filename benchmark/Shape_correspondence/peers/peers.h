@@ -6,14 +6,36 @@
 #include "assignment.h"
 #include "fused_gromov_wasserstein.h"
 #include "kim_2013.h"
-#include "nearest_parts.h"
 #include "tevs_2014.h"
-#include "xu_2012.h"
 #include "zheng_2014.h"
 
 #include <string>
 
 namespace CGAL::Shape_correspondence::peers {
+
+/// Every source part goes to the target part of least Hausdorff distance in the shapes' unit boxes.
+inline Part_pairs match_nearest_parts(const Boxed_shape& source, const Boxed_shape& target)
+{
+  const Eigen::MatrixXd distance = part_distances(source, target, hausdorff);
+  Part_pairs pairs;
+  for (Eigen::Index i = 0; i < distance.rows(); ++i) {
+    Eigen::Index j;
+    distance.row(i).minCoeff(&j);
+    pairs.emplace_back(i, j);
+  }
+  return pairs;
+}
+
+/// K. Xu et al., *Fit and diverse: set evolution for inspiring 3D shape galleries*, 2012: shapes are aligned and scaled
+/// to one box, and parts correspond fuzzily, the more the nearer they are by Hausdorff distance.
+/// Simplified: the shapes' frames align them, instead of an optimization over all of a set.
+inline Part_pairs match_xu_2012(const Boxed_shape& source, const Boxed_shape& target)
+{
+  constexpr double width = 0.2; // of the falloff, in the unit box
+  constexpr double least_share = 0.3;
+  const Eigen::MatrixXd distance = part_distances(source, target, hausdorff);
+  return strong_entries((-(distance / width).array().square()).exp().matrix(), least_share);
+}
 
 struct Named_peer
 {

@@ -3,9 +3,12 @@
 
 #pragma once
 
-#include "../velocipedes.h"
+#include "../designs.h"
 
 namespace CGAL::Shape_correspondence::generator {
+
+/// A rowing boat with a pair of oars, a dinghy with one mast, and a yawl with two; bows look to +z.
+std::vector<Assembly> boats();
 
 /// A wheelbarrow, a handcart with two wheels, and a wagon with four; what one pulls or pushes looks to +z, but for the
 /// barrow, whose wheel does.
