@@ -36,6 +36,53 @@ bool is_inside(const Point& p, const contacts::Triangle_tree& surface)
   return votes >= most && !surface.is_near(p, least_depth * least_depth);
 }
 
+bool is_mirrored_in_x(const Blend_input& input)
+{
+  const Shape_frame& frame = structure(input.graph).frame;
+  return input.quarter_turns % 2 == 0 ? frame.mirror_x : frame.mirror_z;
+}
+
+/// The frame of the stage, in which the surface itself, not its samples, stands on the ground, centred, with height 1.
+Shape_frame staged_frame(const Blend_input& input)
+{
+  constexpr double upright = 0.5; // height, in the given frame, below which a flat shape keeps the height of that frame
+  Shape_frame frame = structure(input.graph).frame;
+  contacts::Box box;
+  for (const Shape_part& part : input.shape.parts())
+    box.extend(box_of(to_common_frame(frame, input.quarter_turns, part.mesh.points)));
+  const Point origin(is_mirrored_in_x(input) ? 0 : box.center().x(), box.min().y(), box.center().z());
+  frame.origin += frame.axes * quarter_turn(input.quarter_turns).transpose() * (frame.height * origin);
+  if (box.sizes().y() > upright) frame.height *= box.sizes().y();
+  return frame;
+}
+
+/// Whether the mirror image of a box nearly equals another box.
+bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, double tolerance)
+{
+  const contacts::Box image = contacts::Box(mirrored(box.min())).extend(mirrored(box.max()));
+  return (image.min() - other.min()).cwiseAbs().maxCoeff() <= tolerance &&
+         (image.max() - other.max()).cwiseAbs().maxCoeff() <= tolerance;
+}
+
+/// Pairs up parts that mirror each other, the pairs with the least residual first.
+Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::vector<contacts::Triangle_tree>& trees)
+{
+  constexpr double tolerance = 0.05; // largest distance between a part and the mirror image of another, over the height
+  std::vector<std::tuple<Steps, std::size_t, std::size_t>> likely;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = i; j < parts.size(); ++j) {
+      if (!are_mirror_images(trees[i].box(), trees[j].box(), 2 * tolerance)) continue;
+      const double distance =
+          std::max(mirror_residual({parts[i]}, {&trees[j]}), mirror_residual({parts[j]}, {&trees[i]}));
+      if (distance <= tolerance) likely.emplace_back(quantized(distance), i, j);
+    }
+  std::sort(likely.begin(), likely.end());
+  Mirror_images result(parts.size());
+  for (const auto& [distance, i, j] : likely)
+    if (!result[i] && !result[j]) result[i] = j, result[j] = i;
+  return result;
+}
+
 } // namespace
 
 double share_inside(const Seen_surface& a, const Seen_surface& b)
@@ -103,57 +150,6 @@ double number_of_supports(const std::vector<Seen_surface>& surfaces)
     return surface.tree.box().min().y() <= Blend_part::on_ground;
   }));
 }
-
-namespace {
-
-bool is_mirrored_in_x(const Blend_input& input)
-{
-  const Shape_frame& frame = structure(input.graph).frame;
-  return input.quarter_turns % 2 == 0 ? frame.mirror_x : frame.mirror_z;
-}
-
-/// The frame of the stage, in which the surface itself, not its samples, stands on the ground, centred, with height 1.
-Shape_frame staged_frame(const Blend_input& input)
-{
-  constexpr double upright = 0.5; // height, in the given frame, below which a flat shape keeps the height of that frame
-  Shape_frame frame = structure(input.graph).frame;
-  contacts::Box box;
-  for (const Shape_part& part : input.shape.parts())
-    box.extend(box_of(to_common_frame(frame, input.quarter_turns, part.mesh.points)));
-  const Point origin(is_mirrored_in_x(input) ? 0 : box.center().x(), box.min().y(), box.center().z());
-  frame.origin += frame.axes * quarter_turn(input.quarter_turns).transpose() * (frame.height * origin);
-  if (box.sizes().y() > upright) frame.height *= box.sizes().y();
-  return frame;
-}
-
-/// Whether the mirror image of a box nearly equals another box.
-bool are_mirror_images(const contacts::Box& box, const contacts::Box& other, double tolerance)
-{
-  const contacts::Box image = contacts::Box(mirrored(box.min())).extend(mirrored(box.max()));
-  return (image.min() - other.min()).cwiseAbs().maxCoeff() <= tolerance &&
-         (image.max() - other.max()).cwiseAbs().maxCoeff() <= tolerance;
-}
-
-/// Pairs up parts that mirror each other, the pairs with the least residual first.
-Mirror_images mirror_images(const std::vector<const Points*>& parts, const std::vector<contacts::Triangle_tree>& trees)
-{
-  constexpr double tolerance = 0.05; // largest distance between a part and the mirror image of another, over the height
-  std::vector<std::tuple<Steps, std::size_t, std::size_t>> likely;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t j = i; j < parts.size(); ++j) {
-      if (!are_mirror_images(trees[i].box(), trees[j].box(), 2 * tolerance)) continue;
-      const double distance =
-          std::max(mirror_residual({parts[i]}, {&trees[j]}), mirror_residual({parts[j]}, {&trees[i]}));
-      if (distance <= tolerance) likely.emplace_back(quantized(distance), i, j);
-    }
-  std::sort(likely.begin(), likely.end());
-  Mirror_images result(parts.size());
-  for (const auto& [distance, i, j] : likely)
-    if (!result[i] && !result[j]) result[i] = j, result[j] = i;
-  return result;
-}
-
-} // namespace
 
 double mirror_residual(const std::vector<const Points*>& surfaces, const Tree_pointers& trees)
 {

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "blend/Blend_part.h"
+#include "map/Piece_pair.h"
+#include "shape/Triangle_tree.h"
 
 #include <CGAL/Shape_correspondence/Blend_options.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -11,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
@@ -88,5 +91,46 @@ private:
   Segmented_shape moved(const Blend_input& input, const Point& up, std::size_t end) const;
   void add(const Blend_input& input, std::size_t end);
 };
+
+/// The pairs of parts that correspond but do not morph.
+struct Unlike_pairs
+{
+  Part_pairs all;
+  /// Those pairs, including leftover ones, without a morph between them or their pieces, and of these, those that would
+  /// come off what they touch.
+  std::set<Part_pairs::value_type> torn, detached;
+};
+
+/// The change needed for a part, a piece, or the box around parts to become another. Lengths are over the height.
+struct Difference
+{
+  /// \param are_whole whether shares of the whole shape's extents are compared, too, taking the less different; not for
+  /// pieces
+  Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole = true);
+
+  /// Whether the proportions change little.
+  bool keeps_shape() const;
+  /// Whether proportions and position change little, so that pieces of parts may morph.
+  bool is_little() const;
+  /// Whether a whole part may morph to the other, if it stays in contact with others.
+  bool is_possible() const;
+  /// Whether the position changes moderately.
+  bool stays_near() const;
+
+  double change;  ///< sum of the log ratios of extents
+  double stretch; ///< log ratio of the longest extents
+  double way;     ///< displacement of the centre, within the boxes of the shapes
+  double size;    ///< longest extent
+  double whole;   ///< diagonal of the shapes
+};
+
+/// The pairs of parts that morph to each other:
+///  - Of the pairs that correspond, all but those whose parts would move far, or whose pieces would change their
+/// proportions or positions much: legs cut up for a star base, slats across spindles. As a part is divided as a whole,
+/// all other pairs of its parts, and their mirror images, are dropped with such a pair.
+///  - Leftover parts with similar position and size, unless one of them shares the place of another part nearly as
+/// much: two parts that correspond, but also to others, or two without counterparts.
+/// \param unlike its torn pairs are dropped; `all` is set
+Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -5,7 +5,7 @@
 
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
-#include "blend/In_between_shape.h"
+#include "blend/Blend_structure.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 

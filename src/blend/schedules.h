@@ -4,7 +4,6 @@
 #pragma once
 
 #include "blend/Blend_structure.h"
-#include "blend/In_between_shape.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 

@@ -46,6 +46,12 @@ Eigen::MatrixXd least_distances(const std::vector<Sampled_part>& parts)
   return result;
 }
 
+// Index of the one of `count` equally long segments of a curve that contains a sample of the curve.
+int segment_of_sample(std::size_t sample, int count)
+{
+  return std::min(count - 1, int(sample) * count / (samples_per_side - 1));
+}
+
 } // namespace
 
 Deformable_shape::Deformable_shape(Aligned_shape shape)
@@ -97,16 +103,6 @@ std::size_t Piece_list::index(const Piece& piece)
       {piece, piece.is_segment() ? segment(part, piece.index, piece.count) : rectangle(part, piece.low, piece.high)});
   return size() - 1;
 }
-
-namespace {
-
-// Index of the one of `count` equally long segments of a curve that contains a sample of the curve.
-int segment_of_sample(std::size_t sample, int count)
-{
-  return std::min(count - 1, int(sample) * count / (samples_per_side - 1));
-}
-
-} // namespace
 
 Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape& target,
                              const std::vector<std::vector<Group_label>>& labels, Deform_to_fit how,

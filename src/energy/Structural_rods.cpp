@@ -74,6 +74,53 @@ const Fits& fits_of(const Sampled_part& source, const Sampled_part& target)
   return any_is(Kind::SHEET) ? sheet : any_is(Kind::CLOSED_CURVE) ? closed : open;
 }
 
+// E_d, rounded to 0 where the mean squared cosine is 1 up to rounding, so that rigid motion costs nothing.
+double rounded_distortion(double mean_squared_cosine)
+{
+  return mean_squared_cosine > 1 - comparison_grid ? 0 : distortion_energy(mean_squared_cosine);
+}
+
+// A pool of memory for rods, which is reused since the system zeroes new memory, which takes long. Thread-safe.
+class Rod_pool
+{
+public:
+  Rod_block* take(std::size_t blocks)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      Free*& first = free_[blocks]; // inserts the key now, so that give_back() never allocates
+      if (Free* const taken = first) {
+        first = taken->next;
+        return reinterpret_cast<Rod_block*>(taken);
+      }
+    }
+    return static_cast<Rod_block*>(::operator new(blocks * sizeof(Rod_block), std::align_val_t(alignof(Rod_block))));
+  }
+
+  // \param blocks the number passed to take()
+  void give_back(Rod_block* memory, std::size_t blocks)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Free*& first = free_[blocks];
+    first = new (static_cast<void*>(memory)) Free{first};
+  }
+
+private:
+  struct Free
+  {
+    Free* next;
+  };
+
+  std::mutex mutex_;
+  std::map<std::size_t, Free*> free_; // free lists by number of blocks
+};
+
+Rod_pool& rod_pool()
+{
+  static auto* const pool = new Rod_pool; // never destroyed, so that it outlives static shapes
+  return *pool;
+}
+
 } // namespace
 
 const std::vector<int>& match_extremities(const Sampled_part& source, const Sampled_part& target)
@@ -139,57 +186,6 @@ Points repeated(const Points& samples, int repeats)
 }
 
 using namespace internal;
-
-namespace {
-
-// E_d, rounded to 0 where the mean squared cosine is 1 up to rounding, so that rigid motion costs nothing.
-double rounded_distortion(double mean_squared_cosine)
-{
-  return mean_squared_cosine > 1 - comparison_grid ? 0 : distortion_energy(mean_squared_cosine);
-}
-
-// A pool of memory for rods, which is reused since the system zeroes new memory, which takes long. Thread-safe.
-class Rod_pool
-{
-public:
-  Rod_block* take(std::size_t blocks)
-  {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      Free*& first = free_[blocks]; // inserts the key now, so that give_back() never allocates
-      if (Free* const taken = first) {
-        first = taken->next;
-        return reinterpret_cast<Rod_block*>(taken);
-      }
-    }
-    return static_cast<Rod_block*>(::operator new(blocks * sizeof(Rod_block), std::align_val_t(alignof(Rod_block))));
-  }
-
-  // \param blocks the number passed to take()
-  void give_back(Rod_block* memory, std::size_t blocks)
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    Free*& first = free_[blocks];
-    first = new (static_cast<void*>(memory)) Free{first};
-  }
-
-private:
-  struct Free
-  {
-    Free* next;
-  };
-
-  std::mutex mutex_;
-  std::map<std::size_t, Free*> free_; // free lists by number of blocks
-};
-
-Rod_pool& rod_pool()
-{
-  static auto* const pool = new Rod_pool; // never destroyed, so that it outlives static shapes
-  return *pool;
-}
-
-} // namespace
 
 void internal::Rod_deleter::operator()(Rod_block* rods) const { rod_pool().give_back(rods, blocks); }
 

@@ -30,6 +30,66 @@ std::string name_of(const Part_pair& pair)
          " of the target";
 }
 
+// The columns assigned to each row: an optimal one-to-one assignment; each remaining column goes to its nearest row.
+std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost)
+{
+  std::vector<std::vector<std::size_t>> cols_of(cost.rows());
+  std::vector<char> taken(cost.cols(), 0);
+  const std::vector<std::size_t> first = optimal_assignment(cost);
+  for (std::size_t row = 0; row < first.size(); ++row) {
+    cols_of[row].push_back(first[row]);
+    taken[first[row]] = 1;
+  }
+  for (Eigen::Index col = 0; col < cost.cols(); ++col) {
+    if (taken[col]) continue;
+    Eigen::Index nearest;
+    cost.col(col).minCoeff(&nearest);
+    cols_of[nearest].push_back(std::size_t(col));
+  }
+  for (auto& cols : cols_of)
+    std::sort(cols.begin(), cols.end());
+  return cols_of;
+}
+
+// Added to the distance of parts that must not correspond; greater than any distance in unit boxes.
+constexpr double forbidden_distance = 1e3;
+
+Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
+                          std::size_t target_group, const Match_constraints& constraints)
+{
+  const auto& from = source.group(source_group).parts;
+  const auto& to = target.group(target_group).parts;
+  Group_label label;
+  label.target_group = target_group;
+  label.operation = topological_operation(from.size(), to.size());
+  label.solidity_ratio = solidity_ratio(source.group(source_group), target.group(target_group));
+  label.images.resize(from.size());
+  if (from.size() == 1 || to.size() == 1) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      for (std::size_t part : to)
+        label.images[i].push_back({{from[i]}, {part}});
+    return label;
+  }
+
+  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[target_group]);
+  Eigen::MatrixXd cost(from.size(), to.size());
+  for (Eigen::Index i = 0; i < cost.rows(); ++i)
+    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
+      const std::size_t a = from[std::size_t(i)], b = to[std::size_t(j)];
+      cost(i, j) = quantized_distance(from_box(source.parts[a].centroid), to_box(target.parts[b].centroid)) +
+                   (constraints.allows(a, b) ? 0 : forbidden_distance);
+    }
+  const bool has_more = from.size() > to.size();
+  if (has_more) cost.transposeInPlace();
+  const auto assigned = assign_members(cost);
+  for (std::size_t row = 0; row < assigned.size(); ++row)
+    for (std::size_t column : assigned[row]) {
+      const std::size_t i = has_more ? column : row, j = has_more ? row : column;
+      label.images[i].push_back({{from[i]}, {to[j]}});
+    }
+  return label;
+}
+
 } // namespace
 
 Match_constraints::Match_constraints(const Aligned_shape& source, const Aligned_shape& target,
@@ -104,70 +164,6 @@ Energy_options reversed(Energy_options options)
 
 namespace CGAL::Shape_correspondence {
 using namespace internal;
-
-namespace {
-
-// The columns assigned to each row: an optimal one-to-one assignment; each remaining column goes to its nearest row.
-std::vector<std::vector<std::size_t>> assign_members(const Eigen::MatrixXd& cost)
-{
-  std::vector<std::vector<std::size_t>> cols_of(cost.rows());
-  std::vector<char> taken(cost.cols(), 0);
-  const std::vector<std::size_t> first = optimal_assignment(cost);
-  for (std::size_t row = 0; row < first.size(); ++row) {
-    cols_of[row].push_back(first[row]);
-    taken[first[row]] = 1;
-  }
-  for (Eigen::Index col = 0; col < cost.cols(); ++col) {
-    if (taken[col]) continue;
-    Eigen::Index nearest;
-    cost.col(col).minCoeff(&nearest);
-    cols_of[nearest].push_back(std::size_t(col));
-  }
-  for (auto& cols : cols_of)
-    std::sort(cols.begin(), cols.end());
-  return cols_of;
-}
-
-// Added to the distance of parts that must not correspond; greater than any distance in unit boxes.
-constexpr double forbidden_distance = 1e3;
-
-Group_label match_members(const Aligned_shape& source, std::size_t source_group, const Aligned_shape& target,
-                          std::size_t target_group, const Match_constraints& constraints)
-{
-  const auto& from = source.group(source_group).parts;
-  const auto& to = target.group(target_group).parts;
-  Group_label label;
-  label.target_group = target_group;
-  label.operation = topological_operation(from.size(), to.size());
-  label.solidity_ratio = solidity_ratio(source.group(source_group), target.group(target_group));
-  label.images.resize(from.size());
-  if (from.size() == 1 || to.size() == 1) {
-    for (std::size_t i = 0; i < from.size(); ++i)
-      for (std::size_t part : to)
-        label.images[i].push_back({{from[i]}, {part}});
-    return label;
-  }
-
-  const Unit_box from_box(source.boxes[source_group]), to_box(target.boxes[target_group]);
-  Eigen::MatrixXd cost(from.size(), to.size());
-  for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
-      const std::size_t a = from[std::size_t(i)], b = to[std::size_t(j)];
-      cost(i, j) = quantized_distance(from_box(source.parts[a].centroid), to_box(target.parts[b].centroid)) +
-                   (constraints.allows(a, b) ? 0 : forbidden_distance);
-    }
-  const bool has_more = from.size() > to.size();
-  if (has_more) cost.transposeInPlace();
-  const auto assigned = assign_members(cost);
-  for (std::size_t row = 0; row < assigned.size(); ++row)
-    for (std::size_t column : assigned[row]) {
-      const std::size_t i = has_more ? column : row, j = has_more ? row : column;
-      label.images[i].push_back({{from[i]}, {to[j]}});
-    }
-  return label;
-}
-
-} // namespace
 
 bool overlap(const Piece& a, const Piece& b)
 {

@@ -27,31 +27,6 @@ Matrix as_matrix(const std::vector<Column>& columns)
   return result;
 }
 
-} // namespace
-
-int Part_mesh_data::add_point(double x, double y, double z)
-{
-  points_.emplace_back(x, y, z);
-  return int(points_.size()) - 1;
-}
-
-void Part_mesh_data::add_polygon(const std::vector<int>& corners)
-{
-  for (std::size_t k = 2; k < corners.size(); ++k)
-    triangles_.emplace_back(corners[0], corners[k - 1], corners[k]);
-}
-
-Points Part_mesh_data::points() const { return as_matrix<Points>(points_); }
-
-Eigen::Matrix3Xi Part_mesh_data::triangles() const { return as_matrix<Eigen::Matrix3Xi>(triangles_); }
-
-} // namespace CGAL::Shape_correspondence::internal
-
-namespace CGAL::Shape_correspondence {
-using namespace internal;
-
-namespace {
-
 std::string part_message(const std::string& name, const std::string& what) { return "part '" + name + "': " + what; }
 
 void check_coordinates(const std::string& name, const Points& points)
@@ -97,6 +72,27 @@ void check_triangles_of_vertices(const std::string& name, const Part_mesh& mesh)
 }
 
 } // namespace
+
+int Part_mesh_data::add_point(double x, double y, double z)
+{
+  points_.emplace_back(x, y, z);
+  return int(points_.size()) - 1;
+}
+
+void Part_mesh_data::add_polygon(const std::vector<int>& corners)
+{
+  for (std::size_t k = 2; k < corners.size(); ++k)
+    triangles_.emplace_back(corners[0], corners[k - 1], corners[k]);
+}
+
+Points Part_mesh_data::points() const { return as_matrix<Points>(points_); }
+
+Eigen::Matrix3Xi Part_mesh_data::triangles() const { return as_matrix<Eigen::Matrix3Xi>(triangles_); }
+
+} // namespace CGAL::Shape_correspondence::internal
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
 
 void internal::check_triangles(const std::string& part, const Part_mesh& mesh)
 {

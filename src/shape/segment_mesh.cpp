@@ -304,14 +304,6 @@ std::vector<std::size_t> convex_segments(const Halfedge_mesh& mesh, std::size_t 
   return merged.of_faces();
 }
 
-} // namespace
-} // namespace CGAL::Shape_correspondence::internal
-
-namespace CGAL::Shape_correspondence {
-using namespace internal;
-
-namespace {
-
 /// The mesh with its vertices and triangles in an order that does not depend on the file.
 Part_mesh in_order(const Part_mesh& mesh)
 {
@@ -357,6 +349,10 @@ std::vector<std::size_t> segments_of(Halfedge_mesh& component, std::size_t patch
 }
 
 } // namespace
+} // namespace CGAL::Shape_correspondence::internal
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
 
 Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options& options, std::string name,
                                const Point& up)

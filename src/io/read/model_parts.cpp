@@ -19,6 +19,8 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
+constexpr std::string_view beginning_of_mark = "shape_correspondence parts, up ";
+
 // Twice the area of a corner's triangle, over the polygon's area, below which the corner counts as straight.
 constexpr double straight = 1e-12;
 
@@ -135,12 +137,6 @@ Model_content read_gltf_parts(std::string_view text, const std::string& file, co
     }
   }
 }
-
-namespace {
-
-constexpr std::string_view beginning_of_mark = "shape_correspondence parts, up ";
-
-} // namespace
 
 std::string mark_of_parts(const Point& up)
 {

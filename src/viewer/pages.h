@@ -7,6 +7,7 @@
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
+#include <CGAL/Shape_correspondence/split_parts.h>
 
 #include <algorithm>
 #include <iosfwd>
@@ -88,5 +89,28 @@ Page match_page(const std::vector<Correspondence>& ranked, const Structural_grap
 /// Makes the page of a match one of the blend by that match. \param json as `write_blend_json()` writes it
 void add_blend(Page& page, const std::string& json, const Shape_blend& blend, const Correspondence& correspondence,
                int frames);
+
+/// A web page with several models, one colour for each part, and a table of their objects.
+class Parts_sheet
+{
+public:
+  /// \param models that are going to be added
+  explicit Parts_sheet(std::size_t models);
+
+  /// \param title of the model \param objects its objects, for their names \param summary is said above its parts
+  /// \param roles of the parts, or none if they are not known
+  void add(const std::string& title, const Segmented_shape& objects, const Part_split& split,
+           const std::vector<std::string>& roles, const std::string& summary);
+  /// Adds a model that cannot be used.
+  void add(const std::string& title, const std::string& complaint);
+
+  void write(std::ostream& out) const;
+
+private:
+  std::size_t triangles_of_model_;
+  Json models_ = Json::array();
+  Glb_file glb_;
+  std::vector<int> roots_;
+};
 
 } // namespace CGAL::Shape_correspondence::IO
