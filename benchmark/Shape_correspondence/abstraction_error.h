@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ERROR_H
-#define CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ERROR_H
+#pragma once
 
 #include "base/Disjoint_sets.h"
 
@@ -17,16 +14,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace benchmark {
+namespace CGAL::Shape_correspondence::benchmark {
 
 /// The value of rank `fraction` (0: the least, 0.5: the median, 1: the greatest); 0 if there are no values.
 inline double quantile(std::vector<double> values, double fraction)
@@ -209,8 +203,4 @@ inline std::vector<double> medialness(const Curve& curve, const Part_mesh& mesh)
   return result;
 }
 
-} // namespace benchmark
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_ABSTRACTION_ERROR_H
+} // namespace CGAL::Shape_correspondence::benchmark

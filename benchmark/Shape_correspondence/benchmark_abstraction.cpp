@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures part abstraction on folders of parts: benchmark_abstraction [--parts] [--triangles N] SHAPE_FOLDER...

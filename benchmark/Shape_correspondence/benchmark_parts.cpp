@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "command_line.h"
@@ -28,9 +26,7 @@
 // labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), F1 of parts, and the number of points that each
 // labelled part has in common with each part made.
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace benchmark {
+namespace CGAL::Shape_correspondence::benchmark {
 namespace {
 
 using internal::contacts::Sampled_triangle;
@@ -242,9 +238,7 @@ void compare(const std::string& raw_path, const std::string& labelled_path, Part
 }
 
 } // namespace
-} // namespace benchmark
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::benchmark
 
 int main(int argc, char** argv)
 {

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_COMMAND_LINE_H
-#define CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_COMMAND_LINE_H
+#pragma once
 
 #include <cstdint>
 #include <sstream>
@@ -12,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace benchmark {
+namespace CGAL::Shape_correspondence::benchmark {
 
 /// Reads the words of a command line one by one. Messages of the `std::invalid_argument` it throws are for the user.
 class Command_line
@@ -62,8 +57,4 @@ inline std::vector<std::string> words_of(const std::string& list)
   return result;
 }
 
-} // namespace benchmark
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_BENCHMARK_COMMAND_LINE_H
+} // namespace CGAL::Shape_correspondence::benchmark

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Abstracts damaged part meshes: fuzz_abstraction [CASES [FIRST_SEED [LARGEST]]], 2000 cases from seed 0 with up to

@@ -1,14 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Writes the models of data/, or the shapes of the benchmark, each a folder of parts with labels.
 
 #include "command_line.h"
-#include "generator/benchmark/boat_designs.h"
-#include "generator/benchmark/cart_designs.h"
 #include "generator/benchmark/degrade.h"
+#include "generator/benchmark/vehicles.h"
 #include "generator/grammar/kinds.h"
 #include "generator/models.h"
 #include "generator/textures.h"

@@ -1,11 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures by how much roles improve the matching of shapes that were left out of the training.
 
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/run.h"
 #include "command_line.h"
 #include "experiments/intervals.h"

@@ -9,7 +9,7 @@
 #include "cli/jobs.h"
 #include "cli/run.h"
 #include "io/system/atomic_file.h"
-#include "viewer/match_page.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/write_blend.h>

@@ -12,7 +12,7 @@
 #include "io/system/colours.h"
 #include "io/system/input_file.h"
 #include "io/write/part_labels.h"
-#include "viewer/match_page.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -6,7 +6,7 @@
 #include "options.h"
 #include "work.h"
 
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/run.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>

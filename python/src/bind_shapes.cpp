@@ -12,7 +12,7 @@
 #include "io/system/input_file.h"
 #include "io/write/part_labels.h"
 #include "io/write/pictures.h"
-#include "viewer/page_models.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_features.h>

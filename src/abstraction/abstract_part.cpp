@@ -6,9 +6,9 @@
 #include "abstraction/curve_and_sheet_geometry.h"
 #include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
-#include "base/check_number.h"
+#include "base/directions.h"
 #include "base/for_each_index.h"
-#include "base/generic_direction.h"
+#include "base/limits.h"
 #include "shape/Flat_faces.h"
 #include "shape/check_mesh.h"
 #include "shape/convex_hull.h"
@@ -21,9 +21,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <string>
 #include <utility>

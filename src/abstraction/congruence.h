@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "base/directions.h"
 #include "base/eigen_system.h"
-#include "base/generic_direction.h"
 #include "shape/Triangle_tree.h"
 #include "shape/oriented_box.h"
 #include "shape/triangle_distance.h"
@@ -12,7 +12,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>

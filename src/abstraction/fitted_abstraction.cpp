@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/Solid_abstractor.h"
-#include "abstraction/bounding_box.h"
+#include "abstraction/curve_and_sheet_geometry.h"
 #include "abstraction/fit_curve.h"
 #include "abstraction/fit_sheet.h"
 #include "abstraction/inside_test.h"

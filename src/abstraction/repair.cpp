@@ -5,7 +5,7 @@
 #define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
 
 #include "abstraction/repair.h"
-#include "abstraction/bounding_box.h"
+#include "abstraction/curve_and_sheet_geometry.h"
 #include "abstraction/holes.h"
 #include "base/library_call.h"
 #include "shape/meshes.h"

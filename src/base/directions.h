@@ -5,10 +5,10 @@
 
 #include <CGAL/Shape_correspondence/Points.h>
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <initializer_list>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -53,5 +53,21 @@ inline Eigen::Quaterniond least_rotation(const Point& from, const Point& to)
   result.w() = doubled_w * 0.5;
   return result;
 }
+
+inline int within_a_turn(int quarter_turns) { return (quarter_turns % 4 + 4) % 4; }
+
+/// Rotation about y by quarter turns, exact, so that matching a shape with itself costs exactly 0.
+inline Eigen::Matrix3d quarter_turn(int turns)
+{
+  static constexpr int cosine[] = {1, 0, -1, 0};
+  const int k = within_a_turn(turns);
+  const double c = cosine[k], s = cosine[(k + 3) % 4];
+  Eigen::Matrix3d turn;
+  turn << c, 0, s, 0, 1, 0, -s, 0, c;
+  return turn;
+}
+
+/// A direction near y, oblique to all axes, so that positions of different points along it are hardly ever equal.
+inline Point generic_direction() { return Point(0.6, 1, 0.36).normalized(); }
 
 } // namespace CGAL::Shape_correspondence::internal

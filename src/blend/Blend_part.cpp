@@ -6,7 +6,6 @@
 #include "base/for_each_index.h"
 #include "base/quantized.h"
 #include "blend/Blend_stage.h"
-#include "blend/unlike_pairs.h"
 #include "map/Piece_pair.h"
 
 #include <CGAL/Shape_correspondence/blend_shapes.h>
@@ -15,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <memory>
 #include <set>
 #include <string>
 #include <utility>

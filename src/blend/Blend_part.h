@@ -3,18 +3,90 @@
 
 #pragma once
 
-#include "blend/Part_morph.h"
 #include "map/Charted_mesh.h"
+#include "map/Part_chart.h"
 #include "map/Piece_pair.h"
 
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+/// Straight charts of the boxes of two surfaces. A box has the axes of the world unless a part's own axes make it much
+/// smaller; axes are paired by the least rotation over the symmetries of boxes.
+/// \param own_axes rotations to the axes of the surfaces
+/// \param much ratio of volumes below which a box is much smaller
+Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
+                       double much = 0.45); // less than 1/2, the ratio of a square turned by 45 degrees
+
+/// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
+/// source, then that of the target: both ends are exact, and closed if the inputs are.
+///
+/// Either surface moves with the space of its chart. If that *bends*, it also changes smoothly in the chart, so that in
+/// the large the outlines of its cross-sections become those of the other surface; details keep their shape. Just
+/// before one surface replaces the other, to which it is near, it slides half-way there; the other one comes from
+/// there.
+class Part_morph
+{
+public:
+  /// \param charts the charts of both ends, as of curves: cross-sections are perpendicular to the first coordinate
+  Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends);
+
+  static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
+
+  /// The surface that is present at time `t`: 0, the source's, or 1.
+  int surface(double t) const { return t < change ? 0 : 1; }
+  const Eigen::Matrix3Xi& triangles(int surface) const { return surfaces_[std::size_t(surface)].triangles; }
+  /// The points of a surface at time `t`, even if it is not the present one.
+  Points points(int surface, double t) const;
+
+  /// Root mean square distance of either surface from the other when one replaces the other, over its diagonal: the
+  /// larger of the two.
+  double misfit() const { return misfit_; }
+  /// Root mean square change of the edges of either surface by bending, until one replaces the other, over their
+  /// lengths: the larger of the two; 0 without bending.
+  double strain() const { return strain_; }
+  /// Misfit plus weighted strain, by which morphs are compared: 0 if surfaces keep their shapes and fit each other.
+  double effort() const
+  {
+    constexpr double of_strain = 0.15; // weight of the strain, over that of the misfit
+    return misfit_ + of_strain * strain_;
+  }
+  /// Whether the effort is small, and both surfaces cover about as much when one replaces the other.
+  bool is_faithful() const;
+  /// Lets the surfaces meet half-way between each other at the change.
+  void meet();
+
+private:
+  struct Moving_surface
+  {
+    Eigen::Matrix3Xi triangles;
+    Points places;  ///< chart coordinates of the vertices, relative to the outline
+    Points offsets; ///< vectors from the chart's points there to the vertices at the surface's end, in its frames
+    Points meets;   ///< vectors from the vertices to where the surfaces meet at the change, in the chart's frames
+  };
+
+  double strain_of(std::size_t end, const Charted_mesh& mesh) const;
+  void add(std::size_t end, const Part_mesh& mesh);
+  contacts::Triangle_tree tree_at_change(std::size_t surface) const;
+
+  // Arrays indexed by end: 0 is the source, 1 the target
+  std::array<Part_chart, 2> charts_;
+  std::array<Chart_outline, 2> outlines_;
+  std::vector<Moving_surface> surfaces_; ///< empty if the strain is too large
+  double misfit_ = 0, strain_ = 0;
+};
+
+/// The morph of least effort in one of several pairs of charts; null if none is faithful.
+/// \param charts groups of pairs: of straight charts, which differ by their first axis, or one pair of curves' charts
+std::shared_ptr<const Part_morph> best_morph(const std::vector<std::vector<Pair_charts>>& charts,
+                                             const Part_mesh& source, const Part_mesh& target);
 
 struct Blend_stage;
 

@@ -3,7 +3,9 @@
 
 #pragma once
 
-#include "blend/Seen_surface.h"
+#include "blend/Blend_part.h"
+#include "map/Piece_pair.h"
+#include "shape/Triangle_tree.h"
 
 #include <CGAL/Shape_correspondence/Blend_options.h>
 #include <CGAL/Shape_correspondence/Structural_graph.h>
@@ -11,9 +13,39 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
+
+using Tree_pointers = std::vector<const contacts::Triangle_tree*>;
+
+Tree_pointers pointers_to(const std::vector<contacts::Triangle_tree>& trees);
+
+/// The widest gap that has to be bridged to join all surfaces: the longest edge of a minimum spanning tree of their
+/// distances, by Kruskal's algorithm. Distances are computed in the order of the distances of bounding boxes, which are
+/// lower bounds, until all surfaces are joined: seldom more distances than there are surfaces.
+/// \param enough gaps that are no wider count as this wide, which saves computing the distances of surfaces in contact
+double widest_gap(const Tree_pointers& surfaces, double enough = 0);
+
+/// The surface of a part that is present in a shape, at an end of a blend or in between.
+struct Seen_surface
+{
+  /// \param number index of the part
+  /// \param surface index of its present surface
+  Seen_surface(const std::vector<Blend_part>& parts, std::size_t number, int surface, const Points& points);
+
+  std::size_t number;
+  const Blend_part& part;
+  int surface; ///< index of the surface of the part
+  Points points;
+  contacts::Triangle_tree tree;
+};
+
+/// The share of the area of `a` that is inside `b`, estimated by samples.
+double share_inside(const Seen_surface& a, const Seen_surface& b);
+
+double number_of_supports(const std::vector<Seen_surface>& surfaces);
 
 /// A shape to be blended, as it was given.
 struct Blend_input
@@ -59,5 +91,46 @@ private:
   Segmented_shape moved(const Blend_input& input, const Point& up, std::size_t end) const;
   void add(const Blend_input& input, std::size_t end);
 };
+
+/// The pairs of parts that correspond but do not morph.
+struct Unlike_pairs
+{
+  Part_pairs all;
+  /// `torn`: pairs, also of leftover parts, without a faithful morph, or whose part would come off what it touches;
+  /// `detached`: the latter ones.
+  std::set<Part_pairs::value_type> torn, detached;
+};
+
+/// The change needed for a part, a piece, or the box around parts to become another. Lengths are over the height.
+struct Difference
+{
+  /// \param are_whole whether the charts are of whole parts: then extents relative to those of the shapes are compared,
+  /// too, and the smaller of both changes counts
+  Difference(const Blend_stage& stage, const std::array<Part_chart, 2>& charts, bool are_whole = true);
+
+  /// Whether the proportions change little.
+  bool keeps_shape() const;
+  /// Whether proportions and position change little, so that pieces of parts may morph.
+  bool is_little() const;
+  /// Whether the displacement is small enough for a whole part to morph, if it does not come off what it touches.
+  bool is_possible() const;
+  /// Whether the position changes moderately, so that a `Space_warp` may follow the boxes.
+  bool stays_near() const;
+
+  double change;  ///< sum of the absolute log ratios of the extents
+  double stretch; ///< absolute log ratio of the longest extents
+  double way;     ///< displacement of the centre relative to the shapes' bounding boxes
+  double size;    ///< longest extent of both
+  double whole;   ///< mean diagonal of the shapes
+};
+
+/// The pairs of parts that morph to each other:
+///  - Of the pairs that correspond, all but those whose parts would move far, or whose pieces would change their
+/// proportions or positions much: legs cut up for a star base, slats across spindles. As a part is divided as a whole,
+/// all other pairs of its parts, and their mirror images, are dropped with such a pair.
+///  - Leftover parts with similar position and size, unless one of them shares the place of another part nearly as
+/// much: two parts that correspond, but also to others, or two without counterparts.
+/// \param unlike its torn pairs are dropped; `all` is set
+Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike);
 
 } // namespace CGAL::Shape_correspondence::internal

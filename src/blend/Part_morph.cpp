@@ -1,11 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Part_morph.h"
+#include "blend/Blend_part.h"
 
 #include "base/clamped.h"
 #include "base/quantized.h"
-#include "map/Subdivision.h"
+#include "map/Charted_mesh.h"
 #include "shape/sample_triangles.h"
 
 #include <Eigen/Cholesky>

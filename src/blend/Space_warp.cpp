@@ -1,11 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/Space_warp.h"
+#include "blend/Blend_structure.h"
 
 #include "base/quantized.h"
 #include "blend/Blend_stage.h"
-#include "blend/unlike_pairs.h"
 
 #include <Eigen/QR>
 

@@ -5,7 +5,7 @@
 #include "map/Piece_pair.h"
 #include "matching/check_correspondence.h"
 #include "matching/unlikely_pairs.h"
-#include "shape/has_area.h"
+#include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/blend_shapes.h>

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/exchange_steps.h"
+#include "blend/schedules.h"
 
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
-#include "blend/In_between_shape.h"
+#include "blend/Blend_structure.h"
 
 #include <CGAL/Shape_correspondence/Structural_graph.h>
 

@@ -1,8 +1,6 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "blend/unlike_pairs.h"
-
 #include "base/Disjoint_sets.h"
 #include "base/quantized.h"
 #include "blend/Blend_part.h"

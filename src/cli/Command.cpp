@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cli/Command.h"
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "io/system/atomic_file.h"

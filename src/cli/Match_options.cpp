@@ -3,7 +3,7 @@
 
 #include "base/number_text.h"
 #include "cli/Common_options.h"
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/run.h"
 #include "matching/match_parts.h"
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/Option_table.h"
+#include "cli/Common_options.h"
 #include "cli/run.h"
 
 #include <boost/algorithm/string/join.hpp>

@@ -8,8 +8,7 @@
 #include "cli/run.h"
 #include "io/system/atomic_file.h"
 #include "matching/unlikely_pairs.h"
-#include "viewer/match_page.h"
-#include "viewer/page_models.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
@@ -73,87 +72,6 @@ std::string file_format(const Blend_output& output)
   return ending == ".ply" ? "ply" : ending == ".glb" ? "glb" : "obj";
 }
 
-} // namespace
-
-bool Blend_output::is_page() const { return ending_of(path) == ".html"; }
-
-bool Blend_output::may_show_materials() const
-{
-  if (const std::string one = file_format(*this); !one.empty()) return one == "glb";
-  return is_glb(path) || (!is_page() && format == "glb");
-}
-
-bool Blend_output::is_file() const { return is_glb(path) || is_page() || !file_format(*this).empty(); }
-
-void add_output_options(Option_table::Group& add, Blend_output& output)
-{
-  add("output,o", "PATH", &output.path,
-      "what to write: an animation, FILE.glb; a web page, FILE.html; or a new folder with one file for each frame");
-  add("frames", "N", &output.frames, "number of frames at equal time steps, including source and target")
-      .between(2, internal::most_frames);
-  add("format", "FORMAT", &output.format,
-      "format of the frames in a folder: obj (one object per part), ply (binary, with the part of each face) or glb "
-      "(with materials and textures)")
-      .words({"obj", "ply", "glb"})
-      .rare();
-  add("schedule", "NAME", &output.schedule,
-      "order of the tasks: " + alternatives(schedule_words()) +
-          "; best takes the one in which shapes hold together best, all writes a folder for each one whose frames "
-          "differ from those of better ones")
-      .words(schedule_words());
-  add("at", "T", &output.at, "write only the shape at time T; 0 is the source, 1 the target. Default: the whole blend")
-      .between(0, 1)
-      .without_default();
-  add("solid", &output.solid,
-      "with --at: wrap the shape into one closed surface, for printing and Boolean operations (.obj or .ply)");
-  add("size", "SIZE",
-      choice<std::optional<Blend_size>>(output.size, {{"auto", std::nullopt},
-                                                      {"blend", Blend_size::BLEND},
-                                                      {"source", Blend_size::SOURCE},
-                                                      {"target", Blend_size::TARGET},
-                                                      {"same", Blend_size::SAME}}),
-      "size of the frames: blend (from the source's to the target's), source, target, same (height 1), or auto (blend; "
-      "same if one shape is more than twice as high as the other, which most often means other units)")
-      .in_python();
-  add("colours", "COLOURS", &output.colours,
-      "colours of a .glb animation: materials (those of the models, with textures), match (one for corresponding "
-      "parts) or auto (materials if a model has them)")
-      .words({"auto", "materials", "match"})
-      .rare();
-}
-
-void check_output(const Blend_output& output)
-{
-  if (output.path.empty())
-    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
-  if (output.solid && !output.is_one_shape()) throw Usage_error("--solid makes one shape: --at T says which");
-  const std::string ending = ending_of(output.path);
-  if (output.solid && (output.format == "glb" || file_format(output) == "glb"))
-    throw Usage_error("--solid writes a surface without materials: .obj or .ply");
-  if (!file_format(output).empty()) {
-    if (ending != ".obj" && ending != ".ply" && ending != ".glb")
-      throw Usage_error("with --at, one shape is written: -o must name a file that ends in .obj, .ply or .glb");
-    return;
-  }
-  if ((is_glb(output.path) || output.is_page())) {
-    if (output.schedule == "all") throw Usage_error("--schedule all makes several blends: -o must name a folder");
-    return;
-  }
-  check_is_no_other_file(output.path);
-  IO::check_new_folder(output.path);
-}
-
-Blend_options blend_options(const Blend_output& output)
-{
-  Blend_options result;
-  result.size = output.size.value_or(Blend_size::BLEND);
-  for (const std::string& name : Shape_blend::schedule_names())
-    if (schedule_word(name) == output.schedule) result.schedule = name;
-  return result;
-}
-
-namespace {
-
 std::string frame_name(const Blend_output& output, int frame)
 {
   const std::string number = std::to_string(frame);
@@ -205,36 +123,6 @@ void write_all(const std::string& folder, const Blend_output& output, const std:
     write_frames(path, output, blends[i], appearance);
   }
 }
-
-} // namespace
-
-void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
-                 const IO::Blend_appearance* appearance, const std::function<void()>& finish)
-{
-  const IO::Blend_appearance none, &looks = appearance ? *appearance : none;
-  if (!output.is_file())
-    return IO::write_folder_atomically(output.path, [&](const std::string& folder) {
-      if (output.schedule == "all")
-        write_all(folder, output, blend.different_blends(), looks);
-      else
-        write_frames(folder, output, blend, looks);
-      finish();
-    });
-  if (const std::string format = file_format(output); !format.empty()) {
-    write_shape(output.path, format, blend, looks, output.at, output.solid);
-    output_is_whole(output.path);
-  } else if (is_glb(output.path)) {
-    write_output(output.path, [&](std::ostream& out) {
-      if (appearance)
-        IO::write_blend_glb(out, blend, *appearance, output.frames);
-      else
-        IO::write_blend_glb(out, blend, correspondence, output.frames);
-    });
-  }
-  finish();
-}
-
-namespace {
 
 const char* const blend_help =
     R"(Usage: shape_correspondence blend SOURCE TARGET -o FOLDER|FILE.glb|FILE.html [options]
@@ -393,6 +281,109 @@ private:
 };
 
 } // namespace
+
+bool Blend_output::is_page() const { return ending_of(path) == ".html"; }
+
+bool Blend_output::may_show_materials() const
+{
+  if (const std::string one = file_format(*this); !one.empty()) return one == "glb";
+  return is_glb(path) || (!is_page() && format == "glb");
+}
+
+bool Blend_output::is_file() const { return is_glb(path) || is_page() || !file_format(*this).empty(); }
+
+void add_output_options(Option_table::Group& add, Blend_output& output)
+{
+  add("output,o", "PATH", &output.path,
+      "what to write: an animation, FILE.glb; a web page, FILE.html; or a new folder with one file for each frame");
+  add("frames", "N", &output.frames, "number of frames at equal time steps, including source and target")
+      .between(2, internal::most_frames);
+  add("format", "FORMAT", &output.format,
+      "format of the frames in a folder: obj (one object per part), ply (binary, with the part of each face) or glb "
+      "(with materials and textures)")
+      .words({"obj", "ply", "glb"})
+      .rare();
+  add("schedule", "NAME", &output.schedule,
+      "order of the tasks: " + alternatives(schedule_words()) +
+          "; best takes the one in which shapes hold together best, all writes a folder for each one whose frames "
+          "differ from those of better ones")
+      .words(schedule_words());
+  add("at", "T", &output.at, "write only the shape at time T; 0 is the source, 1 the target. Default: the whole blend")
+      .between(0, 1)
+      .without_default();
+  add("solid", &output.solid,
+      "with --at: wrap the shape into one closed surface, for printing and Boolean operations (.obj or .ply)");
+  add("size", "SIZE",
+      choice<std::optional<Blend_size>>(output.size, {{"auto", std::nullopt},
+                                                      {"blend", Blend_size::BLEND},
+                                                      {"source", Blend_size::SOURCE},
+                                                      {"target", Blend_size::TARGET},
+                                                      {"same", Blend_size::SAME}}),
+      "size of the frames: blend (from the source's to the target's), source, target, same (height 1), or auto (blend; "
+      "same if one shape is more than twice as high as the other, which most often means other units)")
+      .in_python();
+  add("colours", "COLOURS", &output.colours,
+      "colours of a .glb animation: materials (those of the models, with textures), match (one for corresponding "
+      "parts) or auto (materials if a model has them)")
+      .words({"auto", "materials", "match"})
+      .rare();
+}
+
+void check_output(const Blend_output& output)
+{
+  if (output.path.empty())
+    throw Usage_error("-o is missing: a folder for the frames, an animation FILE.glb, or a web page FILE.html");
+  if (output.solid && !output.is_one_shape()) throw Usage_error("--solid makes one shape: --at T says which");
+  const std::string ending = ending_of(output.path);
+  if (output.solid && (output.format == "glb" || file_format(output) == "glb"))
+    throw Usage_error("--solid writes a surface without materials: .obj or .ply");
+  if (!file_format(output).empty()) {
+    if (ending != ".obj" && ending != ".ply" && ending != ".glb")
+      throw Usage_error("with --at, one shape is written: -o must name a file that ends in .obj, .ply or .glb");
+    return;
+  }
+  if ((is_glb(output.path) || output.is_page())) {
+    if (output.schedule == "all") throw Usage_error("--schedule all makes several blends: -o must name a folder");
+    return;
+  }
+  check_is_no_other_file(output.path);
+  IO::check_new_folder(output.path);
+}
+
+Blend_options blend_options(const Blend_output& output)
+{
+  Blend_options result;
+  result.size = output.size.value_or(Blend_size::BLEND);
+  for (const std::string& name : Shape_blend::schedule_names())
+    if (schedule_word(name) == output.schedule) result.schedule = name;
+  return result;
+}
+
+void write_blend(const Blend_output& output, const Shape_blend& blend, const Correspondence& correspondence,
+                 const IO::Blend_appearance* appearance, const std::function<void()>& finish)
+{
+  const IO::Blend_appearance none, &looks = appearance ? *appearance : none;
+  if (!output.is_file())
+    return IO::write_folder_atomically(output.path, [&](const std::string& folder) {
+      if (output.schedule == "all")
+        write_all(folder, output, blend.different_blends(), looks);
+      else
+        write_frames(folder, output, blend, looks);
+      finish();
+    });
+  if (const std::string format = file_format(output); !format.empty()) {
+    write_shape(output.path, format, blend, looks, output.at, output.solid);
+    output_is_whole(output.path);
+  } else if (is_glb(output.path)) {
+    write_output(output.path, [&](std::ostream& out) {
+      if (appearance)
+        IO::write_blend_glb(out, blend, *appearance, output.frames);
+      else
+        IO::write_blend_glb(out, blend, correspondence, output.frames);
+    });
+  }
+  finish();
+}
 
 Blend_size likely_size(const Loaded_shape& source, const Loaded_shape& target, std::vector<std::string>& warnings)
 {

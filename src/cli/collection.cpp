@@ -4,7 +4,7 @@
 #include "cli/collection.h"
 #include "cli/Command.h"
 #include "cli/Common_options.h"
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "io/system/quoting.h"

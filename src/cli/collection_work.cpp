@@ -4,7 +4,7 @@
 #include "cli/collection.h"
 #include "cli/run.h"
 #include "io/system/atomic_file.h"
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
 
 #include <CGAL/Shape_correspondence/Role_model.h>
 #include <CGAL/Shape_correspondence/version.h>

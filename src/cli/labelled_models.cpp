@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "io/system/input_file.h"
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <utility>
 
 namespace CGAL::Shape_correspondence::cli {
 

@@ -7,7 +7,7 @@
 #include "io/system/quoting.h"
 #include "io/write/part_labels.h"
 #include "texture/dressed_meshes.h"
-#include "viewer/match_page.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>

@@ -10,8 +10,7 @@
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "structure/outline_graph.h"
-#include "viewer/page_models.h"
-#include "viewer/parts_sheet.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/parts_json.h>

@@ -4,7 +4,7 @@
 #include "base/for_each_index.h"
 #include "cli/Command.h"
 #include "cli/collection.h"
-#include "cli/labels.h"
+#include "cli/jobs.h"
 #include "cli/load_shape.h"
 #include "cli/run.h"
 #include "io/system/atomic_file.h"

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "base/deadline.h"
-#include "energy/Deformable_shape.h"
 #include "energy/Fitted_pieces.h"
 #include "energy/match_groups.h"
 

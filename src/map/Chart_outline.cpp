@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "map/Chart_outline.h"
+#include "map/Part_chart.h"
 
 #include "base/clamped.h"
 #include "base/planar_hull.h"

@@ -3,8 +3,6 @@
 
 #include "map/Charted_mesh.h"
 
-#include "map/Subdivision.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/check_number.h"
 #include "base/clamped.h"
+#include "base/limits.h"
 #include "base/quantized.h"
 #include "map/Piece_pair.h"
 

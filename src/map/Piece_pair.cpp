@@ -3,10 +3,10 @@
 
 #include "map/Piece_pair.h"
 #include "base/Disjoint_sets.h"
+#include "base/directions.h"
 #include "base/divide_box.h"
 #include "base/optimal_assignment.h"
 #include "base/quantized.h"
-#include "base/quarter_turn.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "map/Piece_pair.h"
-#include "map/Point_map.h"
 #include "matching/check_correspondence.h"
 
 #include <CGAL/Shape_correspondence/Surface_map.h>

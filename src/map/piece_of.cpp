@@ -4,8 +4,8 @@
 #include "base/library_call.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
+#include "map/Charted_mesh.h"
 #include "map/Piece_pair.h"
-#include "map/Subdivision.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/quarter_turn.h"
+#include "base/directions.h"
 #include "matching/Match_task.h"
 
 #include <cstddef>

@@ -3,11 +3,10 @@
 
 #pragma once
 
-#include "base/check_number.h"
+#include "base/limits.h"
 
 #include <CGAL/Shape_correspondence/Correspondence.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Disjoint_sets.h"
-#include "base/check_number.h"
 #include "base/limits.h"
 #include "base/quantized.h"
 #include "energy/match_groups.h"

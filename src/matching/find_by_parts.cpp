@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "base/directions.h"
 #include "base/number_text.h"
-#include "base/quarter_turn.h"
 #include "matching/Match_task.h"
 #include "matching/aligned_matching.h"
 #include "matching/rate.h"

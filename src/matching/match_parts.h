@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "energy/Match_constraints.h"
+#include "energy/match_groups.h"
 #include "matching/Part_costs.h"
 
 #include <CGAL/Shape_correspondence/Part_correspondence.h>

@@ -9,7 +9,6 @@
 #include "shape/triangle_distance.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -3,19 +3,29 @@
 
 #include "base/limits.h"
 #include "shape/check_mesh.h"
-#include "shape/has_area.h"
+#include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/Segmented_shape.h>
+#include <CGAL/Shape_correspondence/internal/part_mesh.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Shape_correspondence {
-using namespace internal;
+namespace CGAL::Shape_correspondence::internal {
 
 namespace {
+
+template <typename Matrix, typename Column>
+Matrix as_matrix(const std::vector<Column>& columns)
+{
+  Matrix result(3, Eigen::Index(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    result.col(Eigen::Index(i)) = columns[i];
+  return result;
+}
 
 std::string part_message(const std::string& name, const std::string& what) { return "part '" + name + "': " + what; }
 
@@ -62,6 +72,27 @@ void check_triangles_of_vertices(const std::string& name, const Part_mesh& mesh)
 }
 
 } // namespace
+
+int Part_mesh_data::add_point(double x, double y, double z)
+{
+  points_.emplace_back(x, y, z);
+  return int(points_.size()) - 1;
+}
+
+void Part_mesh_data::add_polygon(const std::vector<int>& corners)
+{
+  for (std::size_t k = 2; k < corners.size(); ++k)
+    triangles_.emplace_back(corners[0], corners[k - 1], corners[k]);
+}
+
+Points Part_mesh_data::points() const { return as_matrix<Points>(points_); }
+
+Eigen::Matrix3Xi Part_mesh_data::triangles() const { return as_matrix<Eigen::Matrix3Xi>(triangles_); }
+
+} // namespace CGAL::Shape_correspondence::internal
+
+namespace CGAL::Shape_correspondence {
+using namespace internal;
 
 void internal::check_triangles(const std::string& part, const Part_mesh& mesh)
 {

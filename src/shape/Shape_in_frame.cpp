@@ -3,9 +3,8 @@
 
 #include "shape/Shape_in_frame.h"
 #include "base/directions.h"
-#include "base/generic_direction.h"
-#include "shape/all_vertices.h"
 #include "shape/canonical_surface.h"
+#include "shape/oriented_box.h"
 #include "shape/sample_triangles.h"
 
 #include <algorithm>

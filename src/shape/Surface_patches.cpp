@@ -3,7 +3,7 @@
 
 #include "shape/Surface_patches.h"
 
-#include "base/generic_direction.h"
+#include "base/directions.h"
 #include "base/quantized.h"
 #include "shape/Welded_triangles.h"
 #include "shape/patch_contacts.h"

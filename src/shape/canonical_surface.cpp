@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shape/canonical_surface.h"
-#include "base/generic_direction.h"
+#include "base/directions.h"
 #include "base/planar_hull.h"
 #include "shape/Flat_faces.h"
-#include "shape/all_vertices.h"
 #include "shape/divide_polygon.h"
-#include "shape/has_area.h"
+#include "shape/oriented_box.h"
+#include "shape/sample_triangles.h"
 
 #include <Eigen/Geometry>
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "base/Nearest_points.h"
-#include "base/check_number.h"
+#include "base/limits.h"
 #include "base/planar_hull.h"
 #include "base/quantized.h"
-#include "shape/all_vertices.h"
 #include "shape/canonical_surface.h"
+#include "shape/oriented_box.h"
 #include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/estimate_up.h>

@@ -9,7 +9,6 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <cstddef>
-#include <numeric>
 #include <set>
 
 namespace CGAL::Shape_correspondence {

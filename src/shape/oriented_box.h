@@ -6,9 +6,11 @@
 #include "base/eigen_system.h"
 
 #include <CGAL/Shape_correspondence/Points.h>
+#include <CGAL/Shape_correspondence/Segmented_shape.h>
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace CGAL::Shape_correspondence::internal {
 
@@ -51,6 +53,29 @@ inline Oriented_box oriented_box(const Points& points)
     return box.extents[0] * box.extents[1] + box.extents[1] * box.extents[2] + box.extents[2] * box.extents[0];
   };
   return half_surface(principal) < 0.9 * half_surface(straight) ? principal : straight;
+}
+
+/// The points of all sets, one set after the other.
+inline Points joined(const std::vector<const Points*>& sets)
+{
+  Eigen::Index count = 0;
+  for (const Points* points : sets)
+    count += points->cols();
+  Points result(3, count);
+  for (const Points* points : sets) {
+    result.middleCols(result.cols() - count, points->cols()) = *points;
+    count -= points->cols();
+  }
+  return result;
+}
+
+/// The vertices of all parts, part by part.
+inline Points all_vertices(const Segmented_shape& shape)
+{
+  std::vector<const Points*> sets;
+  for (const Shape_part& part : shape.parts())
+    sets.push_back(&part.mesh.points);
+  return joined(sets);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -1,16 +1,16 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base/generic_direction.h"
+#include "base/directions.h"
 #include "base/limits.h"
 #include "base/quantized.h"
 #include "shape/Loose_piece.h"
 #include "shape/Shape_in_frame.h"
-#include "shape/all_vertices.h"
 #include "shape/canonical_surface.h"
 #include "shape/group_pieces.h"
-#include "shape/has_area.h"
 #include "shape/meshes.h"
+#include "shape/oriented_box.h"
+#include "shape/sample_triangles.h"
 #include "shape/split_patches.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "structure/align_shapes.h"
+#include "base/directions.h"
 #include "base/quantized.h"
-#include "base/quarter_turn.h"
 
 #include <CGAL/Shape_correspondence/abstract_part.h>
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "abstraction/surface_samples.h"
-#include "base/check_number.h"
 #include "base/limits.h"
 #include "shape/Shape_in_frame.h"
 #include "structure/align_shapes.h"

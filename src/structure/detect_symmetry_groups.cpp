@@ -3,7 +3,7 @@
 
 #include "base/Disjoint_sets.h"
 #include "base/Nearest_points.h"
-#include "base/generic_direction.h"
+#include "base/directions.h"
 #include "base/limits.h"
 #include "structure/Symmetry_candidate.h"
 #include "structure/reflections_and_rings.h"

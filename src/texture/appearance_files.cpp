@@ -7,11 +7,10 @@
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
 #include "io/write/ply_file.h"
-#include "map/Subdivision.h"
-#include "shape/all_vertices.h"
+#include "map/Charted_mesh.h"
 #include "shape/oriented_box.h"
-#include "texture/Appearance_sampler.h"
 #include "texture/image_file.h"
+#include "texture/textures.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -4,11 +4,10 @@
 #include "base/quantized.h"
 #include "io/read/model_parts.h"
 #include "map/Charted_mesh.h"
-#include "map/Point_map.h"
+#include "map/Piece_pair.h"
 #include "shape/sample_triangles.h"
 #include "shape/triangles_below.h"
-#include "texture/Appearance_sampler.h"
-#include "texture/Texture_layout.h"
+#include "texture/textures.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/transfer_appearance.h>
@@ -184,6 +183,17 @@ int label_of_triangle(const Point_map& map, const std::vector<int>& labels, std:
       ->first;
 }
 
+/// Barycentric coordinates of the projection of a point to the plane of a triangle, also outside of the triangle.
+Eigen::Vector3d plane_coordinates(const Point& p, const internal::contacts::Triangle& triangle)
+{
+  const auto& [a, b, c] = triangle;
+  const Point normal = internal::contacts::area_vector(triangle);
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0)) return {1, 0, 0};
+  const double of_a = (c - b).cross(p - b).dot(normal) / squared, of_b = (a - c).cross(p - c).dot(normal) / squared;
+  return {of_a, of_b, 1 - of_a - of_b};
+}
+
 } // namespace
 
 Transferred_appearance transfer_appearance(const Structural_graph& source, const Segmented_shape& source_shape,
@@ -252,21 +262,6 @@ Transferred_appearance transfer_labels(const Structural_graph& source, const Seg
   });
   return transfer.result();
 }
-
-namespace {
-
-/// Barycentric coordinates of the projection of a point to the plane of a triangle, also outside of the triangle.
-Eigen::Vector3d plane_coordinates(const Point& p, const internal::contacts::Triangle& triangle)
-{
-  const auto& [a, b, c] = triangle;
-  const Point normal = internal::contacts::area_vector(triangle);
-  const double squared = normal.squaredNorm();
-  if (!(squared > 0)) return {1, 0, 0};
-  const double of_a = (c - b).cross(p - b).dot(normal) / squared, of_b = (a - c).cross(p - c).dot(normal) / squared;
-  return {of_a, of_b, 1 - of_a - of_b};
-}
-
-} // namespace
 
 Part_appearance appearance_on(const Part_mesh& mesh, const Part_appearance& appearance, const Part_mesh& on_it)
 {

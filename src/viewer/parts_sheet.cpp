@@ -1,11 +1,10 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viewer/parts_sheet.h"
 #include "io/system/colours.h"
 #include "io/write/part_labels.h"
 #include "io/write/pictures.h"
-#include "viewer/page.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/parts_json.h>
 

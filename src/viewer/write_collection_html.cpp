@@ -5,8 +5,7 @@
 #include "io/system/colours.h"
 #include "io/write/part_labels.h"
 #include "io/write/pictures.h"
-#include "viewer/page.h"
-#include "viewer/page_models.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/write_collection_html.h>
 #include <CGAL/Shape_correspondence/correspondence_blocks.h>

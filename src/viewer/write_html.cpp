@@ -3,8 +3,7 @@
 
 #include "io/system/colours.h"
 #include "io/write/part_labels.h"
-#include "viewer/match_page.h"
-#include "viewer/page_models.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
 #include <CGAL/Shape_correspondence/IO/structural_graph_json.h>

@@ -6,7 +6,7 @@
 #ifndef SHAPE_CORRESPONDENCE_TEST_DEFORMED_PARTS_H
 #define SHAPE_CORRESPONDENCE_TEST_DEFORMED_PARTS_H
 
-#include "energy/deform_to_fit.h"
+#include "energy/Structural_rods.h"
 
 #include <cstddef>
 #include <vector>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "io/read/model_parts.h"
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>

@@ -5,7 +5,7 @@
 
 // Pinned and forbidden pairs, which all methods respect.
 
-#include "energy/Match_constraints.h"
+#include "energy/match_groups.h"
 #include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "energy/Structural_rods.h"
-#include "energy/deform_to_fit.h"
 #include "hand_made_graphs.h"
 
 #include <CGAL/Shape_correspondence/Deformation_energy.h>

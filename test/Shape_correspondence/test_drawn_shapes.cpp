@@ -6,9 +6,8 @@
 // Shapes that the grammar draws, those of the gallery, and degraded ones.
 
 #include "closed_meshes.h"
-#include "generator/benchmark/boat_designs.h"
-#include "generator/benchmark/cart_designs.h"
 #include "generator/benchmark/degrade.h"
+#include "generator/benchmark/vehicles.h"
 #include "generator/grammar/kinds.h"
 #include "generator/models.h"
 #include "generator/surface_distance.h"

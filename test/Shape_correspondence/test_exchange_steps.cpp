@@ -2,8 +2,8 @@
 //
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "blend/Part_morph.h"
-#include "blend/exchange_steps.h"
+#include "blend/Blend_part.h"
+#include "blend/schedules.h"
 #include "box_models.h"
 
 #include <catch2/catch.hpp>

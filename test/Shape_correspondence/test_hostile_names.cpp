@@ -10,8 +10,7 @@
 #include "io/system/quoting.h"
 #include "page_documents.h"
 #include "program.h"
-#include "viewer/match_page.h"
-#include "viewer/parts_sheet.h"
+#include "viewer/pages.h"
 
 #include <CGAL/Shape_correspondence/IO/correspondence_json.h>
 #include <CGAL/Shape_correspondence/IO/matrix_files.h>

@@ -3,7 +3,7 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
 #include "model_files.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>

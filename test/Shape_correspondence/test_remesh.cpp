@@ -1,5 +1,5 @@
 #include "abstraction/Closed_triangulation.h"
-#include "abstraction/bounding_box.h"
+#include "abstraction/curve_and_sheet_geometry.h"
 #include "abstraction/repair.h"
 #include "abstraction/surface_samples.h"
 #include "part_meshes.h"

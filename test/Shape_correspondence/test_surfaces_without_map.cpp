@@ -5,8 +5,8 @@
 #include "blend/Blend_part.h"
 #include "blend_checks.h"
 #include "box_models.h"
-#include "map/Chart_outline.h"
 #include "map/Charted_mesh.h"
+#include "map/Part_chart.h"
 #include "map/Piece_pair.h"
 #include "part_meshes.h"
 

@@ -8,8 +8,7 @@
 
 #include "generator/models.h"
 #include "generator/textures.h"
-#include "texture/Appearance_sampler.h"
-#include "texture/Texture_layout.h"
+#include "texture/textures.h"
 
 #include <CGAL/Shape_correspondence/IO/appearance_files.h>
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>

@@ -1,22 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Compares the methods of part abstraction: deviations from the curves and sheets that the generator states, and F1
 // of matching.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
+#pragma once
 
 #include "../abstraction_error.h"
 #include "methods.h"
 
-#include <ctime>
-#include <utility>
-
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 /// Comparison of the abstractions of parts with the curves and sheets that the generator states.
 struct Abstraction_scores
@@ -101,8 +93,4 @@ inline void compare_abstractions(Dataset dataset)
   }
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ABSTRACTION_H
+} // namespace CGAL::Shape_correspondence::experiments

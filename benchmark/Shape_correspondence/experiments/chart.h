@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_CHART_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_CHART_H
+#pragma once
 
 #include <Eigen/Core>
 
@@ -14,9 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 /// A line chart as SVG.
 class Chart
@@ -96,8 +91,4 @@ private:
   }
 };
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_CHART_H
+} // namespace CGAL::Shape_correspondence::experiments

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_DATASET_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_DATASET_H
+#pragma once
 
 #include "../peers/unit_box.h"
 
@@ -17,16 +14,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 namespace fs = std::filesystem;
 
@@ -117,8 +111,4 @@ inline Dataset load_dataset(const std::string& folder, const std::string& cache,
   return dataset;
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_DATASET_H
+} // namespace CGAL::Shape_correspondence::experiments

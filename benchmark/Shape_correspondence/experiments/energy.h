@@ -1,11 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The paper's experiments with the energy and its search: Figures 4, 10 and 11, flips, and coarse to fine.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
+#pragma once
 
 #include "chart.h"
 #include "options.h"
@@ -16,9 +13,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 inline void figure4(const Dataset& dataset)
 {
@@ -219,8 +214,4 @@ inline void coarse_to_fine(const Dataset& dataset)
   }
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ENERGY_H
+} // namespace CGAL::Shape_correspondence::experiments

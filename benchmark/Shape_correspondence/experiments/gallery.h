@@ -1,11 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Pictures and uses of correspondences in the paper: Figures 1, 9 and 13 to 16, and Table 1.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
+#pragma once
 
 #include "../peers/peers.h"
 #include "methods.h"
@@ -18,9 +15,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 /// The paper's main example: a bicycle and a tricycle.
 constexpr const char* main_example[] = {"velocipede_1", "velocipede_10"};
@@ -245,8 +240,4 @@ inline void figure16(const Dataset& dataset, const Options& options)
     }
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_GALLERY_H
+} // namespace CGAL::Shape_correspondence::experiments

@@ -1,11 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Mean scores with confidence intervals.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_INTERVALS_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_INTERVALS_H
+#pragma once
 
 #include <CGAL/Shape_correspondence/evaluate_correspondence.h>
 
@@ -19,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 constexpr std::size_t resamples = 1000; ///< number of draws of the bootstrap
 constexpr double confidence_level = 0.95;
@@ -169,8 +164,4 @@ inline Estimated_scores mean_estimates(const std::vector<Scored_correspondence>&
   return result;
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_INTERVALS_H
+} // namespace CGAL::Shape_correspondence::experiments

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_METHODS_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_METHODS_H
+#pragma once
 
 #include "dataset.h"
 #include "intervals.h"
@@ -17,9 +14,7 @@
 #include <cstdio>
 #include <iostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 inline double now()
 {
@@ -174,8 +169,4 @@ inline void write_run_row(const std::string& name, const Run& run)
   write_row(cells);
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_METHODS_H
+} // namespace CGAL::Shape_correspondence::experiments

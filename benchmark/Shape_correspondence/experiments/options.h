@@ -1,20 +1,15 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Options of the command line, and the files that they name.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_OPTIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_OPTIONS_H
+#pragma once
 
 #include "../command_line.h"
 #include "dataset.h"
 
 #include <iostream>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 struct Options
 {
@@ -82,8 +77,4 @@ inline Options parsed(int argc, char** argv)
   return options;
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_OPTIONS_H
+} // namespace CGAL::Shape_correspondence::experiments

@@ -1,11 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Fits the weights of matching with roles to pairs of shapes, whose roles are by models learned without them.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H
+#pragma once
 
 #include "base/for_each_index.h"
 #include "matching/aligned_matching.h"
@@ -18,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 #include <numeric>
 #include <set>
@@ -26,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 using namespace internal;
 
@@ -333,8 +327,4 @@ inline void Role_fit::apply(Role_model_data& model) const
   model.geometric_confidence = weights("", {}).geometric_confidence;
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_FIT_H
+} // namespace CGAL::Shape_correspondence::experiments

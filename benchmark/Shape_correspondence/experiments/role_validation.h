@@ -1,11 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Matches pairs of labelled shapes with roles that were learned without them.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_VALIDATION_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_VALIDATION_H
+#pragma once
 
 #include "base/for_each_index.h"
 #include "matching/aligned_matching.h"
@@ -28,9 +25,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 using namespace internal;
 
@@ -445,8 +440,4 @@ private:
   mutable std::map<std::pair<std::string, Sources>, double> gains_;
 };
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_ROLE_VALIDATION_H
+} // namespace CGAL::Shape_correspondence::experiments

@@ -1,11 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How correspondences depend on the segmentation: Figures 17, 18 and 19.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_SEGMENTATIONS_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_SEGMENTATIONS_H
+#pragma once
 
 #include "methods.h"
 #include "options.h"
@@ -15,9 +12,7 @@
 #include <map>
 #include <numeric>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 /// Joins the parts of a shape to one mesh and segments it; a segment takes the label of the part of its first vertex.
 inline void segment_automatically(const std::string& folder, const Structural_graph& graph,
@@ -139,8 +134,4 @@ inline void figure19(const Dataset& dataset, const Options& options)
             << " correspondences: " << text(rank_correlation(energies, scores), 2) << '\n';
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_SEGMENTATIONS_H
+} // namespace CGAL::Shape_correspondence::experiments

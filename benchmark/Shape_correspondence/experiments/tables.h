@@ -1,11 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The paper's Tables 2 and 3, a comparison of all methods, and the reliability of confidences.
-#ifndef CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
-#define CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
+#pragma once
 
 #include "../peers/peers.h"
 #include "chart.h"
@@ -14,9 +11,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace experiments {
+namespace CGAL::Shape_correspondence::experiments {
 
 inline void compare(const Dataset& dataset, const std::vector<std::pair<std::string, peers::Peer>>& methods,
                     const std::string& what = "method")
@@ -144,8 +139,4 @@ inline void reliability(const Dataset& dataset, const Options& options)
   chart.write(out);
 }
 
-} // namespace experiments
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_EXPERIMENTS_TABLES_H
+} // namespace CGAL::Shape_correspondence::experiments

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "assembly.h"
@@ -10,9 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 void Assembly::add(const std::string& part, const Label& label, const Solid& solid)
 {
@@ -149,6 +145,4 @@ Names numbered(const std::string& stem, int n)
   return names;
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_ASSEMBLY_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_ASSEMBLY_H
+#pragma once
 
 #include "mesh.h"
 
@@ -13,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 using Names = std::vector<std::string>;
 
@@ -116,8 +111,4 @@ private:
 /// `stem` followed by 1, 2, …, n.
 Names numbered(const std::string& stem, int n);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_ASSEMBLY_H
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,13 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "chairs.h"
+#include "designs.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 Label leg_label(const std::string& row) { return {"leg", "leg_" + row}; }
 
@@ -235,6 +231,4 @@ Assembly stool()
   return chair;
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

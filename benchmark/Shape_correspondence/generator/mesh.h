@@ -1,21 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MESH_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MESH_H
+#pragma once
 
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cmath>
-#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 using Point = Eigen::Vector3d;
 using Point_2 = Eigen::Vector2d;
@@ -90,8 +83,4 @@ Eigen::Isometry3d rotation_about(const Point& point, const Point& axis, double a
 /// The motion that takes the y axis to the line from `from` to `to`, the origin to `from`, by the smallest turn.
 Eigen::Isometry3d stand_on(const Point& from, const Point& to);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_MESH_H
+} // namespace CGAL::Shape_correspondence::generator

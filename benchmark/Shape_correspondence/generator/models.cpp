@@ -1,20 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "models.h"
 
-#include "aeroplanes.h"
-#include "chairs.h"
-#include "furnishings.h"
-#include "tables.h"
-#include "tricycle.h"
-#include "velocipedes.h"
+#include "designs.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 const std::vector<Model>& models()
 {
@@ -35,6 +26,4 @@ const std::vector<Model>& models()
   return all;
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

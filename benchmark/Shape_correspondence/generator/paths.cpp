@@ -1,13 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "paths.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 Point between(const Point& a, const Point& b, double t) { return a + t * (b - a); }
 
@@ -119,6 +115,4 @@ Section bar(const Point_2& start, const Point_2& end)
 
 Section bar(double width, double height) { return bar({width, height}, {width, height}); }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,19 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_PATHS_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_PATHS_H
+#pragma once
 
 #include "mesh.h"
 
-#include <algorithm>
 #include <functional>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 Point between(const Point& a, const Point& b, double t);
 
@@ -60,8 +54,4 @@ Section bar(const Point_2& start, const Point_2& end);
 
 Section bar(double width, double height);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_PATHS_H
+} // namespace CGAL::Shape_correspondence::generator

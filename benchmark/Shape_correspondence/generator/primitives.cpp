@@ -1,13 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "primitives.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 Mesh loft(const std::vector<Path>& rings, bool closed, const Point& first_tip, const Point& last_tip)
 {
@@ -343,6 +339,4 @@ Solid hull(const std::vector<Hull_station>& stations, int n, int pieces)
   return {loft(rings), Kind::curve, middle};
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

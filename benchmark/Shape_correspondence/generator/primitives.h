@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_PRIMITIVES_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_PRIMITIVES_H
+#pragma once
 
 #include "paths.h"
 
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// Joins rings of equally many points by quadrilaterals cut in two; the first and the last ring are closed by fans
 /// about `first_tip` and `last_tip`, or joined to each other when `closed`.
@@ -169,8 +164,4 @@ struct Hull_station
 /// A body through its oval stations from nose to tail, of kind curve.
 Solid hull(const std::vector<Hull_station>& stations, int n = 16, int pieces = 2);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_PRIMITIVES_H
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,19 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_SURFACE_DISTANCE_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_SURFACE_DISTANCE_H
+#pragma once
 
 #include "mesh.h"
 
-#include <algorithm>
-#include <limits>
-
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 using Box = Eigen::AlignedBox3d;
 
@@ -36,8 +28,4 @@ std::array<Point, 3> corners(const Mesh& mesh, const std::array<int, 3>& face);
 /// The distance of two surfaces, but `limit` if it is greater, by brute force: all pairs of faces.
 double surface_distance(const Mesh& one, const Mesh& other, double limit);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_SURFACE_DISTANCE_H
+} // namespace CGAL::Shape_correspondence::generator

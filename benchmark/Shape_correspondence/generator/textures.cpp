@@ -1,20 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
-//
-// $URL$
-// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Shape_correspondence developers
 
 #include "textures.h"
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 namespace {
 
@@ -120,6 +111,4 @@ Files textured_file(const Assembly& shape)
           {"test_picture.png", test_picture()}};
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "writer.h"
@@ -8,9 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 namespace {
 
@@ -184,6 +180,4 @@ Files raw_file(const Assembly& shape)
   return {{shape.name + ".obj", text}};
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

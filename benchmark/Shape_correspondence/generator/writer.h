@@ -1,19 +1,14 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_WRITER_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_WRITER_H
+#pragma once
 
 #include "assembly.h"
 
 #include <map>
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// Contents of files by their path, relative to the output folder.
 using Files = std::map<std::string, std::string>;
@@ -41,8 +36,4 @@ Files single_file(const Assembly& shape);
 /// The shape as models often are: one file, z up, one object for all parts of each coarse label.
 Files raw_file(const Assembly& shape);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_WRITER_H
+} // namespace CGAL::Shape_correspondence::generator

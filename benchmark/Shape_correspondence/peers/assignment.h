@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_ASSIGNMENT_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_ASSIGNMENT_H
+#pragma once
 
 #include "base/optimal_assignment.h"
 #include "unit_box.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// Assigns each part of the shape with fewer parts to another part, at least sum of chamfer distances in unit boxes.
 inline Part_pairs match_by_assignment(const Boxed_shape& source, const Boxed_shape& target)
@@ -45,8 +40,4 @@ inline void add_set_pairs(const Eigen::MatrixXd& cost, const std::vector<std::si
     pairs.emplace_back(a[i], b[column_of[i]]);
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_ASSIGNMENT_H
+} // namespace CGAL::Shape_correspondence::peers

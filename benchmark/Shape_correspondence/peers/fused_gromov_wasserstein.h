@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_FUSED_GROMOV_WASSERSTEIN_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_FUSED_GROMOV_WASSERSTEIN_H
+#pragma once
 
 #include "unit_box.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// Numbers of contacts on shortest paths between parts; one more than the greatest, if unconnected; scaled to [0, 1].
 inline Eigen::MatrixXd contact_distances(const Boxed_shape& shape)
@@ -67,8 +62,4 @@ inline Part_pairs match_by_fused_gromov_wasserstein(const Boxed_shape& source, c
   return strong_entries(plan, least_share);
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_FUSED_GROMOV_WASSERSTEIN_H
+} // namespace CGAL::Shape_correspondence::peers

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_KIM_2013_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_KIM_2013_H
+#pragma once
 
 #include "structure/align_shapes.h"
 #include "unit_box.h"
@@ -13,9 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// A part of a template: mean and variance of the placements in unit boxes of the parts that it labels.
 struct Template_part
@@ -100,8 +95,4 @@ inline std::vector<Part_pairs> match_kim_2013(const std::vector<Structural_graph
   return result;
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_KIM_2013_H
+} // namespace CGAL::Shape_correspondence::peers

@@ -1,24 +1,41 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
+#pragma once
 
 #include "assignment.h"
 #include "fused_gromov_wasserstein.h"
 #include "kim_2013.h"
-#include "nearest_parts.h"
 #include "tevs_2014.h"
-#include "xu_2012.h"
 #include "zheng_2014.h"
 
 #include <string>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
+
+/// Matches every source part with the target part of least Hausdorff distance in the shapes' unit boxes.
+inline Part_pairs match_nearest_parts(const Boxed_shape& source, const Boxed_shape& target)
+{
+  const Eigen::MatrixXd distance = part_distances(source, target, hausdorff);
+  Part_pairs pairs;
+  for (Eigen::Index i = 0; i < distance.rows(); ++i) {
+    Eigen::Index j;
+    distance.row(i).minCoeff(&j);
+    pairs.emplace_back(i, j);
+  }
+  return pairs;
+}
+
+/// K. Xu et al., *Fit and diverse: set evolution for inspiring 3D shape galleries*, 2012: shapes are aligned and scaled
+/// to one box, and parts correspond with fuzzy weights, which decrease with their Hausdorff distance.
+/// Simplified: the shapes' frames align them, instead of an optimization over all of a set.
+inline Part_pairs match_xu_2012(const Boxed_shape& source, const Boxed_shape& target)
+{
+  constexpr double width = 0.2; // of the Gaussian of distances, in unit boxes
+  constexpr double least_share = 0.3;
+  const Eigen::MatrixXd distance = part_distances(source, target, hausdorff);
+  return strong_entries((-(distance / width).array().square()).exp().matrix(), least_share);
+}
 
 struct Named_peer
 {
@@ -38,8 +55,4 @@ inline std::vector<Named_peer> all_peers()
           {"fused Gromov-Wasserstein", "-", pairwise(match_by_fused_gromov_wasserstein)}};
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_PEERS_H
+} // namespace CGAL::Shape_correspondence::peers

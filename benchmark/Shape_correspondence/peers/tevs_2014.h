@@ -1,18 +1,13 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_TEVS_2014_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_TEVS_2014_H
+#pragma once
 
 #include "assignment.h"
 
 #include <cmath>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// A pair of symmetry groups that may correspond.
 struct Group_pair
@@ -102,8 +97,4 @@ inline Part_pairs match_tevs_2014(const Boxed_shape& source, const Boxed_shape& 
   return pairs;
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_TEVS_2014_H
+} // namespace CGAL::Shape_correspondence::peers

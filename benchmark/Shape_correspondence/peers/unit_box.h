@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_UNIT_BOX_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_UNIT_BOX_H
+#pragma once
 
 #include "structure/align_shapes.h"
 
@@ -17,9 +14,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// Two shapes of a collection, by index.
 using Shape_pair = std::array<std::size_t, 2>;
@@ -138,8 +133,4 @@ Peer pairwise(const Match& match)
   };
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_UNIT_BOX_H
+} // namespace CGAL::Shape_correspondence::peers

@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_PEERS_ZHENG_2014_H
-#define CGAL_SHAPE_CORRESPONDENCE_PEERS_ZHENG_2014_H
+#pragma once
 
 #include "structure/align_shapes.h"
 #include "tevs_2014.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace peers {
+namespace CGAL::Shape_correspondence::peers {
 
 /// A symmetry group and one of the groups that it touches, its neighbour.
 struct Arrangement
@@ -98,8 +93,4 @@ inline std::vector<Part_pairs> match_zheng_2014(const std::vector<Structural_gra
   return result;
 }
 
-} // namespace peers
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_PEERS_ZHENG_2014_H
+} // namespace CGAL::Shape_correspondence::peers

@@ -15,7 +15,6 @@
 
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace CGAL::Shape_correspondence {
 

@@ -16,7 +16,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>

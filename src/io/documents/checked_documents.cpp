@@ -5,8 +5,8 @@
 #include "io/read/document.h"
 #include "io/read/shipped_roles.h"
 #include "io/system/atomic_file.h"
+#include "io/system/bytes.h"
 #include "io/system/input_file.h"
-#include "io/system/value_bytes.h"
 #include "roles/Role_model_data.h"
 
 #include <CGAL/Shape_correspondence/IO/role_model.h>
@@ -33,11 +33,11 @@ constexpr int algorithms_version = 14;
 constexpr int reading_version = 2;
 constexpr std::size_t most_kept = 20'000'000; // limit for an answer in a cache, in bytes
 
-/// Appends values, which writing does not change.
+/// \param values copies, since `pass()` takes values that it may change
 template <typename... Values>
-void append_all(Value_bytes& bytes, const Values&... values)
+void append_all(Value_bytes& bytes, Values... values)
 {
-  pass_all(bytes, const_cast<Values&>(values)...);
+  pass_all(bytes, values...);
 }
 
 /// The abstractor's name in keys of the cache; for abstractors of the package, independent of the compiler.

@@ -4,8 +4,8 @@
 #include "io/read/Gltf_document.h"
 #include "base/limits.h"
 #include "io/read/text_words.h"
+#include "io/system/bytes.h"
 #include "io/system/input_file.h"
-#include "io/system/little_endian.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 

@@ -5,7 +5,7 @@
 
 #include "io/read/model_parts.h"
 #include "io/read/text_words.h"
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
 #include "io/system/quoting.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>

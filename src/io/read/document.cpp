@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <istream>
 #include <limits>
-#include <new>
 #include <sstream>
 
 namespace CGAL::Shape_correspondence::IO {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "io/read/model_parts.h"
-#include "io/system/value_bytes.h"
+#include "io/system/bytes.h"
 
 #include <string_view>
 

@@ -3,8 +3,8 @@
 
 #include "io/read/read_objects.h"
 #include "io/read/text_words.h"
+#include "io/system/bytes.h"
 #include "io/system/input_file.h"
-#include "io/system/little_endian.h"
 #include "shape/Surface_features.h"
 
 #include <CGAL/Shape_correspondence/IO/read_features.h>

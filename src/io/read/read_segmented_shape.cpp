@@ -6,14 +6,13 @@
 #include "io/read/text_words.h"
 #include "io/system/input_file.h"
 #include "io/system/quoting.h"
-#include "shape/has_area.h"
+#include "shape/sample_triangles.h"
 
 #include <CGAL/Shape_correspondence/IO/read_segmented_shape.h>
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <set>

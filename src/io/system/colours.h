@@ -3,12 +3,30 @@
 
 #pragma once
 
-#include "base/srgb.h"
+#include "base/clamped.h"
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <string>
 #include <vector>
+
+namespace CGAL::Shape_correspondence::internal {
+
+/// The conversion of an sRGB channel to linear light, clamped to [0, 1], and its inverse (IEC 61966-2-1).
+inline double linear_of_srgb(double srgb)
+{
+  const double x = clamped_to_unit(srgb);
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+inline double srgb_of_linear(double linear)
+{
+  const double x = clamped_to_unit(linear);
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
+
+} // namespace CGAL::Shape_correspondence::internal
 
 namespace CGAL::Shape_correspondence::IO {
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "io/write/Glb_file.h"
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
+#include "io/write/pictures.h"
 
 #include <CGAL/Shape_correspondence/version.h>
 

@@ -5,14 +5,13 @@
 #include "base/limits.h"
 #include "base/number_text.h"
 #include "io/read/model_parts.h"
-#include "io/system/little_endian.h"
+#include "io/system/bytes.h"
 #include "io/system/quoting.h"
 #include "io/write/Json.h"
 #include "io/write/ply_file.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <ostream>
 

@@ -5,7 +5,7 @@
 #include "base/for_each_index.h"
 #include "base/limits.h"
 #include "io/write/pictures.h"
-#include "shape/all_vertices.h"
+#include "shape/oriented_box.h"
 
 #include <CGAL/Shape_correspondence/IO/write_blend.h>
 
@@ -124,12 +124,6 @@ Motion principal_motion(const std::vector<const Points*>& points, double distanc
   return result;
 }
 
-double diagonal(const Segmented_shape& shape)
-{
-  const Points points = internal::all_vertices(shape);
-  return points.cols() == 0 ? 0 : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-}
-
 /// Adds a surface for a time of constant appearance. \param points its points \param targets their morph targets
 int add_surface(Glb_file& glb, const Eigen::Matrix3d& turn, const Blend_surface& surface,
                 std::vector<Blend_painter::Painted_mesh> painted, const Points& points,
@@ -154,7 +148,8 @@ void write_blend_animation(std::ostream& out, const Shape_blend& blend, int fram
   const Eigen::Matrix3d turn = turn_of(blend);
   std::vector<int> roots = {add_end(glb, blend, 0, painter)};
   glb.animate_visibility(roots[0], 0, hold_seconds);
-  const double distance = animation_tolerance * std::max(diagonal(blend(0)), diagonal(blend(1)));
+  const auto diagonal = [&](double end) { return internal::diagonal(internal::all_vertices(blend(end))); };
+  const double distance = animation_tolerance * std::max(diagonal(0), diagonal(1));
   const std::vector<Blend_surface> surfaces = blend.surfaces();
   std::vector<std::vector<Points>> points(static_cast<std::size_t>(frames)); // indexed by frame and surface
   internal::for_each_index<CGAL::Parallel_if_available_tag>(

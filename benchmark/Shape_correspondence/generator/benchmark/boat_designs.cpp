@@ -1,13 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "boat_designs.h"
+#include "vehicles.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 namespace {
 
 /// An open hull of planks, from the stern at -`length` / 2 to the bow.
@@ -151,6 +147,4 @@ Assembly yawl()
 
 std::vector<Assembly> boats() { return {rowing_boat(), dinghy(), yawl()}; }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,13 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cart_designs.h"
+#include "vehicles.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 namespace {
 
 // Adds a wheel: tyre, spokes and hub.
@@ -146,6 +142,4 @@ Assembly wagon()
 
 std::vector<Assembly> carts() { return {wheelbarrow(), handcart(), wagon()}; }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

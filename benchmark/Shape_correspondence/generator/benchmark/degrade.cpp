@@ -1,15 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "degrade.h"
 
 #include "../surface_distance.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 double diagonal(const Mesh& mesh) { return box_of(mesh.points).diagonal().norm(); }
 
@@ -119,6 +115,4 @@ Assembly degraded(Assembly shape, const Degradation& ways, std::uint64_t seed)
   return shape;
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

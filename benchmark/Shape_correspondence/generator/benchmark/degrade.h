@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_DEGRADE_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_DEGRADE_H
+#pragma once
 
 #include "../assembly.h"
 #include "random.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// Ways of degrading shapes, which give them flaws of real models.
 struct Degradation
@@ -67,8 +62,4 @@ void add_noise(Mesh& mesh, Random& random);
 /// effects of the others. Symmetry groups, contacts and mid-lines are removed.
 Assembly degraded(Assembly shape, const Degradation& ways, std::uint64_t seed);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_DEGRADE_H
+} // namespace CGAL::Shape_correspondence::generator

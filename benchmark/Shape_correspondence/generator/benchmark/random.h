@@ -1,17 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_RANDOM_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_RANDOM_H
+#pragma once
 
 #include <cstdint>
 #include <random>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// Random numbers that are the same with every standard library.
 class Random
@@ -33,8 +28,4 @@ private:
   std::mt19937_64 engine_;
 };
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_BENCHMARK_RANDOM_H
+} // namespace CGAL::Shape_correspondence::generator

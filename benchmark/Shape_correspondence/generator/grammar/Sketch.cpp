@@ -1,6 +1,4 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Sketch.h"
@@ -9,9 +7,7 @@
 
 #include <map>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 Sketch::Sketch(const std::string& category, std::uint64_t seed)
     : random_(seed), shape_("", category), is_square_(chance(.5)), roundness_(chance(.6) ? in(.05, .15) : in(.15, .5))
@@ -154,6 +150,4 @@ Solids ring(const Solid& first, int count, const Point& centre)
   return result;
 }
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_SKETCH_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_SKETCH_H
+#pragma once
 
 #include "../assembly.h"
 #include "../benchmark/random.h"
@@ -14,9 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 using Solids = std::vector<Solid>;
 
@@ -96,8 +91,4 @@ Solids row(const Solid& first, const Point& from, const Point& to, int count);
 /// Copies of a solid, evenly spaced about the vertical line through `centre`.
 Solids ring(const Solid& first, int count, const Point& centre = Point::Zero());
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_SKETCH_H
+} // namespace CGAL::Shape_correspondence::generator

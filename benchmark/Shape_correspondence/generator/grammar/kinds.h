@@ -1,10 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_KINDS_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_KINDS_H
+#pragma once
 
 #include "Sketch.h"
 
@@ -12,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 // Each function adds the parts of a shape of its category to an empty sketch.
 void draw_aeroplane(Sketch& s);
@@ -37,8 +32,4 @@ std::vector<Assembly> drawn_shapes(std::size_t count, std::uint64_t seed);
 /// The shapes that methods are compared on: fifteen of each of six categories.
 std::vector<Assembly> compared_shapes(std::uint64_t seed = 1);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_KINDS_H
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,16 +1,11 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
-//
-// This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_SUPPORTS_H
-#define CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_SUPPORTS_H
+#pragma once
 
 #include "Sketch.h"
 
-namespace CGAL {
-namespace Shape_correspondence {
-namespace generator {
+namespace CGAL::Shape_correspondence::generator {
 
 /// The rectangle about the y axis that a support carries, at a height above the floor.
 struct Carried
@@ -41,8 +36,4 @@ void add_rails(Sketch& s, const Carried& at, const std::string& role);
 /// A knob, a bar or a bow at a point of a front that faces +z.
 Solid handle(Sketch& s, const Point& at, double length);
 
-} // namespace generator
-} // namespace Shape_correspondence
-} // namespace CGAL
-
-#endif // CGAL_SHAPE_CORRESPONDENCE_GENERATOR_GRAMMAR_SUPPORTS_H
+} // namespace CGAL::Shape_correspondence::generator

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "texture/Texture_layout.h"
+#include "texture/textures.h"
 #include "base/for_each_index.h"
-#include "base/srgb.h"
+#include "io/system/colours.h"
 #include "shape/triangle_distance.h"
 
 #include <Eigen/Geometry>
@@ -14,9 +14,73 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-// Limit for the share of an image's covered pixels that several triangles cover, as along their edges
+/// The pixel, within the image, that a texture repeats at a pixel outside of it.
+int wrapped(int pixel, int size, Texture_wrap wrap)
+{
+  const int period = wrap == Texture_wrap::MIRROR ? 2 * size : size;
+  if (wrap == Texture_wrap::CLAMP) return std::clamp(pixel, 0, size - 1);
+  const int inside = (pixel % period + period) % period;
+  return inside < size ? inside : 2 * size - 1 - inside;
+}
+
+} // namespace
+
+Appearance_sampler::Appearance_sampler(const Shape_appearance& appearance, const Eigen::Vector3d& neutral)
+    : appearance_(appearance), neutral_(neutral)
+{
+  for (std::size_t byte = 0; byte < linear_.size(); ++byte)
+    linear_[byte] = linear_of_srgb(double(byte) / 255);
+}
+
+bool Appearance_sampler::is_known(std::size_t part) const
+{
+  if (part >= appearance_.parts.size()) return false;
+  const Part_appearance& looks = appearance_.parts[part];
+  return !looks.colours.empty() ||
+         std::any_of(looks.materials.begin(), looks.materials.end(), [](int material) { return material >= 0; });
+}
+
+Eigen::Vector3d Appearance_sampler::texture_at(const Texture& texture, const Eigen::Vector2d& at) const
+{
+  const Image& image = texture.image;
+  const Eigen::Vector2d pixel(at.x() * image.width - 0.5, at.y() * image.height - 0.5);
+  const int x = int(std::floor(pixel.x())), y = int(std::floor(pixel.y()));
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (int dy : {0, 1})
+    for (int dx : {0, 1}) {
+      const double weight = (dx ? pixel.x() - x : 1 - (pixel.x() - x)) * (dy ? pixel.y() - y : 1 - (pixel.y() - y));
+      const auto column = std::size_t(wrapped(x + dx, image.width, texture.wrap_u));
+      const auto row = std::size_t(wrapped(y + dy, image.height, texture.wrap_v));
+      const std::uint8_t* const bytes = image.pixels.data() + 4 * (row * std::size_t(image.width) + column);
+      result += weight * Eigen::Vector3d(linear_[bytes[0]], linear_[bytes[1]], linear_[bytes[2]]);
+    }
+  return result;
+}
+
+Eigen::Vector3d Appearance_sampler::operator()(std::size_t part, std::size_t triangle,
+                                               const Eigen::Vector3d& weights) const
+{
+  if (!is_known(part)) return neutral_;
+  const Part_appearance& looks = appearance_.parts[part];
+  Eigen::Vector3d result = looks.colours.empty() ? neutral_ : Eigen::Vector3d(Eigen::Vector3d::Ones());
+  const int number = looks.materials.empty() ? -1 : looks.materials[triangle];
+  if (number >= 0) {
+    const Surface_material& material = appearance_.materials[std::size_t(number)];
+    result = material.colour.head<3>();
+    if (material.texture >= 0 && !looks.coordinates.empty()) {
+      const Texture& texture = appearance_.textures[std::size_t(material.texture)];
+      if (!texture.image.empty())
+        result = result.cwiseProduct(texture_at(texture, value_at<double>(looks.coordinates, triangle, weights)));
+    }
+  }
+  return looks.colours.empty() ? result : result.cwiseProduct(value_at<double>(looks.colours, triangle, weights));
+}
+
+namespace {
+
+// Share of the covered pixels that may be covered twice, along the edges of triangles
 constexpr double most_overlap = 0.01;
-// Limit for the share of the surface's area that has no area in the image
+// Share of the surface's area that may have no area in the image
 constexpr double most_collapsed = 0.01;
 // Least cosine of a face's angle to its chart; its texture is stretched by up to 1 / cosine
 constexpr double steepest = 0.4;
@@ -79,7 +143,7 @@ private:
   Flat_triangle projected(std::size_t t) const
   {
     const int axis = directions_[t] / 2;
-    const bool is_mirrored = directions_[t] % 2 == 1; // so that the chart shows the surface from outside
+    const bool is_mirrored = directions_[t] % 2 == 1; // so that left and right are those seen from outside
     Flat_triangle result;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point p = points_.col(triangles_(Eigen::Index(k), Eigen::Index(t)));
@@ -123,7 +187,7 @@ private:
   std::vector<int> without_overlap(const std::vector<int>& triangles) const
   {
     constexpr int size = 256;
-    constexpr std::size_t few = 2; // number of pixels that any triangle may share with earlier ones, on edges
+    constexpr std::size_t few = 2; // number of shared pixels, on edges
     const Eigen::AlignedBox2d box = bounds(triangles);
     const double extent = box.sizes().maxCoeff();
     if (!(extent > 0) || triangles.size() == 1) return triangles;

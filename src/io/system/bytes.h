@@ -6,6 +6,7 @@
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 
 #include <Eigen/Core>
+#include <boost/endian/conversion.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,29 @@
 #include <type_traits>
 
 namespace CGAL::Shape_correspondence::IO {
+
+/// Decodes a number from the bytes of a file.
+template <typename Number, boost::endian::order Order = boost::endian::order::little>
+Number number_in(const char* bytes)
+{
+  return boost::endian::endian_load<Number, sizeof(Number), Order>(reinterpret_cast<const unsigned char*>(bytes));
+}
+
+/// Decodes a number of any type and converts it to double.
+template <typename Number, boost::endian::order Order = boost::endian::order::little>
+double real_in(const char* bytes)
+{
+  return double(number_in<Number, Order>(bytes));
+}
+
+/// Appends the bytes of a number, the lowest first.
+template <typename Number>
+void append_little_endian(std::string& bytes, Number number)
+{
+  unsigned char own[sizeof(Number)];
+  boost::endian::endian_store<Number, sizeof(Number), boost::endian::order::little>(own, number);
+  bytes.append(own, own + sizeof own);
+}
 
 /// Writes values as bytes, or reads them again by the same calls of `pass()`. The bytes are as in memory.
 class Value_bytes
