@@ -22,7 +22,7 @@ namespace SC = CGAL::Shape_correspondence;
 
 namespace {
 
-constexpr double most_seconds = 10; // limit of the processor time of a match
+constexpr double most_seconds = 30; // limit of the processor time of a match
 
 struct Limit
 {
