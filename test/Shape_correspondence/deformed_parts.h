@@ -8,6 +8,8 @@
 
 #include "energy/Structural_rods.h"
 
+#include <CGAL/Shape_correspondence/Part_abstraction.h>
+
 #include <cstddef>
 #include <vector>
 
