@@ -61,15 +61,8 @@ std::uint32_t Fitted_pieces::fit(const Piece_image& image)
     if (fitted_[known].source_index == from && fitted_[known].target_index == to) return std::uint32_t(known);
   const std::size_t lanes = lanes_of(from, to);
   const int samples = int(points_[lanes].cols()), repeats = samples / int(source_pieces_[from].samples.cols());
-  fitted_.push_back({image.source, image.target, from, to, samples, repeats, source_lanes_of(from, repeats), lanes});
+  fitted_.push_back({image.source, image.target, from, to, samples, repeats, lanes});
   return std::uint32_t(fitted_.size() - 1);
-}
-
-std::size_t Fitted_pieces::source_lanes_of(std::size_t source_piece, int repeats)
-{
-  const auto [known, is_new] = source_lanes_of_.try_emplace({source_piece, repeats}, source_lanes_.size());
-  if (is_new) source_lanes_.emplace_back(repeated(source_pieces_[source_piece].samples, repeats));
-  return known->second;
 }
 
 std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target_piece)
