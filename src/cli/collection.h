@@ -99,7 +99,7 @@ private:
   std::string folder_;
   std::vector<Collection_shape> shapes_;
   std::vector<std::string> skipped_;
-  std::vector<Structural_graph> graphs_; // empty if they are in a folder
+  std::map<std::size_t, Structural_graph> graphs_; // by shape; with a folder, those of the first shapes only
 };
 
 struct Collection_options

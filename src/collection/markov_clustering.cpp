@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -117,15 +118,23 @@ public:
         weights_[std::size_t(way.row())].values[c] = way.value();
       }
     std::sort(ways.begin(), ways.end());
-    for (int way : ways)
-      is_reached_[std::size_t(way)] = 0;
+    std::size_t additions = 0;
     for (int way : ways) {
-      const int begin = flow_.outerIndexPtr()[way], count = flow_.outerIndexPtr()[way + 1] - begin;
+      is_reached_[std::size_t(way)] = 0;
+      additions += std::size_t(number_of_entries(way));
+    }
+    const bool may_reach_all = additions > sums_.size(); // then all rows are looked at, which takes less time
+    for (int way : ways) {
+      const int begin = flow_.outerIndexPtr()[way], count = number_of_entries(way);
       const int* const rows_of_way = flow_.innerIndexPtr() + begin;
-      for (int k = 0; k < count; ++k)
+      for (int k = 0; !may_reach_all && k < count; ++k)
         reach(rows_of_way[k], rows);
       add_multiples(flow_.valuePtr() + begin, rows_of_way, count, weights_[std::size_t(way)], sums_.data());
       weights_[std::size_t(way)] = {};
+    }
+    if (may_reach_all) {
+      rows.resize(sums_.size());
+      std::iota(rows.begin(), rows.end(), 0);
     }
     std::vector<Column> result(wanted.size());
     for (int row : rows) {
@@ -138,6 +147,8 @@ public:
   }
 
 private:
+  int number_of_entries(int column) const { return flow_.outerIndexPtr()[column + 1] - flow_.outerIndexPtr()[column]; }
+
   void reach(int row, std::vector<int>& reached)
   {
     if (std::exchange(is_reached_[std::size_t(row)], 1) == 0) reached.push_back(row);

@@ -36,6 +36,7 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
                              const Deadline& deadline)
     : fit_(how), source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
 {
+  lanes_.reserve(target.parts.size());
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];
     const auto& parts = source.group(group).parts;

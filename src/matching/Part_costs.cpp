@@ -107,7 +107,7 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
 {
   const std::vector<Eigen::Index>&own = anchors.parts[side], &other = anchors.parts[1 - side];
   const auto count = Eigen::Index(own.size());
-  Eigen::ArrayXd displacement(2 * count), influence(2 * count), room;
+  Eigen::ArrayXd displacement(2 * count), influence;
   Boxes result = boxes;
   for (int axis = 0; axis < 3; ++axis) {
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -116,12 +116,9 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
       displacement[2 * k + 1] = others.high(j, axis) - boxes.high(i, axis);
     }
     for (Eigen::Index end = 0; end < 2 * boxes.low.rows(); ++end) {
-      const double* const near = closeness.of_end(axis, end, room);
-      for (Eigen::Index k = 0; k < count; ++k) {
-        const Eigen::Index low = 2 * own[std::size_t(k)];
-        influence[2 * k] = anchors.weights[std::size_t(k)] * near[low];
-        influence[2 * k + 1] = anchors.weights[std::size_t(k)] * near[low + 1];
-      }
+      closeness.of_end(axis, end, own, influence);
+      for (Eigen::Index k = 0; k < 2 * count; ++k)
+        influence[k] *= anchors.weights[std::size_t(k / 2)];
       (end % 2 == 0 ? result.low : result.high)(end / 2, axis) +=
           (influence * displacement).sum() / (influence.sum() + inertia);
     }

@@ -107,7 +107,8 @@ private:
     std::size_t other = 0;
   };
 
-  double& between(std::size_t a, std::size_t b) { return between_(Eigen::Index(a), Eigen::Index(b)); }
+  /// Weights with the same first set are contiguous.
+  double& between(std::size_t a, std::size_t b) { return between_(Eigen::Index(b), Eigen::Index(a)); }
 
   void add_between(std::size_t a, std::size_t b, double weight)
   {
@@ -179,10 +180,8 @@ private:
     set.inside += sets_[left].inside;
     if (between(kept, left) != no_pairs) set.inside += between(kept, left);
     for (std::size_t other : present_)
-      if (other != kept && other != left && between(left, other) != no_pairs)
+      if (set_of_[other] == other && other != kept && between(left, other) != no_pairs)
         add_between(kept, other, between(left, other));
-    between_.row(Eigen::Index(left)).setConstant(no_pairs);
-    between_.col(Eigen::Index(left)).setConstant(no_pairs);
   }
 
   std::vector<Part_set> sets_;
