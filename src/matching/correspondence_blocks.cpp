@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -158,12 +159,15 @@ private:
     }
     const auto is_gone = [&](std::size_t set) { return set_of_[set] != set; };
     present_.erase(std::remove_if(present_.begin(), present_.end(), is_gone), present_.end());
+    std::vector<std::size_t> changed;
+    std::copy_if(present_.begin(), present_.end(), std::back_inserter(changed),
+                 [&](std::size_t k) { return changes[k]; });
     for (std::size_t set : present_) {
       if (changes[set] || (best_[set].mean != no_bridge && changes[best_[set].other])) {
         find_best(set);
       } else {
-        for (std::size_t other : present_)
-          if (changes[other]) take_if_better(set, other);
+        for (std::size_t other : changed)
+          take_if_better(set, other);
       }
     }
     return true;
