@@ -29,7 +29,7 @@ constexpr int matching_version = 9;
 
 // Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t most_kept_shapes = 512; // prepared ones in memory, those used last, some .2 MB each
+constexpr std::size_t most_kept_shapes = 320; // prepared ones in memory, those used last, some 1.2 MB each
 constexpr std::size_t blocks_of_process = 8;  // pairs of a small collection for each process
 
 constexpr const char* extension = ".row";
@@ -226,20 +226,28 @@ void Collection_work::for_each_pair(const std::function<bool(std::size_t, std::s
 std::vector<Prepared_shape> Collection_work::prepared(const std::vector<std::size_t>& shapes)
 {
   ++requests_;
+  std::size_t missing = 0;
+  for (std::size_t shape : shapes)
+    if (const auto kept = kept_.find(shape); kept == kept_.end())
+      ++missing;
+    else
+      kept->second.last_request = requests_;
+  const auto is_older = [](const auto& a, const auto& b) { return a.second.last_request < b.second.last_request; };
+  while (!kept_.empty() && kept_.size() + missing > most_kept_shapes) {
+    const auto oldest = std::min_element(kept_.begin(), kept_.end(), is_older);
+    if (oldest->second.last_request == requests_) break;
+    kept_.erase(oldest);
+  }
   std::vector<Prepared_shape> result;
   for (std::size_t shape : shapes) {
     auto kept = kept_.find(shape);
     if (kept == kept_.end()) {
       auto graph = std::make_unique<Structural_graph>(shapes_.graph(shape));
       const Prepared_shape of_graph(*graph);
-      kept = kept_.emplace(shape, Kept_shape{std::move(graph), of_graph}).first;
+      kept = kept_.emplace(shape, Kept_shape{std::move(graph), of_graph, requests_}).first;
     }
-    kept->second.last_request = requests_;
     result.push_back(kept->second.prepared);
   }
-  const auto is_older = [](const auto& a, const auto& b) { return a.second.last_request < b.second.last_request; };
-  while (kept_.size() > std::max(most_kept_shapes, shapes.size()))
-    kept_.erase(std::min_element(kept_.begin(), kept_.end(), is_older));
   return result;
 }
 
