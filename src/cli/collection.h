@@ -99,7 +99,7 @@ private:
   std::string folder_;
   std::vector<Collection_shape> shapes_;
   std::vector<std::string> skipped_;
-  std::vector<Structural_graph> graphs_; // empty if they are in a folder
+  std::map<std::size_t, Structural_graph> graphs_; // by shape; with a folder, those of the first shapes only
 };
 
 struct Collection_options
@@ -152,10 +152,19 @@ public:
   /// Matches the missing pairs, distributed over the processes of the team.
   void run(Team& team);
 
-  /// Calls `take` with source, target, energy and map of every ordered pair. Confidences are rounded to 16 bits.
-  void for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take);
+  /// Calls `take` with source, target, energy and map of every ordered pair; the map is empty if it is not wanted.
+  /// Confidences are rounded to 16 bits.
+  void for_each_pair(const std::function<bool(std::size_t, std::size_t)>& wants_map,
+                     const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take);
 
 private:
+  struct Kept_shape
+  {
+    std::unique_ptr<Structural_graph> graph;
+    Prepared_shape prepared;
+    std::size_t last_request = 0;
+  };
+
   const std::string& content(std::size_t shape) const { return shapes_.shapes()[shape].content; }
   /// The shapes after `row` whose pairs are not in the row's bytes.
   std::vector<std::size_t> missing(std::size_t row, const std::string& bytes) const;
@@ -169,7 +178,9 @@ private:
   const Energy_matrix_options& matching_;
   const Common_options& common_;
   std::vector<std::string> names_; // file names of rows, indexed by shape
-  std::map<std::size_t, std::pair<std::unique_ptr<Structural_graph>, Prepared_shape>> kept_;
+  std::map<std::size_t, Kept_shape> kept_;
+  std::size_t requests_ = 0;
+  bool is_backward_ = false; // whether the next rows are matched from the last column to the first
 };
 
 struct Shape_distances

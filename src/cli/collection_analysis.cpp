@@ -102,12 +102,13 @@ Pairs analyse_energies(const Collection_options& options, Collection_work& work,
   const auto n = Eigen::Index(result.shapes.size());
   Eigen::MatrixXd& energies = analysis.energies;
   Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(n, n);
-  work.for_each_pair([&](std::size_t source, std::size_t target, const Rated_map& rated) {
+  const auto take = [&](std::size_t source, std::size_t target, const Rated_map& rated) {
     const auto i = Eigen::Index(source), j = Eigen::Index(target);
     energies(i, j) = rated.energy;
     distances(i, j) += rated.energy / 2;
     distances(j, i) += rated.energy / 2;
-  });
+  };
+  work.for_each_pair([](std::size_t, std::size_t) { return false; }, take);
   const Eigen::Map<const Eigen::MatrixXd> stable(energies.data(), n, n); // valid even after the analysis is moved
   result.energy = [stable](std::size_t i, std::size_t j) { return stable(Eigen::Index(i), Eigen::Index(j)); };
   analysis.distances = shape_distances(distances);
@@ -142,8 +143,9 @@ Analysis analysed(const Collection_shapes& shapes, const Collection_options& opt
     add_chain(bridge.correspondence.chain, wanted);
 
   std::map<std::pair<std::size_t, std::size_t>, Part_map> maps;
-  work.for_each_pair([&](std::size_t i, std::size_t j, const Rated_map& rated) {
-    if (wanted.count({i, j})) maps[{i, j}] = rated.map;
+  const auto is_wanted = [&](std::size_t i, std::size_t j) { return wanted.count({i, j}) > 0; };
+  work.for_each_pair(is_wanted, [&](std::size_t i, std::size_t j, const Rated_map& rated) {
+    if (is_wanted(i, j)) maps[{i, j}] = rated.map;
   });
   for (IO::Collection::Bridge& bridge : result.bridges)
     bridge.correspondence.map = composed_map(bridge.correspondence.chain, maps);

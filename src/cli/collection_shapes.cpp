@@ -70,8 +70,8 @@ bool is_shape_folder(const fs::path& folder)
 struct Loaded_input
 {
   Collection_shape shape;
-  std::string failure;    ///< empty: none
-  Structural_graph graph; ///< empty if it is in a folder
+  std::string failure;                   ///< empty: none
+  std::optional<Structural_graph> graph; ///< none if it is in a folder only
 
   bool is_loaded() const { return !(failure + shape.content).empty(); }
 };
@@ -96,12 +96,11 @@ std::optional<std::string> stored_text(const std::string& folder, const std::str
 }
 
 /// Stores a graph in the folder, if there is one. \return the digest of the graph, which is its name there
-std::string store_graph(const std::string& folder, const Common_options& options, Structural_graph& graph)
+std::string store_graph(const std::string& folder, const Common_options& options, const Structural_graph& graph)
 {
   const std::string text = text_of(graph);
   const std::string content = IO::digest(text);
   if (folder.empty()) return content;
-  graph = Structural_graph();
   const std::string file = graph_file(folder, content);
   if (stored_text(folder, content)) return content;
   std::error_code error;
@@ -126,8 +125,8 @@ Loaded_input load_input(const std::string& path, const std::string& folder, cons
     result.failure = error.what();
     return result;
   }
-  result.shape = described(path, result.graph);
-  result.shape.content = store_graph(folder, options, result.graph);
+  result.shape = described(path, *result.graph);
+  result.shape.content = store_graph(folder, options, *result.graph);
   return result;
 }
 
@@ -164,7 +163,8 @@ void exchange(std::vector<Loaded_input>& inputs, Team& team)
   }
 }
 
-constexpr std::size_t inputs_at_a_time = 8; // number of inputs handed to one of several processes at a time
+constexpr std::size_t most_graphs_in_memory = 256; // of those that are in a folder, some .1 MB each
+constexpr std::size_t inputs_at_a_time = 8;        // number of inputs handed to one of several processes at a time
 
 /// Loads all inputs, distributed over the processes of the team; each process keeps the graphs that it loaded.
 std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, const std::string& folder,
@@ -182,6 +182,7 @@ std::vector<Loaded_input> load_inputs(const std::vector<std::string>& paths, con
     internal::for_each_index<CGAL::Parallel_if_available_tag>(end - begin, [&](std::size_t k) {
       const std::size_t i = begin + k;
       inputs[i] = load_input(paths[i], folder, quiet);
+      if (!folder.empty() && i >= most_graphs_in_memory) inputs[i].graph.reset();
       const std::lock_guard<std::mutex> lock(mutex);
       bar.show(++done, paths.size());
     });
@@ -254,8 +255,8 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
   std::string failures;
   for (Loaded_input& input : load_inputs(paths, folder_, options, team)) {
     if (input.failure.empty()) {
+      if (input.graph) graphs_.emplace(shapes_.size(), std::move(*input.graph));
       shapes_.push_back(std::move(input.shape));
-      if (folder_.empty()) graphs_.push_back(std::move(input.graph));
       continue;
     }
     failures += (failures.empty() ? "" : "\n") + input.failure;
@@ -271,9 +272,9 @@ Collection_shapes::Collection_shapes(const std::vector<std::string>& paths, cons
 Collection_shapes::Collection_shapes(const std::vector<std::pair<std::string, Structural_graph>>& graphs)
 {
   for (const auto& [path, graph] : graphs) {
+    graphs_.emplace(shapes_.size(), graph);
     shapes_.push_back(described(path, graph));
     shapes_.back().content = IO::digest(text_of(graph));
-    graphs_.push_back(graph);
   }
   if (shapes_.size() < 2) throw Invalid_input("a collection has at least two shapes; give more of them");
   make_names_unique(shapes_);
@@ -281,7 +282,7 @@ Collection_shapes::Collection_shapes(const std::vector<std::pair<std::string, St
 
 Structural_graph Collection_shapes::graph(std::size_t shape) const
 {
-  if (folder_.empty()) return graphs_[shape];
+  if (const auto kept = graphs_.find(shape); kept != graphs_.end()) return kept->second;
   const std::string path = graph_file(folder_, shapes_[shape].content);
   const std::optional<std::string> text = stored_text(folder_, shapes_[shape].content);
   if (!text) throw Invalid_input(path + ": it was damaged or removed meanwhile; run the command again");

@@ -29,7 +29,7 @@ constexpr int matching_version = 9;
 
 // Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t most_kept_shapes = 512; // limit for prepared shapes in memory, some .2 MB each
+constexpr std::size_t most_kept_shapes = 320; // limit for prepared shapes in memory, some 1.2 MB each
 constexpr std::size_t blocks_of_process = 8;  // number of blocks for each process in a small collection
 
 constexpr const char* extension = ".row";
@@ -71,11 +71,11 @@ std::string encoded(const Rated_map& rated)
   return bytes;
 }
 
-Rated_map decoded(std::string_view bytes)
+Rated_map decoded(std::string_view bytes, bool with_map)
 {
   Rated_map rated;
   rated.energy = read<double>(bytes);
-  while (!bytes.empty()) {
+  while (with_map && !bytes.empty()) {
     const std::size_t source = read<Small>(bytes), target = read<Small>(bytes);
     rated.map.pairs.push_back({source, target, read<Small>(bytes) / largest_confidence});
   }
@@ -201,9 +201,11 @@ void Collection_work::run(Team& team)
     match(bands[k], [&](std::size_t done) { bar.show(std::min(before[k] + done, before[k + 1]), before.back()); });
     bar.show(before[k + 1], before.back());
   });
+  kept_.clear();
 }
 
-void Collection_work::for_each_pair(const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take)
+void Collection_work::for_each_pair(const std::function<bool(std::size_t, std::size_t)>& wants_map,
+                                    const std::function<void(std::size_t, std::size_t, const Rated_map&)>& take)
 {
   for (std::size_t row = 0; row + 1 < shapes_.size(); ++row) {
     std::string bytes = store_.find(names_[row]);
@@ -215,27 +217,36 @@ void Collection_work::for_each_pair(const std::function<void(std::size_t, std::s
     const std::map<std::string_view, Both_ways> pairs = pairs_in(bytes);
     for (std::size_t other = row + 1; other < shapes_.size(); ++other) {
       const Both_ways& ways = pairs.at(content(other));
-      take(row, other, decoded(ways[0]));
-      take(other, row, decoded(ways[1]));
+      take(row, other, decoded(ways[0], wants_map(row, other)));
+      take(other, row, decoded(ways[1], wants_map(other, row)));
     }
   }
 }
 
 std::vector<Prepared_shape> Collection_work::prepared(const std::vector<std::size_t>& shapes)
 {
-  const std::set<std::size_t> wanted(shapes.begin(), shapes.end());
-  if (shapes_.size() > most_kept_shapes)
-    for (auto kept = kept_.begin(); kept != kept_.end();)
-      kept = wanted.count(kept->first) > 0 ? std::next(kept) : kept_.erase(kept);
+  ++requests_;
+  std::size_t missing = 0;
+  for (std::size_t shape : shapes)
+    if (const auto kept = kept_.find(shape); kept == kept_.end())
+      ++missing;
+    else
+      kept->second.last_request = requests_;
+  const auto is_older = [](const auto& a, const auto& b) { return a.second.last_request < b.second.last_request; };
+  while (!kept_.empty() && kept_.size() + missing > most_kept_shapes) {
+    const auto oldest = std::min_element(kept_.begin(), kept_.end(), is_older);
+    if (oldest->second.last_request == requests_) break;
+    kept_.erase(oldest);
+  }
   std::vector<Prepared_shape> result;
   for (std::size_t shape : shapes) {
     auto kept = kept_.find(shape);
     if (kept == kept_.end()) {
       auto graph = std::make_unique<Structural_graph>(shapes_.graph(shape));
       const Prepared_shape of_graph(*graph);
-      kept = kept_.emplace(shape, std::pair(std::move(graph), of_graph)).first;
+      kept = kept_.emplace(shape, Kept_shape{std::move(graph), of_graph, requests_}).first;
     }
-    result.push_back(kept->second.second);
+    result.push_back(kept->second.prepared);
   }
   return result;
 }
@@ -244,13 +255,16 @@ void Collection_work::match(const std::vector<std::size_t>& rows, const std::fun
 {
   std::vector<std::string> bytes;
   std::vector<std::vector<std::size_t>> missing_in; // indexed by row
-  std::set<std::size_t> columns;
+  std::set<std::size_t> all_columns;
   for (std::size_t row : rows) {
     bytes.push_back(store_.find(names_[row]));
     if (pairs_in(bytes.back()).empty()) bytes.back().clear();
     missing_in.push_back(missing(row, bytes.back()));
-    columns.insert(missing_in.back().begin(), missing_in.back().end());
+    all_columns.insert(missing_in.back().begin(), missing_in.back().end());
   }
+  std::vector<std::size_t> columns(all_columns.begin(), all_columns.end());
+  if (is_backward_) std::reverse(columns.begin(), columns.end());
+  is_backward_ = !is_backward_; // the next call begins with the shapes that are kept
   std::size_t done = 0;
   for (auto column = columns.begin(); column != columns.end();) {
     std::vector<std::size_t> block;

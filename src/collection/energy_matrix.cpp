@@ -22,7 +22,6 @@
 #include <memory>
 #include <mutex>
 #include <numeric>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -47,15 +46,16 @@ double distance_energy(const Correspondence& correspondence, double unmatched_en
   const auto is_unmatched = [&](std::size_t part) {
     return std::binary_search(unmatched.begin(), unmatched.end(), part);
   };
-  std::set<std::size_t> touching;
+  std::vector<std::size_t> touching; // parts in contact, sorted
   std::size_t broken = 0, counted = correspondence.contacts.size();
   for (const Contact_energy& contact : correspondence.contacts) {
     broken += is_unmatched(contact.parts[0]) || is_unmatched(contact.parts[1]);
-    touching.insert(contact.parts.begin(), contact.parts.end());
+    touching.insert(touching.end(), contact.parts.begin(), contact.parts.end());
   }
+  std::sort(touching.begin(), touching.end());
   for (const Group_match& group : correspondence.groups)
     for (std::size_t part : forward ? group.source : group.target) {
-      if (touching.count(part)) continue;
+      if (std::binary_search(touching.begin(), touching.end(), part)) continue;
       ++counted;
       broken += is_unmatched(part);
     }

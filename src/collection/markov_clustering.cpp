@@ -3,6 +3,7 @@
 
 #include "base/Disjoint_sets.h"
 #include "base/for_each_index.h"
+#include "base/target_clones.h"
 
 #include <CGAL/Shape_correspondence/Invalid_input.h>
 #include <CGAL/Shape_correspondence/markov_clustering.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Shape_correspondence {
@@ -77,14 +79,33 @@ std::size_t column_limit(const Markov_clustering_options& options, Eigen::Index 
   return std::min({std::max<std::size_t>(1, options.entry_limit / all), options.column_limit, all});
 }
 
+constexpr int lanes = 8; // number of doubles in the widest vector register
+
+/// One value for each of some columns of a flow.
+struct alignas(64) Lanes
+{
+  double values[lanes] = {};
+};
+
+/// Adds multiples of `count` entries of a column to the sums of their rows.
+CGAL_SHAPE_CORRESPONDENCE_CLONED
+void add_multiples(const double* entries, const int* rows, int count, const Lanes& weights, Lanes* __restrict sums)
+{
+  for (int k = 0; k < count; ++k) {
+    double* const sum = sums[rows[k]].values;
+    for (int c = 0; c < lanes; ++c)
+      sum[c] += entries[k] * weights.values[c];
+  }
+}
+
 /// Some columns of a squared flow, side by side, so that the processor adds up several at a time.
 class Squared_columns
 {
 public:
-  static constexpr std::size_t number = 4;
+  static constexpr std::size_t number = lanes;
 
   explicit Squared_columns(const Flow_matrix& flow)
-      : flow_(flow), weights_(std::size_t(flow.rows()), Lanes::Zero()), sums_(weights_), is_reached_(weights_.size(), 0)
+      : flow_(flow), weights_(std::size_t(flow.rows())), sums_(weights_), is_reached_(weights_.size(), 0)
   {}
 
   /// \param wanted at most `number` of them \return the columns, with rows in any order
@@ -93,36 +114,49 @@ public:
     std::vector<int> ways, rows;
     for (std::size_t c = 0; c < wanted.size(); ++c)
       for (Flow_matrix::InnerIterator way(flow_, wanted[c]); way; ++way) {
-        Lanes& weights = weights_[std::size_t(way.row())];
-        if ((weights == 0).all()) ways.push_back(int(way.row()));
-        weights[Eigen::Index(c)] = way.value();
+        reach(int(way.row()), ways);
+        weights_[std::size_t(way.row())].values[c] = way.value();
       }
     std::sort(ways.begin(), ways.end());
+    std::size_t additions = 0;
     for (int way : ways) {
-      const Lanes weights = std::exchange(weights_[std::size_t(way)], Lanes::Zero());
-      for (Flow_matrix::InnerIterator entry(flow_, way); entry; ++entry) {
-        const auto row = std::size_t(entry.row());
-        if (!is_reached_[row]) is_reached_[row] = 1, rows.push_back(int(row));
-        sums_[row] += entry.value() * weights;
-      }
+      is_reached_[std::size_t(way)] = 0;
+      additions += std::size_t(number_of_entries(way));
+    }
+    const bool may_reach_all = additions > sums_.size(); // then all rows are looked at, which takes less time
+    for (int way : ways) {
+      const int begin = flow_.outerIndexPtr()[way], count = number_of_entries(way);
+      const int* const rows_of_way = flow_.innerIndexPtr() + begin;
+      for (int k = 0; !may_reach_all && k < count; ++k)
+        reach(rows_of_way[k], rows);
+      add_multiples(flow_.valuePtr() + begin, rows_of_way, count, weights_[std::size_t(way)], sums_.data());
+      weights_[std::size_t(way)] = {};
+    }
+    if (may_reach_all) {
+      rows.resize(sums_.size());
+      std::iota(rows.begin(), rows.end(), 0);
     }
     std::vector<Column> result(wanted.size());
     for (int row : rows) {
-      const Lanes sums = std::exchange(sums_[std::size_t(row)], Lanes::Zero());
+      const Lanes sums = std::exchange(sums_[std::size_t(row)], {});
       is_reached_[std::size_t(row)] = 0;
       for (std::size_t c = 0; c < wanted.size(); ++c)
-        if (sums[Eigen::Index(c)] > 0) result[c].emplace_back(row, sums[Eigen::Index(c)]);
+        if (sums.values[c] > 0) result[c].emplace_back(row, sums.values[c]);
     }
     return result;
   }
 
 private:
-  using Lanes = Eigen::Array<double, number, 1>;
+  int number_of_entries(int column) const { return flow_.outerIndexPtr()[column + 1] - flow_.outerIndexPtr()[column]; }
+
+  void reach(int row, std::vector<int>& reached)
+  {
+    if (std::exchange(is_reached_[std::size_t(row)], 1) == 0) reached.push_back(row);
+  }
 
   const Flow_matrix& flow_;
-  // One value for each row of the flow; all are zero between calls
-  std::vector<Lanes> weights_, sums_;
-  std::vector<char> is_reached_; // whether the row has a sum
+  std::vector<Lanes> weights_, sums_; // one for each row of the flow; all are zero between calls
+  std::vector<char> is_reached_;      // whether a row is in a list
 };
 
 /// Keeps only the largest entries of a column (ties by row) above a threshold, and sorts them by row.

@@ -201,9 +201,12 @@ private:
     const Fitted &first = fitted_[a], &second = fitted_[b];
     if (first.source.is_whole() && second.source.is_whole())
       return problem_.source().rods(contact_, first.repeats, second.repeats);
-    const auto [known, is_new] =
-        piece_rods_.try_emplace({first.source_lanes, second.source_lanes}, fitted_.source_samples(first), first.samples,
-                                fitted_.source_samples(second), second.samples);
+    const std::array<std::size_t, 4> pieces{first.source_index, std::size_t(first.repeats), second.source_index,
+                                            std::size_t(second.repeats)};
+    const auto [known, is_new] = piece_rods_.try_emplace(pieces);
+    if (is_new)
+      known->second = Structural_rods(fitted_.source_piece(first.source_index).samples,
+                                      fitted_.source_piece(second.source_index).samples, first.repeats, second.repeats);
     if (is_new) used_bytes_ += known->second.bytes();
     return known->second;
   }
@@ -216,8 +219,8 @@ private:
   std::vector<Comparison> comparisons_; // ordered by contact
   std::vector<std::uint32_t> counts_;   // number of comparisons of each contact, by the labels of its two parts
   std::vector<std::uint32_t> compared_; // indices of the comparisons, in the order of `counts_`
-  // Rods by the source lanes of two pieces at least one of which is not a whole part
-  std::map<std::array<std::size_t, 2>, Structural_rods> piece_rods_;
+  // Rods by two source pieces, at least one of which is not a whole part, and their repeats
+  std::map<std::array<std::size_t, 4>, Structural_rods> piece_rods_;
   std::size_t used_bytes_ = 0;                 // memory of `piece_rods_`, in bytes
   std::vector<std::vector<double>> distances_; // least distance by target pieces; negative: not computed yet
 

@@ -109,6 +109,7 @@ Fitted_pieces::Fitted_pieces(const Aligned_shape& source, const Deformable_shape
                              const Deadline& deadline)
     : fit_(how), source_pieces_(source), target_pieces_(target), part_distances_(target.part_distances())
 {
+  lanes_.reserve(target.parts.size());
   for (std::size_t part = 0; part < source.parts.size(); ++part) {
     const std::size_t group = source.group_of[part];
     const auto& parts = source.group(group).parts;
@@ -134,15 +135,8 @@ std::uint32_t Fitted_pieces::fit(const Piece_image& image)
     if (fitted_[known].source_index == from && fitted_[known].target_index == to) return std::uint32_t(known);
   const std::size_t lanes = lanes_of(from, to);
   const int samples = int(points_[lanes].cols()), repeats = samples / int(source_pieces_[from].samples.cols());
-  fitted_.push_back({image.source, image.target, from, to, samples, repeats, source_lanes_of(from, repeats), lanes});
+  fitted_.push_back({image.source, image.target, from, to, samples, repeats, lanes});
   return std::uint32_t(fitted_.size() - 1);
-}
-
-std::size_t Fitted_pieces::source_lanes_of(std::size_t source_piece, int repeats)
-{
-  const auto [known, is_new] = source_lanes_of_.try_emplace({source_piece, repeats}, source_lanes_.size());
-  if (is_new) source_lanes_.emplace_back(repeated(source_pieces_[source_piece].samples, repeats));
-  return known->second;
 }
 
 std::size_t Fitted_pieces::lanes_of(std::size_t source_piece, std::size_t target_piece)

@@ -79,8 +79,8 @@ struct Fitted_piece
   Piece source, target;
   std::size_t source_index, target_index; // indices in `source_pieces_` and `target_pieces_`
   int samples;                            // number of samples, with repetitions
-  int repeats;                     // how often each source sample is used: e where a curve becomes a sheet, else 1
-  std::size_t source_lanes, lanes; // indices of `Fitted_pieces::source_samples()` and `Fitted_pieces::samples()`
+  int repeats;       // how often each source sample is used: e where a curve becomes a sheet, else 1
+  std::size_t lanes; // index of `Fitted_pieces::samples()`
 };
 
 using Fitted_range = boost::iterator_range<const std::uint32_t*>;
@@ -110,7 +110,6 @@ public:
   Fitted_range touching(std::size_t part, std::size_t sample, std::size_t label) const;
 
   const Sampled_part& source_piece(std::size_t index) const { return source_pieces_[index]; }
-  const Sample_lanes& source_samples(const Fitted_piece& fitted) const { return source_lanes_[fitted.source_lanes]; }
   // The samples of a source piece after the deformation, in the order before it.
   const Sample_lanes& samples(const Fitted_piece& fitted) const { return lanes_[fitted.lanes]; }
   const Points& points(const Fitted_piece& fitted) const { return points_[fitted.lanes]; }
@@ -126,7 +125,6 @@ public:
 
 private:
   std::uint32_t fit(const Piece_image& image);
-  std::size_t source_lanes_of(std::size_t source_piece, int repeats);
   std::size_t lanes_of(std::size_t source_piece, std::size_t target_piece);
 
   Deform_to_fit fit_;
@@ -134,10 +132,8 @@ private:
   const Eigen::MatrixXd& part_distances_; // distances of the target's parts
   std::vector<Fitted_piece> fitted_;
   std::vector<std::size_t> fitted_begin_; // for each source part, its first fitted piece; then their number
-  std::vector<Sample_lanes> source_lanes_, lanes_;
+  std::vector<Sample_lanes> lanes_;
   std::vector<Points> points_; // same indices as `lanes_`
-  // Index of `source_lanes_` by source piece and repeats
-  std::map<std::pair<std::size_t, int>, std::size_t> source_lanes_of_;
   // Index of `lanes_` by target piece and order of `match_extremities()`
   std::map<std::pair<std::size_t, const std::vector<int>*>, std::size_t> lanes_of_;
   std::vector<std::size_t> label_begin_; // for each source part, the index in `image_begin_` of its first label

@@ -213,7 +213,7 @@ void Matching_problem::add_up_energy()
   for (std::size_t g = 0; g < n; ++g) {
     const Eigen::Index count = Eigen::Index(labels_[g].size());
     energy_.unary.push_back(Eigen::VectorXd::Zero(count));
-    rods.unary.push_back(Eigen::VectorXd::Zero(count));
+    if (pools_rods()) rods.unary.push_back(Eigen::VectorXd::Zero(count));
     split.unary.push_back(Eigen::VectorXd::Zero(count));
     for (Eigen::Index l = 0; l < count; ++l) {
       const double ratio = labels_[g][std::size_t(l)].solidity_ratio;
@@ -223,14 +223,15 @@ void Matching_problem::add_up_energy()
   }
 
   const double contact_count = double(std::max<std::size_t>(1, source().contacts.size()));
-  // Adds the energy of a contact with labels a and b of its groups to `cost`, and its sum of squared cosines to `kept`
-  const auto add = [&](std::size_t contact, std::size_t a, std::size_t b, double& cost, double& kept) {
+  // Adds the energy of a contact with labels a and b of its groups to `cost`, and its sum of squared cosines to `kept`,
+  // which is null unless rods are pooled
+  const auto add = [&](std::size_t contact, std::size_t a, std::size_t b, double& cost, double* kept) {
     const Rod_energy energy = contact_energy(contact, a, b);
     const auto [first, second] = groups_of_contact(contact);
     Energy_terms terms;
     if (is_unmatched(first, a) || is_unmatched(second, b)) terms.unmatched = options_.unmatched_cost;
     if (pools_rods()) {
-      kept += kept_rods(contact, energy);
+      *kept += kept_rods(contact, energy);
       terms.connectedness = energy.connectedness / contact_count;
     } else {
       terms.distortion = energy.distortion;
@@ -243,21 +244,23 @@ void Matching_problem::add_up_energy()
     const auto [g, other] = groups_of_contact(contact);
     if (g != other) continue; // handled as an edge of the graph
     for (std::size_t a = 0; a < labels_[g].size(); ++a)
-      add(contact, a, a, energy_.unary[g][Eigen::Index(a)], rods.unary[g][Eigen::Index(a)]);
+      add(contact, a, a, energy_.unary[g][Eigen::Index(a)], pools_rods() ? &rods.unary[g][Eigen::Index(a)] : nullptr);
   }
   const Aligned_shape::Graph& graph = source().graph;
   for (const auto& edge : boost::make_iterator_range(edges(graph))) {
     const auto [low, high] = std::minmax({boost::source(edge, graph), boost::target(edge, graph)});
     Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(Eigen::Index(labels_[low].size()), Eigen::Index(labels_[high].size()));
-    Eigen::MatrixXd kept = cost;
+    Eigen::MatrixXd kept;
+    if (pools_rods()) kept = cost;
     for (std::size_t contact : graph[edge].contacts) {
       const bool forward = groups_of_contact(contact)[0] == low;
       for (Eigen::Index a = 0; a < cost.rows(); ++a)
         for (Eigen::Index b = 0; b < cost.cols(); ++b)
-          add(contact, std::size_t(forward ? a : b), std::size_t(forward ? b : a), cost(a, b), kept(a, b));
+          add(contact, std::size_t(forward ? a : b), std::size_t(forward ? b : a), cost(a, b),
+              pools_rods() ? &kept(a, b) : nullptr);
     }
     energy_.edges.push_back({low, high, std::move(cost)});
-    rods.edge.push_back(std::move(kept));
+    if (pools_rods()) rods.edge.push_back(std::move(kept));
   }
   if (weights.split > 0) energy_.root_terms.push_back(std::move(split));
   if (pools_rods() && weights.distortion > 0 && rods.count > 0) energy_.root_terms.push_back(std::move(rods));

@@ -209,11 +209,13 @@ Group_label match_groups(const Aligned_shape& source, std::size_t source_group, 
 
 std::vector<std::size_t> image_parts(const Group_label& label)
 {
-  std::set<std::size_t> parts;
+  std::vector<std::size_t> parts;
   for (const auto& images : label.images)
     for (const Piece_image& image : images)
-      parts.insert(image.target.part);
-  return {parts.begin(), parts.end()};
+      if (parts.empty() || parts.back() != image.target.part) parts.push_back(image.target.part);
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return parts;
 }
 
 bool is_allowed(const Group_label& label, const Match_constraints& constraints)

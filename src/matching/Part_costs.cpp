@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -106,7 +107,7 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
 {
   const std::vector<Eigen::Index>&own = anchors.parts[side], &other = anchors.parts[1 - side];
   const auto count = Eigen::Index(own.size());
-  Eigen::ArrayXd displacement(2 * count), influence(2 * count), room;
+  Eigen::ArrayXd displacement(2 * count), influence;
   Boxes result = boxes;
   for (int axis = 0; axis < 3; ++axis) {
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -115,12 +116,9 @@ Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others
       displacement[2 * k + 1] = others.high(j, axis) - boxes.high(i, axis);
     }
     for (Eigen::Index end = 0; end < 2 * boxes.low.rows(); ++end) {
-      const double* const near = closeness.of_end(axis, end, room);
-      for (Eigen::Index k = 0; k < count; ++k) {
-        const Eigen::Index low = 2 * own[std::size_t(k)];
-        influence[2 * k] = anchors.weights[std::size_t(k)] * near[low];
-        influence[2 * k + 1] = anchors.weights[std::size_t(k)] * near[low + 1];
-      }
+      closeness.of_end(axis, end, own, influence);
+      for (Eigen::Index k = 0; k < 2 * count; ++k)
+        influence[k] *= anchors.weights[std::size_t(k / 2)];
       (end % 2 == 0 ? result.low : result.high)(end / 2, axis) +=
           (influence * displacement).sum() / (influence.sum() + inertia);
     }
@@ -142,30 +140,30 @@ Eigen::MatrixXd costs_after_warping(const Shape_features& a, const Shape_feature
                              3;
 }
 
-// Distances of the points of one shape's parts from the other shape's parts, stored contiguously.
+// Distances of the points of one shape's parts from the parts and unions of the other shape.
 class Point_distances
 {
 public:
   Point_distances(const Shape_features& from, const Shape_features& to);
 
-  // The distances of a part's points from a part of the other shape. \pre the other part is in a union
-  Eigen::Map<const Eigen::ArrayXd> of(std::size_t part, std::size_t other) const
+  // The distances of a part's points from a union of the other shape.
+  Eigen::Map<const Eigen::ArrayXd> from_union(std::size_t part, std::size_t of_other) const
   {
-    return {values_.data() + place(part, other), count(part)};
+    return {from_unions_.data() + begin_[part] + Eigen::Index(of_other) * count(part), count(part)};
   }
   double sum(std::size_t part, std::size_t other) const { return sums_(Eigen::Index(part), Eigen::Index(other)); }
   double mean(std::size_t part, std::size_t other) const { return sum(part, other) / double(count(part)); }
   Eigen::Index count(std::size_t part) const { return from_.surfaces[part].rows(); }
 
-  void set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared);
+  // Room for the distances of a part's points from a part of the other shape, to be taken.
+  double* room(std::size_t part, std::size_t other);
+  void take(std::size_t part, std::size_t other);
 
 private:
-  Eigen::Index place(std::size_t part, std::size_t other) const { return begin_[part] + number_[other] * count(part); }
-
   const Shape_features& from_;
-  std::vector<Eigen::Index> begin_;  // for each part, the index of its first value in `values_`
-  std::vector<Eigen::Index> number_; // for each part of the other shape, its rank among those in unions; -1: in none
-  Eigen::ArrayXd values_, scratch_;
+  std::vector<Eigen::Index> begin_;                 // for each part, the index of its first value in `from_unions_`
+  std::vector<std::vector<std::size_t>> unions_of_; // for each part of the other shape, the unions that contain it
+  Eigen::ArrayXd from_unions_, room_;
   Eigen::MatrixXd sums_; // sums of distances by part and other part
 };
 
@@ -177,54 +175,52 @@ struct Surface_distances
   Surface_distances(const Shape_features& a, const Shape_features& b, const Deadline& deadline);
 };
 
-void make_room(Eigen::ArrayXd& numbers, Eigen::Index count)
-{
-  if (numbers.size() < count) numbers.resize(count);
-}
-
-// Distances of single points are kept only for parts in unions; for all parts they would take gigabytes.
 Point_distances::Point_distances(const Shape_features& from, const Shape_features& to)
     : from_(from),
-      number_(to.surfaces.size(), -1),
+      unions_of_(to.surfaces.size()),
       sums_(Eigen::Index(from.surfaces.size()), Eigen::Index(to.surfaces.size()))
 {
-  Eigen::Index kept = 0, size = 0, most = 0;
-  for (const std::vector<std::size_t>& parts : to.unions)
-    for (std::size_t part : parts)
-      if (number_[part] < 0) number_[part] = kept++;
-  for (const Surface& surface : from.surfaces) {
-    begin_.push_back(size);
-    size += surface.rows() * kept;
-    most = std::max(most, surface.rows());
+  for (std::size_t h = 0; h < to.unions.size(); ++h)
+    for (std::size_t part : to.unions[h])
+      unions_of_[part].push_back(h);
+  Eigen::Index points = 0, most = 0;
+  for (const Point_lanes& lanes : from.lanes) {
+    begin_.push_back(points * Eigen::Index(to.unions.size()));
+    points += lanes.count();
+    most = std::max(most, lanes.padded());
   }
-  values_.resize(size);
-  scratch_.resize(most + 1);
+  from_unions_ =
+      Eigen::ArrayXd::Constant(points * Eigen::Index(to.unions.size()), std::numeric_limits<double>::infinity());
+  room_.resize(most + 1);
 }
 
 // The order in which Eigen adds numbers depends on whether the address of the first is even (in doubles); the parity is
 // the one that an array of all distances would have.
-void Point_distances::set_squared(std::size_t part, std::size_t other, const Eigen::ArrayXd& squared)
+double* Point_distances::room(std::size_t part, std::size_t other)
 {
-  const Eigen::Index n = count(part);
-  Eigen::Map<Eigen::ArrayXd> distances(scratch_.data() + Eigen::Index(other) * n % 2, n);
-  distances = squared.head(n).sqrt();
+  return room_.data() + Eigen::Index(other) * count(part) % 2;
+}
+
+void Point_distances::take(std::size_t part, std::size_t other)
+{
+  const Eigen::Map<const Eigen::ArrayXd> distances(room(part, other), count(part));
   sums_(Eigen::Index(part), Eigen::Index(other)) = distances.sum();
-  if (number_[other] >= 0) Eigen::Map<Eigen::ArrayXd>(values_.data() + place(part, other), n) = distances;
+  for (std::size_t of_other : unions_of_[other]) {
+    Eigen::Map<Eigen::ArrayXd> nearest(from_unions_.data() + begin_[part] + Eigen::Index(of_other) * count(part),
+                                       count(part));
+    nearest = nearest.min(distances);
+  }
 }
 
 Surface_distances::Surface_distances(const Shape_features& a, const Shape_features& b, const Deadline& deadline)
     : a_from_b(a, b), b_from_a(b, a)
 {
-  Eigen::ArrayXd p_from_q, q_from_p;
   for (std::size_t i = 0; i < a.lanes.size(); ++i) {
     deadline.check();
     for (std::size_t j = 0; j < b.lanes.size(); ++j) {
-      const Point_lanes &p = a.lanes[i], &q = b.lanes[j];
-      make_room(p_from_q, p.padded());
-      make_room(q_from_p, q.padded());
-      find_nearest_squared(p, q, p_from_q.data(), q_from_p.data());
-      a_from_b.set_squared(i, j, p_from_q);
-      b_from_a.set_squared(j, i, q_from_p);
+      find_nearest(a.lanes[i], b.lanes[j], a_from_b.room(i, j), b_from_a.room(j, i));
+      a_from_b.take(i, j);
+      b_from_a.take(j, i);
     }
   }
 }
@@ -235,14 +231,13 @@ double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a,
   return (a_from_b.mean(i, j) + b_from_a.mean(j, i)) / 2;
 }
 
-// The chamfer distance between a part and a union of parts.
-double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i,
+// The chamfer distance between a part and a union of parts. \param h index of the union
+double chamfer(const Point_distances& a_from_b, const Point_distances& b_from_a, std::size_t i, std::size_t h,
                const std::vector<std::size_t>& parts)
 {
-  Eigen::ArrayXd nearest = a_from_b.of(i, parts[0]);
+  const Eigen::ArrayXd nearest = a_from_b.from_union(i, h);
   double sum = 0, n = 0;
   for (std::size_t j : parts) {
-    nearest = nearest.min(a_from_b.of(i, j));
     sum += b_from_a.sum(j, i);
     n += double(b_from_a.count(j));
   }
@@ -264,7 +259,7 @@ void lower_to_unions(const Shape_features& a, const Shape_features& b, const Poi
       const std::vector<std::size_t>& parts = b.unions[h];
       const double cost = cost_of_kind(a.parts[i], b.union_parts[h], options) +
                           boxes(Eigen::Index(i), Eigen::Index(h)) +
-                          options.weights.chamfer * chamfer(a_from_b, b_from_a, i, parts) + options.whole +
+                          options.weights.chamfer * chamfer(a_from_b, b_from_a, i, h, parts) + options.whole +
                           (has_features ? cost_of_features(a.learned, i, b.learned_of_unions, h, options) : 0);
       for (std::size_t j : parts) {
         double& least = costs(Eigen::Index(i), Eigen::Index(j));

@@ -158,13 +158,15 @@ Closeness::Closeness(const Boxes& boxes, double width) : width_(width)
   }
 }
 
-const double* Closeness::of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const
+void Closeness::of_end(int axis, Eigen::Index end, const std::vector<Eigen::Index>& parts, Eigen::ArrayXd& result) const
 {
   const Eigen::MatrixXd& kept = kept_[std::size_t(axis)];
-  if (kept.size() > 0) return kept.col(end).data();
   const Eigen::ArrayXd& ends = ends_[std::size_t(axis)];
-  room = closeness_to(ends, ends[end], width_);
-  return room.data();
+  const double* const values = kept.size() > 0 ? kept.col(end).data() : ends.data();
+  result.resize(2 * Eigen::Index(parts.size()));
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    std::copy_n(values + 2 * parts[k], 2, result.data() + 2 * k);
+  if (kept.size() == 0) result = closeness_to(result, ends[end], width_);
 }
 
 Shape_rank rank_of(const Aligned_shape& shape)

@@ -46,8 +46,8 @@ public:
   Closeness() = default;
   Closeness(const Boxes& boxes, double width);
 
-  // The closeness of an end to all ends: cached, or computed into `room` with the same bits.
-  const double* of_end(int axis, Eigen::Index end, Eigen::ArrayXd& room) const;
+  // The closeness of an end to both ends of each of the parts: cached, or computed with the same bits.
+  void of_end(int axis, Eigen::Index end, const std::vector<Eigen::Index>& parts, Eigen::ArrayXd& result) const;
 
 private:
   double width_ = 1;

@@ -53,7 +53,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
   for (const Part_group& group : groups(source)) {
     Group_label label;
     for (std::size_t part : group.parts) {
-      label.images.emplace_back();
+      label.images.emplace_back().reserve(images[part].size());
       for (std::size_t image : images[part])
         label.images.back().push_back({{part}, {image}});
     }
@@ -64,7 +64,7 @@ std::vector<std::vector<Group_label>> group_labels(const Part_matching& matching
       if (target.group(label.target_group).parts == parts)
         label.solidity_ratio = solidity_ratio(group, target.group(label.target_group));
     }
-    labels.push_back({std::move(label)});
+    labels.emplace_back().push_back(std::move(label));
   }
   return labels;
 }

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -34,21 +35,23 @@ struct Weighted_pair
 std::vector<Weighted_pair> weighted_pairs(const Correspondence& c, std::size_t sources)
 {
   std::vector<Weighted_pair> pairs;
+  pairs.reserve(c.pairs.size());
   for (const Part_correspondence& pair : c.pairs) {
     const bool differ = !c.source_roles.empty() && c.source_roles[pair.source] != c.target_roles[pair.target];
     const double confidence = pair.has_confidence() ? pair.confidence : 1;
     pairs.push_back({pair.source, sources + pair.target, (differ ? other_role_weight : 1) * confidence});
   }
   const auto parts = [](const Weighted_pair& pair) { return std::pair(pair.source, pair.target); };
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [&](const Weighted_pair& a, const Weighted_pair& b) { return parts(a) < parts(b); });
-  std::vector<Weighted_pair> result;
-  for (const Weighted_pair& pair : pairs)
-    if (!result.empty() && parts(result.back()) == parts(pair))
-      result.back().weight += pair.weight;
+  const auto is_first = [&](const Weighted_pair& a, const Weighted_pair& b) { return parts(a) < parts(b); };
+  if (!std::is_sorted(pairs.begin(), pairs.end(), is_first)) std::stable_sort(pairs.begin(), pairs.end(), is_first);
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < pairs.size(); ++k)
+    if (parts(pairs[last]) == parts(pairs[k]))
+      pairs[last].weight += pairs[k].weight;
     else
-      result.push_back(pair);
-  return result;
+      pairs[++last] = pairs[k];
+  pairs.resize(std::min(pairs.size(), last + 1));
+  return pairs;
 }
 
 /// A set of parts of both shapes.
@@ -104,7 +107,8 @@ private:
     std::size_t other = 0;
   };
 
-  double& between(std::size_t a, std::size_t b) { return between_(Eigen::Index(a), Eigen::Index(b)); }
+  /// Weights with the same first set are contiguous.
+  double& between(std::size_t a, std::size_t b) { return between_(Eigen::Index(b), Eigen::Index(a)); }
 
   void add_between(std::size_t a, std::size_t b, double weight)
   {
@@ -154,12 +158,15 @@ private:
     }
     const auto is_gone = [&](std::size_t set) { return set_of_[set] != set; };
     present_.erase(std::remove_if(present_.begin(), present_.end(), is_gone), present_.end());
+    std::vector<std::size_t> changed;
+    std::copy_if(present_.begin(), present_.end(), std::back_inserter(changed),
+                 [&](std::size_t k) { return changes[k]; });
     for (std::size_t set : present_) {
       if (changes[set] || (best_[set].mean != no_bridge && changes[best_[set].other])) {
         find_best(set);
       } else {
-        for (std::size_t other : present_)
-          if (changes[other]) take_if_better(set, other);
+        for (std::size_t other : changed)
+          take_if_better(set, other);
       }
     }
     return true;
@@ -176,10 +183,8 @@ private:
     set.inside += sets_[left].inside;
     if (between(kept, left) != no_pairs) set.inside += between(kept, left);
     for (std::size_t other : present_)
-      if (other != kept && other != left && between(left, other) != no_pairs)
+      if (set_of_[other] == other && other != kept && between(left, other) != no_pairs)
         add_between(kept, other, between(left, other));
-    between_.row(Eigen::Index(left)).setConstant(no_pairs);
-    between_.col(Eigen::Index(left)).setConstant(no_pairs);
   }
 
   std::vector<Part_set> sets_;
@@ -205,9 +210,9 @@ public:
       if (set_of_[part] == part) sets[connected[part]].push_back(part);
     std::map<std::size_t, std::vector<Weighted_pair>> pairs;
     for (const Weighted_pair& pair : pairs_)
-      pairs[connected[pair.source]].push_back(pair);
-    for (const auto& [first, of_one] : sets)
-      if (of_one.size() > 1) unite(of_one, pairs[first]);
+      if (const std::size_t first = connected[pair.source]; sets[first].size() > 1) pairs[first].push_back(pair);
+    for (const auto& [first, of_one] : pairs)
+      unite(sets[first], of_one);
   }
 
   std::size_t operator[](std::size_t part) const { return set_of_[part]; }

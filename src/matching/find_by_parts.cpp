@@ -322,8 +322,8 @@ Correspondence rated(const Shared_shape& source, const Part_match_result& found,
       return std::nullopt;
     }
   };
-  const std::optional<Correspondence> of_all = rate_all();
-  Correspondence result = of_all ? *of_all : rated_pairs(likeliest_only(found.matching), Deadline());
+  std::optional<Correspondence> of_all = rate_all();
+  Correspondence result = of_all ? std::move(*of_all) : rated_pairs(likeliest_only(found.matching), Deadline());
   if (!of_all)
     result.warnings.push_back("There is no time to compute the energy of all counterparts; it is that of the likeliest "
                               "counterpart of each part.");
@@ -340,10 +340,10 @@ std::array<Correspondence, 2> both_orders(const Match_task& task)
 {
   if (task.options.method == Search_method::PARTS && takes_shapes_as_they_are(task.options) && !has_no_pairs(task)) {
     const Deadline limit = deadline_of(task.options);
-    const Part_match_result found = without_unsure(matched_parts(task, limit), task.options);
+    Part_match_result found = without_unsure(matched_parts(task, limit), task.options);
     if (found.alignment.turn == 0 && found.candidates == 1) {
       std::array<Correspondence, 2> result{rated(task.aligned_source, found, task.options, limit),
-                                           rated_backwards(task, found, limit)};
+                                           rated_backwards(task, std::move(found), limit)};
       const std::size_t of_target = number_of_parts(task.target);
       collect_unmatched(number_of_parts(task.source), of_target, result[0]);
       collect_unmatched(of_target, number_of_parts(task.source), result[1]);

@@ -101,6 +101,7 @@ void separate_copies(const Eigen::MatrixXd& costs, double tolerance, Match_matri
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < m; ++j)
       if (are_tied(i, j)) sets.unite(std::size_t(i), std::size_t(n + j));
+  if (sets.number_of_sets() == sets.size()) return;
   std::map<std::size_t, std::array<std::vector<Eigen::Index>, 2>> copies; // for each set, the parts of either shape
   for (Eigen::Index k = 0; k < n + m; ++k)
     copies[sets[std::size_t(k)]][k < n ? 0 : 1].push_back(k < n ? k : k - n);

@@ -8,11 +8,12 @@
 #include "base/target_clones.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL::Shape_correspondence::internal {
 
 CGAL_SHAPE_CORRESPONDENCE_CLONED
-void find_nearest_squared(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* __restrict q_from_p)
+void find_nearest(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* __restrict q_from_p)
 {
   constexpr int lanes = Point_lanes::block_lanes;
   constexpr int at_once = 4; // number of points of p compared at a time
@@ -37,9 +38,15 @@ void find_nearest_squared(const Point_lanes& p, const Point_lanes& q, double* p_
         q_from_p[block + k] = nearest;
       }
     }
-    for (int i = 0; i < at_once; ++i)
-      p_from_q[first + i] = *std::min_element(least[i], least[i] + lanes);
+    for (int i = 0; i < at_once; ++i) {
+      for (int half = lanes / 2; half > 0; half /= 2)
+        for (int k = 0; k < half; ++k)
+          least[i][k] = std::min(least[i][k], least[i][k + half]);
+      p_from_q[first + i] = std::sqrt(least[i][0]);
+    }
   }
+  for (Eigen::Index k = 0; k < padded; ++k)
+    q_from_p[k] = std::sqrt(q_from_p[k]);
 }
 
 } // namespace CGAL::Shape_correspondence::internal

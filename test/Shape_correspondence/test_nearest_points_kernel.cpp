@@ -30,9 +30,9 @@ TEST_CASE("Vector instructions find the nearest points of a plain loop, to the b
       const internal::Point_lanes p(a), q(b);
       CAPTURE(n, m);
       Eigen::ArrayXd p_from_q(p.padded()), q_from_p(q.padded());
-      internal::find_nearest_squared(p, q, p_from_q.data(), q_from_p.data());
-      CHECK((p_from_q.head(n) == squared.rowwise().minCoeff()).all());
-      CHECK((q_from_p.head(m) == squared.colwise().minCoeff().transpose()).all());
+      internal::find_nearest(p, q, p_from_q.data(), q_from_p.data());
+      CHECK((p_from_q.head(n) == squared.rowwise().minCoeff().sqrt()).all());
+      CHECK((q_from_p.head(m) == squared.colwise().minCoeff().transpose().sqrt()).all());
     }
 }
 

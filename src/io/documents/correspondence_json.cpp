@@ -31,23 +31,35 @@ Json names(const std::vector<std::size_t>& parts, const Structural_graph& graph)
   return result;
 }
 
-Json pairs(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
+/// The names of a shape's parts as JSON.
+std::vector<std::string> quoted_names(const Structural_graph& graph)
 {
-  Json result = Json::array();
-  for (const Part_correspondence& pair : correspondence.pairs)
-    result.push_back({structure(source).parts[pair.source].name, structure(target).parts[pair.target].name});
+  std::vector<std::string> result;
+  for (const Part_abstraction& part : structure(graph).parts)
+    result.push_back(Json(part.name).line());
   return result;
 }
 
-/// The confidences of all pairs; empty if the method computes none.
-Json confidences(const Correspondence& correspondence)
+/// The pairs as JSON text, since a million pairs of JSON values take half a gigabyte.
+Json pairs(const Correspondence& correspondence, const Structural_graph& source, const Structural_graph& target)
 {
-  Json result = Json::array();
+  const std::vector<std::string> sources = quoted_names(source), targets = quoted_names(target);
+  std::string text;
+  for (const Part_correspondence& pair : correspondence.pairs)
+    text.append(text.empty() ? "[[" : ",[").append(sources[pair.source]).append(",").append(targets[pair.target]) +=
+        ']';
+  return Json::of_text(text.empty() ? "[]" : std::move(text += ']'));
+}
+
+/// The confidences of all pairs as JSON text; empty if the method computes none.
+std::string confidences(const Correspondence& correspondence)
+{
+  std::string text;
   for (const Part_correspondence& pair : correspondence.pairs) {
-    if (!pair.has_confidence()) return Json::array();
-    result.push_back(pair.confidence);
+    if (!pair.has_confidence()) return "";
+    text.append(text.empty() ? "[" : ",").append(Json(pair.confidence).line());
   }
-  return result;
+  return text.empty() ? text : std::move(text += ']');
 }
 
 /// An object with the role of each part, by its name.
@@ -160,7 +172,7 @@ void write_correspondences_json(std::ostream& out, const std::vector<Corresponde
   result["complete"] = c.complete;
   result["optimal"] = c.optimal;
   result["pairs"] = pairs(c, source, target);
-  if (Json known = confidences(c); !known.empty()) result["confidences"] = std::move(known);
+  if (std::string known = confidences(c); !known.empty()) result["confidences"] = Json::of_text(std::move(known));
   if (!c.category.empty()) {
     result["category"] = c.category;
     result["roles"] = {{"source", roles(c.source_roles, source)}, {"target", roles(c.target_roles, target)}};
