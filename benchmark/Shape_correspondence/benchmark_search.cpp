@@ -39,7 +39,6 @@ double milliseconds(const std::function<void()>& work)
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// The value under which a share of the sample lies.
 double quantile(std::vector<double> values, double share)
 {
   if (values.empty()) return 0;

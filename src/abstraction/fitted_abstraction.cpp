@@ -341,7 +341,7 @@ class Fitter : public Solid_abstractor
   }
 
 private:
-  /// Whether the part fills its convex hull, up to rounding.
+  /// Whether the part is nearly convex: a connected surface, not wrapped, that fills almost all of its convex hull.
   bool is_convex()
   {
     const double least_solidity = 0.97;

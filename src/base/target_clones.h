@@ -12,7 +12,7 @@
 #define CGAL_SHAPE_CORRESPONDENCE_CLONED
 #endif
 
-#ifdef __GNUC__ // inlined into the clones
+#ifdef __GNUC__ // for functions that the clones call: they are inlined, so that they use the clone's instructions
 #define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline __attribute__((always_inline))
 #else
 #define CGAL_SHAPE_CORRESPONDENCE_ALWAYS_INLINE inline

@@ -45,7 +45,7 @@ bool is_mirrored_in_x(const Blend_input& input)
 /// The frame of the stage, in which the surface itself, not its samples, stands on the ground, centred, with height 1.
 Shape_frame staged_frame(const Blend_input& input)
 {
-  constexpr double upright = 0.5; // height, in the given frame, below which a flat shape keeps the height of that frame
+  constexpr double upright = 0.5; // height in the given frame, up to which a shape counts as flat and keeps that scale
   Shape_frame frame = structure(input.graph).frame;
   contacts::Box box;
   for (const Shape_part& part : input.shape.parts())

@@ -114,7 +114,7 @@ struct Difference
   bool is_little() const;
   /// Whether the displacement is small enough for a whole part to morph, if it does not come off what it touches.
   bool is_possible() const;
-  /// Whether the position changes moderately, so that a `Space_warp` may follow the boxes.
+  /// Whether the position changes little enough for a `Space_warp` to take the box at one end to the box at the other.
   bool stays_near() const;
 
   double change;  ///< sum of the absolute log ratios of the extents

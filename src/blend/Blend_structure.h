@@ -91,7 +91,7 @@ class Growth
 {
 public:
   /// \param chart the chart of the part \param points its vertices
-  /// \param holds the places where it is held, at least one
+  /// \param holds the places from which it grows, at least one: contacts with other parts, or its foot
   Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& holds);
 
   /// The points when a share, in [0, 1], of the part has grown.

@@ -149,7 +149,7 @@ void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, c
     controls_.push_back({at.col(i), at_other_end.col(i), smoothing});
 }
 
-/// Adds a point on a matched part, or on the nearest of its pieces.
+/// Adds a control point: the point nearest to `near` on a part of the shape, which is matched as a whole or in pieces.
 void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near)
 {
   constexpr double smoothing = 0.005; // ratio to the shape's height

@@ -104,7 +104,8 @@ struct Option
   std::string text() const;
   /// Whether the help shows the default.
   bool has_default() const;
-  /// Sets a `Text_field`. \param label name of the option \throw Usage_error
+  /// Sets the field from a text. \pre it is a `Text_field` \param label name of the option, for messages
+  /// \throw Usage_error if the text is empty or not allowed
   void set_text(const std::string& label, const std::string& text);
   /// Checks the value. \throw Usage_error if it is not allowed, empty, or out of range
   void check(const std::string& label) const;

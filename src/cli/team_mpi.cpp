@@ -42,7 +42,7 @@ void await_all(const mpi::communicator& world)
   }
 }
 
-/// The part of the first process: it answers requests for numbers between its own work items.
+/// The task of the first process: it answers requests for work items between its own ones.
 void lead(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   std::size_t next = 0;
@@ -63,7 +63,8 @@ void lead(const mpi::communicator& world, std::size_t n, const Work& work)
     serve(awaited(world, mpi::any_source, request));
 }
 
-/// The part of the other processes: they request the next number before they work on one, to find it ready afterwards.
+/// The task of the other processes: each requests its next work item before it works on the one it has, so that the
+/// reply is there when it has finished.
 void follow(const mpi::communicator& world, std::size_t n, const Work& work)
 {
   const auto received = [&] {

@@ -79,7 +79,7 @@ struct Fitted_piece
   Piece source, target;
   std::size_t source_index, target_index; // indices in `source_pieces_` and `target_pieces_`
   int samples;                            // number of samples, with repetitions
-  int repeats;       // how often each source sample is used: e where a curve becomes a sheet, else 1
+  int repeats;       // uses per source sample: `samples_per_side` where a curve becomes a sheet, else 1
   std::size_t lanes; // index of `Fitted_pieces::samples()`
 };
 

@@ -38,11 +38,11 @@ public:
 /// Checks the size of tables. \throw Too_large if `bytes` are more than `most_bytes_of_tables`
 void check_bytes_of_tables(double bytes);
 
-/// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. A part that
-/// is deformed to fit depends on itself and on its target part alone. Once every group has a label, E is therefore a
-/// sum over groups and over pairs of groups in contact of terms that depend on their labels alone; each is computed
-/// once. The labels of a group are the target groups (the nearest `maximum_labels`) in their order, then those with cut
-/// curves, then, where allowed, none.
+/// The matching graph of a source and a target shape (paper, section 5) with its energies as tables. A part that is
+/// deformed to fit depends on itself and on its target part alone. Once every group has a label, E is therefore a sum
+/// over groups and over pairs of groups in contact of terms that depend on their labels alone; each is computed once.
+/// The labels of a group are the target groups (the nearest `maximum_labels`) in their order, then, once more, those
+/// for which curves are cut (`cut_curves()`), and last, where allowed, none.
 class Matching_problem
 {
 public:

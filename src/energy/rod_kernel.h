@@ -13,7 +13,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-constexpr int maximum_samples = samples_per_side * samples_per_side; // largest number of samples of a part
+constexpr int maximum_samples = samples_per_side * samples_per_side; // number of samples of a sheet; a curve has fewer
 constexpr int block_lanes = 16;                                      // number of floats in the widest vector register
 constexpr int maximum_blocks = (maximum_samples + block_lanes - 1) / block_lanes;
 constexpr int lane_count = block_lanes * maximum_blocks;

@@ -18,9 +18,9 @@ struct Part_assemblies
 {
   /// Panels, which are disjoint:
   ///  - A row of at least `Part_matching_options::repetition` parts that a translation maps to one another (slats).
-  ///  - The parts that lie flat in one of the four sides of the shape, above its main surface and off the ground,
-  /// connected by each other or the support (the boards and rails at the head of a bed).
-  ///  - A chain.
+  ///  - The parts that lie flat in one of the four sides of the shape, above its main surface and off the ground, and
+  /// are connected to each other, also by way of the support (the boards and rails at the head of a bed).
+  ///  - The rings of a chain, see `is_in_chain`.
   std::vector<std::vector<std::size_t>> panels;
   /// The parts that support the main surface: those on the ground, and those without which one of these would lose its
   /// connection to the main surface (the column of a pedestal). The main surface is the lowest horizontal part that

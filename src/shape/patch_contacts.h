@@ -11,7 +11,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// For each triangle, the numbers, from 0 on, of the sheet, the component and the patch that it belongs to.
 struct Triangle_pieces
 {
-  Numbers sheets, components, patches; // indexed by triangle
+  Numbers sheets, components, patches;
 };
 
 /// Measures the patches and finds which may be merged; of more than `most_patches`, only their number is set.

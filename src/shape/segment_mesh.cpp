@@ -378,7 +378,8 @@ Mesh_segmentation segment_mesh(const Part_mesh& mesh, const Segmentation_options
     }
     std::vector<std::size_t> segments;
     if (CGAL::is_closed(component)) {
-      // Fewer patches for small components: the time, quadratic in them, must not grow with the number of components
+      // Fewer patches for small components: the time is quadratic in the number of patches of a component, and the sum
+      // of these times must not grow with the number of components
       const double patches = std::ceil(double(options.patches) * std::sqrt(areas[i] / total_area));
       const double most = double(component.number_of_faces());
       segments = segments_of(component, std::size_t(std::clamp(patches, 1., most)), options);

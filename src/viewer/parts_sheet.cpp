@@ -31,7 +31,7 @@ Eigen::Matrix3d upright(const Point& up)
   return result;
 }
 
-/// Whether the pieces are drawn, so that parts can be divided.
+/// Whether the page draws each piece as a mesh of its own, so that its user can divide parts.
 bool draws_pieces(const Part_split& split)
 {
   return !split.unions.empty() && !split.by_materials && split.pieces.size() <= most_drawn_pieces;

@@ -91,8 +91,8 @@ inline Structural_graph point_graph(const std::vector<Point>& places,
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// Seat, back, two front legs (a mirror pair), two hind legs: 1 high, y up, front z, symmetric about x = 0.
-// Parts: 0 seat, 1 back, 2 and 3 front legs (left: +x first), 4 and 5 hind legs.
+// Seat, back, two front legs and two hind legs, each two a mirror pair: height 1, y up, front z, symmetric about x = 0.
+// Parts: 0 seat, 1 back, 2 and 3 front legs, 4 and 5 hind legs; of each pair, the left leg (x > 0) first.
 inline Structural_graph chair(bool symmetry = true)
 {
   Shape_structure shape;

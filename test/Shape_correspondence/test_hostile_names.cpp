@@ -56,7 +56,7 @@ Names hostile_names()
           "\xF4\x90\x80\x80", // beyond Unicode
           "\xC2\x9B"
           "31m",              // a control character of two bytes
-          "\xE2\x80\xAEgel",  // right to left
+          "\xE2\x80\xAEgel",  // a right-to-left override
           "\xE2\x80\xA8line", // a line separator
           "\xEF\xBB\xBF"
           "bom",

@@ -194,7 +194,7 @@ private:
     return result;
   }
 
-  // Numbers the sources of shapes. With `Left_out::SHAPES`, every shape counts as a source of its own.
+  // Numbers the sources of shapes, such as packs and artists; with `Left_out::SHAPES`, each shape is its own source.
   void number_sources()
   {
     std::map<std::string, std::size_t> numbers;

@@ -60,7 +60,7 @@ struct Pairwise_energy
   /// Number of labels of a variable.
   std::size_t number_of_labels(std::size_t variable) const { return std::size_t(unary[variable].size()); }
 
-  /// Q of a root term for an assignment.
+  /// The sum Q under the root of a term, w (1 - sqrt(Q / n)), for an assignment.
   double root_sum(const Root_term& term, const Assignment& assignment) const;
 
   /// The energy of a complete assignment.

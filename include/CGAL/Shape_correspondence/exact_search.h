@@ -20,12 +20,12 @@
 namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceSearch
-/// Finds the assignments of least energy and proves them. Root terms are bounded from below by their tangents, which
-/// leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order minimizes it exactly if
-/// its tables fit into `Exact_options::table_limit`; otherwise message passing (TRW-S; Kolmogorov 2006) redistributes
-/// costs so that mini-buckets (Dechter and Rish 2003) bound it well. Depth-first branch and bound with this bound makes
-/// the result optimal for the energy itself; if slow, it restarts with larger tables. Deterministic without a time
-/// limit.
+/// Finds the assignments of least energy and proves that no others have less. Root terms are bounded from below by
+/// their tangents, which leaves a sum of terms of one and of two variables. Bucket elimination along a min-fill order
+/// minimizes it exactly if its tables fit into `Exact_options::table_limit`; otherwise message passing (TRW-S;
+/// Kolmogorov 2006) redistributes costs so that mini-buckets (Dechter and Rish 2003) bound it well. Depth-first branch
+/// and bound with this bound makes the result optimal for the energy itself; if slow, it restarts with larger tables.
+/// Deterministic without a time limit.
 ///
 /// Time: O(number of variables · labels^(w + 1)) for tables of induced width w that fit, exponential in the worst case.
 /// If a limit ends the search, `optimal` is false and `summary.lower_bound` is the proven lower bound.

@@ -330,7 +330,7 @@ Model_objects read_objects(const std::string& given, const Point& up, const Read
   Model_objects result;
   Model_content content;
   bool agree = true, is_first = true;           // whether all files have the same upright axis
-  bool have_faces = true, have_vertices = true; // whether the faces and vertices of all files have indices
+  bool have_faces = true, have_vertices = true; // whether `Model_part::faces` and `vertices` are known for all files
   for (const Part_files& part : files) {
     const std::size_t first = content.parts.size();
     std::string name_of_part = part.name;
