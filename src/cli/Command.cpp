@@ -40,7 +40,7 @@ Exit status: 0 success; 1 an input cannot be used or an output cannot be
 written; 2 wrong usage.
 )";
 
-/// Prints at its end, if `verbose` is set, the time and memory that the command took, to standard error.
+/// Prints to standard error, when it is destroyed and if `verbose` is set, the time and memory that the command took.
 struct Run_report
 {
   const Common_options& options;

@@ -37,7 +37,7 @@ public:
 /// Throws `Usage_error` if `value` is none of `known`. \param label names the option
 void check_word(const std::string& label, const std::string& value, const std::vector<std::string>& known);
 
-/// A field set by parsing a text.
+/// A field that an option sets by parsing the text of its value.
 struct Text_field
 {
   std::function<std::string()> get;
@@ -47,7 +47,7 @@ struct Text_field
   bool is_repeated = false;            ///< whether `set` is called for each of several values
 };
 
-/// A field set to one of several words. \param get returns its word; may be empty
+/// A field set to one of several words. \param get returns its current word; null: no default is shown
 Text_field word_field(const std::vector<std::string>& known, const std::function<std::string()>& get,
                       const std::function<void(const std::string&)>& set);
 
@@ -72,10 +72,10 @@ struct Option
   bool excludes_ends = false; ///< whether `least` and `greatest` themselves are excluded
   bool shows_default = true;  ///< false if the default means "none" or depends on other options
   bool is_required = false, is_input = false, is_output = false;
-  bool is_for_pairs = false;      ///< whether it applies to two shapes only, not to a set
+  bool is_for_pairs = false;      ///< whether it applies to the match of two shapes only, not to a collection
   std::optional<double> implied;  ///< number that the option has when given without a value
   std::vector<std::string> modes; ///< modes of the command in which it has an effect; empty: all
-  std::string asked_mode;         ///< mode that it selects
+  std::string asked_mode;         ///< mode of the command that it selects when given; empty: none
   std::string keyword;            ///< name in Python; empty: not available there
   bool is_rare = false;           ///< shown by `--help-all` only
 
@@ -151,14 +151,14 @@ public:
   /// Sets the variables. \return the inputs; none if help is requested, which ends parsing \throw Usage_error
   std::vector<std::string> parse(const std::vector<std::string>& arguments);
 
-  /// Refuses options without effect in a mode. \param why names the mode \throw Usage_error
+  /// Refuses given options that have no effect in a mode of the command. \param why see `refuse_option()`
   void refuse_other_modes(const std::string& mode, const std::string& why) const;
 
   bool help_is_given() const;
   /// The help text. \param all whether to include rare options
   std::string help(bool all) const;
 
-  /// Name and value of every option of a group; numbers with all digits.
+  /// Name and value of every option of a group, numbers with all digits: a key for results that depend on them.
   std::string values_of(const std::string& group) const;
 
 private:
@@ -192,12 +192,12 @@ class Role_model;
 
 namespace CGAL::Shape_correspondence::cli {
 
-/// The options of all commands.
+/// The options that all commands share.
 struct Common_options
 {
   std::string json, glb, html; ///< files to write; empty: none
   std::string cache;           ///< folder of cached graphs; empty: none
-  bool keeps_reading = true;   ///< whether the cache keeps the parts and upright axes found for models, too
+  bool keeps_reading = true;   ///< whether the cache also keeps the parts and upright axes found for models
   std::string up;              ///< x, -x, +x etc., or auto; empty: the axis in the file, or an estimate that favours y
   std::string progress = "auto"; ///< auto, always or never
   Part_splitting parts = Part_splitting::AUTO;
@@ -213,7 +213,7 @@ struct Common_options
   std::array<Of_input, 2> of_pair; ///< options of the source and of the target
   /// Role model to find the upright axes of models that do not give one; null: by stability alone.
   std::shared_ptr<const Role_model> roles;
-  /// Called, instead of a progress bar, with the name of the work, the amount done and the total. May throw to end it.
+  /// Called in place of a progress bar with the name of the work, the amount done and the total. May throw to end work.
   std::function<void(const std::string&, std::size_t, std::size_t)> on_progress;
   bool quiet = false, verbose = false, help = false, help_all = false;
   int threads = 0; ///< number of threads; 0: as many as the machine has
@@ -262,21 +262,21 @@ extern const std::vector<std::pair<const char*, Search_method>> search_methods;
 /// The options of the search as given on the command line.
 struct Match_options
 {
-  Search_options search;               ///< its members that options set directly
+  Search_options search;               ///< the members that options set directly; `search_options()` sets the others
   std::optional<Search_method> method; ///< empty: selected by other options
   std::string front = "likely";        ///< given, likely or auto
   std::optional<int> alignments;       ///< number of alignments; empty: depends on `front`
   bool paper = false;
-  std::string roles = "auto"; ///< auto, none or a file
-  std::string examples;       ///< a folder; empty: none
-  std::string source_parts, target_parts;
+  std::string roles = "auto";                 ///< auto, none or a file
+  std::string examples;                       ///< a folder; empty: none
+  std::string source_parts, target_parts;     ///< names of the only parts to match, with commas; empty: all
   std::array<std::string, 2> features;        ///< files for the source and the target; empty: none
   std::vector<std::string> pinned, forbidden; ///< pairs of parts, A=B
 };
 
 void add_match_options(Option_table& table, Match_options& match);
 
-/// The search options, without those set by `choose_parts()`. \throw Usage_error
+/// The search options, except for parts given by name, which need the shapes. \throw Usage_error
 Search_options search_options(const Match_options& match, const Option_table& given);
 
 /// Sets the options of graphs implied by `--paper`, unless they are given.

@@ -36,14 +36,15 @@ public:
   /// Number of processes on this machine.
   virtual std::size_t size_here() const { return 1; }
 
-  /// Distributes the numbers from 0 to n - 1 in order over the processes as they become free; returns when all are
-  /// done. \throw Invalid_input in all processes if `work` throws in one of them
+  /// Calls `work` with each number from 0 to n - 1, distributed in order over the processes as they become free;
+  /// returns when all calls are done. \throw Invalid_input in all processes if `work` throws in one of them
   virtual void for_each(std::size_t n, const std::function<void(std::size_t)>& work)
   {
     for (std::size_t i = 0; i < n; ++i)
       work(i);
   }
 
+  /// The texts passed by all processes.
   virtual std::vector<std::string> gathered(const std::string& text) { return {text}; }
   /// The numbers passed by the first process.
   virtual std::vector<std::size_t> from_first(std::vector<std::size_t> numbers) { return numbers; }
@@ -107,7 +108,7 @@ struct Collection_options
   std::string npy, csv, store, nearest, labels_from, labels_to; ///< files and folders; empty: none
   bool skip_bad = false, matches = false, agreeing = false;
   std::size_t nearest_count = 5;
-  std::size_t neighbours = 0; ///< nearest shapes of each whose maps are clustered; 0: by the number of shapes
+  std::size_t neighbours = 0; ///< number of nearest shapes of a shape, the maps to which are clustered; 0: automatic
   double unmatched_energy = Energy_matrix_options().unmatched_energy;
   Co_analysis_options co_analysis;
 };
@@ -124,7 +125,7 @@ public:
   /// \throw Invalid_input if the folder cannot be used
   explicit Row_store(std::string folder);
 
-  std::string find(const std::string& name) const; ///< empty: missing or damaged
+  std::string find(const std::string& name) const; ///< the bytes of a row; empty: missing or damaged
   bool is_damaged(const std::string& name) const;
   void insert(const std::string& name, const std::string& bytes);
 
@@ -183,6 +184,7 @@ private:
   bool is_backward_ = false; // whether the next rows are matched from the last column to the first
 };
 
+/// The distances of a shape to all others: their mean, and the nearest shape.
 struct Shape_distances
 {
   double mean = 0;

@@ -17,9 +17,9 @@ namespace CGAL::Shape_correspondence::cli {
 namespace {
 
 constexpr std::size_t largest_clustered_whole = 100; // number of shapes up to which all maps are clustered by default
-constexpr std::size_t usual_neighbours = 32;         // default of `Collection_options::neighbours` for more
+constexpr std::size_t usual_neighbours = 32;         // default of `Collection_options::neighbours` for more shapes
 constexpr std::size_t largest_bridged = 1000;        // number of shapes up to which bridges are found, in cubic time
-constexpr std::size_t listed_bridges = 100;
+constexpr std::size_t listed_bridges = 100;          // limit for bridges in the result, those of largest gain
 
 /// A symmetric matrix of the distances between shapes, accessed by columns.
 using Distances = Eigen::Ref<const Eigen::MatrixXd>;

@@ -47,7 +47,7 @@ bool has_several_objects(const std::string& model)
   }
 }
 
-/// Whether the model files are shapes rather than parts of one shape.
+/// Whether the model files of a folder are shapes, as each has several objects, rather than parts of one shape.
 bool are_shapes(const std::vector<std::string>& models)
 {
   return !models.empty() && std::all_of(models.begin(), models.end(), has_several_objects);
@@ -163,7 +163,7 @@ void exchange(std::vector<Loaded_input>& inputs, Team& team)
   }
 }
 
-constexpr std::size_t most_graphs_in_memory = 256; // of those that are in a folder, some .1 MB each
+constexpr std::size_t most_graphs_in_memory = 256; // limit for graphs that are also in a folder, some .1 MB each
 constexpr std::size_t inputs_at_a_time = 8;        // number of inputs handed to one of several processes at a time
 
 /// Loads all inputs, distributed over the processes of the team; each process keeps the graphs that it loaded.

@@ -27,10 +27,10 @@ namespace {
 /// To be increased with every change that alters energies or pairs for the same graphs and options.
 constexpr int matching_version = 9;
 
-// Rows and columns matched at a time: their shapes are kept in memory, and a killed process loses as many rows
+// Limits for the rows, and columns, matched at a time: their shapes are in memory; a killed process loses these rows
 constexpr std::size_t least_block = 4, largest_block = 64;
 constexpr std::size_t most_kept_shapes = 320; // limit for prepared shapes in memory, some 1.2 MB each
-constexpr std::size_t blocks_of_process = 8;  // number of blocks for each process in a small collection
+constexpr std::size_t blocks_of_process = 8;  // number of blocks of rows for each process, within the limits
 
 constexpr const char* extension = ".row";
 constexpr const char* damaged = "a row of pairs of the store is damaged; it is made again";

@@ -31,7 +31,7 @@ namespace CGAL::Shape_correspondence::cli {
 
 // The work of the commands on loaded shapes; the Python module calls these functions, too
 
-/// Correspondences of two shapes, the best first, and the time in seconds that everything took.
+/// Correspondences of two shapes, the best first, and the seconds that each phase took.
 struct Matched_shapes
 {
   std::vector<Correspondence> ranked;
@@ -51,7 +51,7 @@ struct Blend_output
   std::string path;
   std::string format = "obj";
   std::string schedule = "best";
-  std::optional<Blend_size> size; ///< empty: the given heights
+  std::optional<Blend_size> size; ///< empty: see `likely_size()`
   std::string colours = "auto";   ///< auto, materials or match
   int frames = 25;
   double at = std::numeric_limits<double>::quiet_NaN(); ///< time of the only shape to write; NaN: the whole blend
@@ -151,7 +151,7 @@ std::shared_ptr<const Role_model> role_model_of(const std::string& file);
 
 /// Adds the labelled shapes of a folder, if one is given, to a role model, see `extend_role_model()`: those of
 /// categories in the model, and those of new categories with at least three examples. If all are of one category, and
-/// none is given, that category is selected.
+/// `category` is empty, it becomes that category.
 /// \param model null: no model so far \param always_new whether a new category needs no minimum number of examples
 /// \return warnings about shapes that are left out
 std::vector<std::string> add_examples(const std::string& folder, const Common_options& options,

@@ -40,7 +40,8 @@ Read_model model_of_objects(const std::string& path, IO::Model_objects objects, 
 /// of a folder of part meshes are the parts, and y is up. \throw Invalid_input
 Read_model read_model(const std::string& path, const Common_options& options);
 
-/// Reads two models, and estimates together the axes that neither options nor files give; empty if there are none.
+/// Reads two models, and estimates together the upright axes that neither options nor files give. \return empty,
+/// without reading the models, if there is no such axis
 /// \param options receives the estimated axes \param warnings receives the warnings about them
 std::vector<Read_model> read_pair(const std::vector<std::string>& paths, Common_options& options,
                                   std::vector<std::string>& warnings);

@@ -147,7 +147,7 @@ std::string unmatched_text(const Parts& parts, const Lines& labels)
          " parts: " + listed(labels_of(parts, labels));
 }
 
-/// Writes the image of each symmetry group of the deformed shape, with its share of the energy.
+/// Writes a row for each symmetry group of the deformed shape: the parts matched to it, and its share of the energy.
 void write_group_table(std::ostream& out, const Correspondence& c, const Structural_graph& source,
                        const Structural_graph& target)
 {

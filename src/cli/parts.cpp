@@ -60,7 +60,7 @@ Examples: shape_correspondence parts chair.obj
 /// Output files for the parts of a model; empty: none.
 struct Parts_output
 {
-  std::string glb, obj, ply; ///< one object for each part; one part index for each face
+  std::string glb, obj, ply; ///< glb and obj: one object for each part; ply: a part index for each face
   std::string seg;           ///< part indices, one line for each face of the model file
   std::string folder;        ///< new folder, one OBJ file for each part
 

@@ -23,7 +23,7 @@ void start_outputs();
 /// \throw Invalid_input, naming the outputs that were written before, on failure
 void write_output(const std::string& file, const std::function<void(std::ostream&)>& write);
 
-/// Records an output that was written in another way.
+/// Records an output that was not written by `write_output()`, for the messages of later failures.
 void output_is_whole(const std::string& file);
 
 /// A message of the library with switches and commands in place of the names of C++ options and functions.
@@ -67,7 +67,7 @@ constexpr std::size_t line_width = 80; ///< characters in a line of output
 /// Words wrapped to lines of at most `width` characters; a longer word is broken after a separator, if it has one.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
-/// Writes notes, one in each line; of several, only their number unless `all`.
+/// Writes notes, one in each line, or only their number if there are several and `all` is false.
 void write_notes(std::ostream& out, const std::vector<std::string>& notes, bool all);
 
 /// A number with four significant digits.

@@ -60,7 +60,7 @@ Transform transform_of(const aiNode& node)
 class Scene_reader
 {
 public:
-  /// \param bytes size for the limit of repeated triangles: of the file, or the number of triangles of all meshes
+  /// \param bytes for `are_repeated_too_often()`: size of the file, or number of triangles of all meshes
   Scene_reader(const aiScene& scene, std::uint64_t bytes) : scene_(scene), bytes_(bytes) {}
 
   /// Reads the scene. \param are_linear whether colours are in linear light rather than sRGB

@@ -185,7 +185,7 @@ std::vector<Blend_painter::Painted_mesh> Glb_materials::dressed(const Eigen::Mat
   struct Collector
   {
     std::map<std::tuple<int, std::array<float, 2>, std::array<float, 3>>, int> known;
-    std::vector<int> points, corners, triangles; ///< point and one corner of each vertex; vertices
+    std::vector<int> points, corners, triangles; ///< point and one corner of each new vertex; new vertices of triangles
   };
   const bool has_coordinates = !looks.coordinates.empty(), has_colours = !looks.colours.empty();
   std::map<int, Collector> by_material;

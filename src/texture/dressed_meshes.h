@@ -23,6 +23,7 @@ public:
 
   /// The appearance of a part; empty if it is unknown.
   const Part_appearance& of_part(std::size_t part) const;
+  /// The colour of a part that has the same colour everywhere, without texture; none for other parts.
   std::optional<Eigen::Vector4d> only_colour(std::size_t part) const;
   /// The triangles of each material; points are duplicated at seams of texture coordinates or colours.
   /// \param instead material of the file that replaces all materials; -1: none

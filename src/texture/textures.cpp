@@ -78,9 +78,9 @@ Eigen::Vector3d Appearance_sampler::operator()(std::size_t part, std::size_t tri
 
 namespace {
 
-// Share of the covered pixels that may be covered twice, along the edges of triangles
+// Largest share of pixels covered twice, as along edges of triangles, with which a given layout is used
 constexpr double most_overlap = 0.01;
-// Share of the surface's area that may have no area in the image
+// Largest share of the surface's area without area in the image, with which a given layout is used
 constexpr double most_collapsed = 0.01;
 // Least cosine of a face's angle to its chart; its texture is stretched by up to 1 / cosine
 constexpr double steepest = 0.4;
@@ -187,7 +187,7 @@ private:
   std::vector<int> without_overlap(const std::vector<int>& triangles) const
   {
     constexpr int size = 256;
-    constexpr std::size_t few = 2; // number of shared pixels, on edges
+    constexpr std::size_t few = 2; // number of pixels that adjacent triangles may share, on their edges
     const Eigen::AlignedBox2d box = bounds(triangles);
     const double extent = box.sizes().maxCoeff();
     if (!(extent > 0) || triangles.size() == 1) return triangles;
@@ -315,7 +315,7 @@ void grow(Colours& colours, int size)
 
 std::optional<Texture_layout> given_layout(const Segmented_shape& shape, const Shape_appearance& appearance, int size)
 {
-  constexpr float outside = 1e-3f;
+  constexpr float outside = 1e-3f; // tolerance for texture coordinates in [0, 1]
   if (appearance.parts.size() != shape.parts().size()) return std::nullopt;
   Texture_layout result(shape.parts().size());
   std::vector<bool> taken(std::size_t(size) * std::size_t(size), false);

@@ -86,7 +86,7 @@ void for_each_pixel(const Flat_triangle& t, int size, const Visit& visit, double
 std::optional<Texture_layout> given_layout(const Segmented_shape& shape, const Shape_appearance& appearance, int size);
 
 /// A new layout: charts of connected triangles that face the same axis direction of `frame` (a rotation), projected
-/// along it and packed at one scale, `margin` pixels from each other's margins.
+/// along it and packed at one scale, each with a margin of `margin` pixels, or fewer if there is no room.
 Texture_layout new_layout(const Segmented_shape& shape, const Eigen::Matrix3d& frame, int size, int margin);
 
 /// The linear colour of a point in a triangle of a part, by barycentric coordinates. Called from several threads.
@@ -98,7 +98,7 @@ using Colour_of_point =
 Image bake(const Texture_layout& layout, int size, int margin, int samples, const Eigen::Vector3d& background,
            const Colour_of_point& colour);
 
-/// The triangles across the edges of a mesh, by triangle; none across edges of more than two triangles.
+/// For each triangle of a mesh, those that share an edge with it; edges of more than two triangles do not count.
 inline std::vector<std::vector<int>> neighbours_of(const Part_mesh& mesh)
 {
   std::map<std::pair<int, int>, std::vector<int>> edges;

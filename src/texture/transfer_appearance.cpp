@@ -95,7 +95,7 @@ public:
     }
   }
 
-  /// Parts without an appearance from the source take that of the parts they touch, then of parts that touch these.
+  /// Gives each part without an appearance from the source that of the largest part it touches that has one, in rounds.
   void take_from_neighbours(const std::vector<Contact>& contacts, const Segmented_shape& target)
   {
     const std::vector<Steps> sizes = sizes_of_parts(target);
@@ -209,7 +209,7 @@ Transferred_appearance transfer_appearance(const Structural_graph& source, const
   const Appearance_sampler looks(source_appearance, options.neutral);
   transfer.take_from_sources(source_shape, structure(source).frame, looks);
   transfer.take_from_neighbours(structure(target).contacts, target_shape);
-  // Two maps, so that a source part is not divided among its counterpart and the neighbours that copy it
+  // Two maps, so that a source part is not divided among its counterpart and neighbours that copy the counterpart
   std::array<Correspondence, 2> pairs;
   const std::vector<Transferred_part>& parts = transfer.parts();
   const auto map_of = [&](std::size_t part) { return parts[part].origin == Appearance_origin::NEIGHBOUR ? 1 : 0; };

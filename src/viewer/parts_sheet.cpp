@@ -19,6 +19,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
+// Limit for the triangles of all models, which share it equally, and the least share of a model
 constexpr std::size_t sheet_triangles = 200000, fewest_of_model = 500;
 constexpr std::size_t most_drawn_pieces = 500; // limit for pieces of a model that are drawn each as a mesh
 

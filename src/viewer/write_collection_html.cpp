@@ -22,6 +22,7 @@ namespace {
 
 using Models = std::function<std::optional<Segmented_shape>(std::size_t)>;
 
+// Limit for the triangles of all shapes, which share it equally, and the least share of a shape
 constexpr std::size_t collection_triangles = 400000, fewest_of_shape = 400;
 constexpr std::size_t most_fine = 50; // shapes up to which curves and sheets are drawn as finely as for one pair
 
@@ -54,7 +55,7 @@ public:
     glb_.set_node_extras(roots_.back(), {{"layer", drawn.model() ? surface_layer : abstraction_layer}});
   }
 
-  /// The bytes. \param role_of_cluster for each cluster, the role that its colour shows
+  /// The bytes of the GLB file. \param role_of_cluster for each cluster, the role that its colour shows
   std::string text(const std::vector<std::string>& role_of_cluster)
   {
     int number = 0; // materials in the order of labels, which are known when all shapes are added

@@ -72,7 +72,7 @@ internal::Stored_bytes bytes_of(std::string_view text, std::shared_ptr<const voi
 
 } // namespace
 
-// The bytes of what a cache keeps of a model
+// Conversion of what a cache keeps of a model, parts and upright axes, to bytes and back
 
 template <typename Value>
 static void pass(Value_bytes& bytes, std::array<Value, 2>& pair)

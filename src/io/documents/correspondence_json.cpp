@@ -93,7 +93,7 @@ Json groups(const Correspondence& correspondence, const Structural_graph& source
                       {"energy", group.energy},
                       {"terms", {{"distortion", group.distortion}, {"connectedness", group.connectedness}}},
                       {"solidity_ratio", group.solidity_ratio}});
-    // It is NaN unless requested, and infinite, which JSON cannot express, if the group has no other match
+    // A min-marginal is NaN unless requested, and infinite, which JSON cannot express, if the group has no other match
     if (std::isinf(group.min_marginal))
       result.back()["min_marginal"] = "infinite";
     else if (!std::isnan(group.min_marginal))

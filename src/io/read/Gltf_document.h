@@ -14,6 +14,7 @@
 
 namespace CGAL::Shape_correspondence::IO {
 
+/// A mesh decoded by Draco.
 struct Draco_mesh
 {
   std::vector<std::size_t> corners;          ///< vertex indices, three for each triangle
@@ -62,8 +63,9 @@ public:
     return list(list_name)[index(list_name, reference)];
   }
 
-  /// The index at an optional key; none if it is missing. The nonnegative number at one; `otherwise` if it is missing.
+  /// The index at an optional key; none if the key is missing.
   std::optional<std::size_t> index_at(const Json_field& field, const std::string& key, const std::string& list_name);
+  /// The nonnegative integer at an optional key; `otherwise` if the key is missing.
   static std::size_t number_at(const Json_field& field, const std::string& key, std::size_t otherwise);
 
   /// The data of an accessor, one column for each element; normalized numbers are in [-1, 1].
@@ -97,7 +99,7 @@ private:
 
   static const Component& component_at(const Json_field& field);
   static std::size_t components_of(const Json_field& accessor, std::initializer_list<const char*> types);
-  static double largest_of(const Json_field& accessor); ///< value that stands for 1; 1 unless numbers are normalized
+  static double largest_of(const Json_field& accessor); ///< integer that stands for 1, if normalized; else 1
   void split_glb();
   void check_extensions();
   bool requires_extension(const std::string& name) const { return required_.count(name) > 0; }

@@ -79,7 +79,7 @@ void append_appearance(Model_content& from, Model_content& to)
 
 Part_appearance appearance_of(const Part_appearance& all, const std::vector<std::size_t>& triangles)
 {
-  const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // number of attributes in the file
+  const std::size_t needed = triangles.empty() ? 1 : triangles.back() + 1; // shorter attributes are left out
   Part_appearance result;
   for (std::size_t t : triangles) {
     if (all.materials.size() >= needed) result.materials.push_back(all.materials[t]);

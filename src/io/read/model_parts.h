@@ -57,7 +57,7 @@ struct Model_content
   bool are_labelled = false;                   ///< whether labels of faces, or this program's mark, define the parts
   std::vector<std::string> without_faces = {}; ///< names of objects that were left out
   std::vector<std::string> warnings = {};      ///< about what was left out or replaced
-  bool materials_are_names = false;            ///< whether materials are defined in libraries
+  bool materials_are_names = false;            ///< whether `materials` have only names, and libraries define them
   std::vector<std::string> libraries = {};     ///< files that define materials
   std::vector<std::string> appearance_warnings = {};
   Point up = Point::Zero(); ///< the up direction that the file gives; zero: none
@@ -93,8 +93,8 @@ Face_labels read_face_labels(std::string_view text, const std::string& name, std
 /// Divides a model into one part for each label of its faces, unless there is one label, or more than `most_parts`.
 void divide_by_labels(const Face_labels& labels, Model_content& content);
 
-/// Limit for triangles in excess of one for each byte of the files, which is the most that strips can have: nodes that
-/// share a mesh take few bytes, but their triangles take as much memory and time as those of separate meshes.
+/// Limit for the triangles of a model beyond one for each byte of its files. Meshes have at most one for each byte (in
+/// strips), but nodes that repeat a mesh take few bytes, and as much memory and time as separate meshes.
 constexpr std::uint64_t most_repeated_triangles = 1'000'000;
 
 inline bool are_repeated_too_often(std::uint64_t triangles, std::uint64_t bytes)
@@ -135,7 +135,7 @@ std::vector<std::size_t> triangles_of_polygon(const std::vector<Point>& polygon)
 /// \pre all coordinates are finite
 Part_mesh weld(const std::vector<Point>& corners, std::vector<std::size_t>* kept = nullptr);
 
-/// Joins some parts of a shape to one mesh, with its appearance. \param appearance may lack parts
+/// Joins some parts of a shape to one mesh, with its appearance. \param appearance may have fewer parts
 std::pair<Part_mesh, Part_appearance> joined_parts(const Segmented_shape& shape, const Shape_appearance& appearance,
                                                    const std::vector<std::size_t>& parts);
 
@@ -145,7 +145,7 @@ Part_appearance appearance_of(const Part_appearance& all, const std::vector<std:
 /// Appends the materials and textures of `from` to those of `to`; updates their indices in the parts of `from`.
 void append_appearance(Model_content& from, Model_content& to);
 
-/// Appends the appearance of further triangles. An attribute that only one side has is completed by defaults.
+/// Appends the appearance of `more_triangles` to that of `triangles`; defaults complete attributes that only one has.
 void add_appearance(const Part_appearance& more, std::size_t more_triangles, std::size_t triangles,
                     Part_appearance& all);
 
@@ -155,8 +155,8 @@ struct Tree_node
   std::string name;
 };
 
-/// Names parts with default names, such as `Object_4`, after the nearest ancestor node with a better name that does not
-/// contain all parts, or else after their mesh.
+/// Names parts with default names, such as `Object_4`, after the nearest ancestor node with a better name, unless it
+/// contains all parts; else after their mesh.
 /// \param tree the nodes, each after its parent \param node_of_part the node of each part
 /// \param meshes names of the parts' meshes
 void name_parts_by_tree(const std::vector<Tree_node>& tree, const std::vector<int>& node_of_part,

@@ -25,7 +25,7 @@ struct Model_objects
   std::vector<std::vector<int>> materials;
   std::vector<std::string> warnings; ///< warnings of the reader
   bool says_up = false;              ///< whether the files give the upright axis, which is then that of the shape
-  bool are_labelled = false;         ///< whether the objects are labels of faces
+  bool are_labelled = false;         ///< whether labels of faces, or this program's mark, define the objects
   /// For each object and triangle, the index of its face in the file, and the number of faces; of a folder, counted
   /// through its files in their order. Empty and 0 if faces have no indices.
   std::vector<std::vector<std::size_t>> faces = {};
@@ -53,6 +53,7 @@ Model_objects read_objects(const std::string& path, const Point& up, const Readi
 Part_split split_parts_by_roles(const Segmented_shape& objects, const Part_splitting_options& options,
                                 const Role_model* roles);
 
+/// A part with the mesh files that it consists of.
 struct Part_files
 {
   std::string name;

@@ -45,7 +45,8 @@ using internal::Part_model;
 using internal::Part_node;
 using internal::Surface_patches;
 
-/// The parts of a cut, for predicting their roles: a graph with their surfaces, and which of them touch.
+/// A graph of parts (`best_cut()`) to predict their roles: their surfaces, and which of them touch.
+/// \param cut indices of the nodes that are parts
 Structural_graph graph_of_cut(const Surface_patches& surface, const std::vector<Part_node>& nodes,
                               const std::vector<std::size_t>& cut)
 {

@@ -54,7 +54,7 @@ public:
     rest_.remove_prefix(size);
   }
 
-  /// Writes or reads a number of elements; fails if fewer can follow. \param of_element least bytes of an element
+  /// Writes or reads a number of elements; fails if the bytes to read are too few. \param of_element least bytes of one
   std::size_t count(std::size_t elements, std::size_t of_element)
   {
     std::uint64_t number = elements;

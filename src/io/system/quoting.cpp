@@ -23,7 +23,7 @@ using Utf8 = boost::locale::utf::utf_traits<char>;
 
 constexpr std::uint32_t no_character = boost::locale::utf::illegal;
 
-/// The UTF-8 character that starts at `text[at]`, with its bytes; `no_character` if there is none.
+/// A character of a UTF-8 text, or `no_character` for an invalid byte, and its number of bytes.
 struct Utf8_character
 {
   std::uint32_t code;

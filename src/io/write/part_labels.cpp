@@ -14,8 +14,8 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double common_share = .75;      // share of the names from which on a common prefix is dropped
-constexpr std::size_t longest_number = 6; // limit for digits that are a number at the end of a name
+constexpr double common_share = .75;      // least share of names with a common prefix for it to be dropped
+constexpr std::size_t longest_number = 6; // most digits at the end of a name that are read as a number
 constexpr std::size_t longest_label = 24; // limit for the characters of a label
 
 // Names that modelling programs give to parts, and those of the solids that modelling starts from

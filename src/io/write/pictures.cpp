@@ -47,7 +47,7 @@ Point smooth_normal(const std::vector<int>& faces, int face, const Points& norma
   return unit(sum);
 }
 
-/// Triangles of a grid of vertices; rows are closed if `ring_rows`, columns if `ring_cols`.
+/// Triangles of a grid of vertices. The last row is joined to the first if `ring_rows`, the last column if `ring_cols`.
 Eigen::Matrix3Xi grid_triangles(int rows, int cols, bool ring_rows, bool ring_cols)
 {
   const int row_steps = ring_rows ? rows : rows - 1, col_steps = ring_cols ? cols : cols - 1;

@@ -96,7 +96,7 @@ private:
   Json document_;
   std::string buffer_;
   std::map<std::pair<int, std::size_t>, Shared_view> shared_views_; ///< by buffer target and element size in bytes
-  std::map<std::string, int> shared_accessors_;                     ///< indices by content, of all but vertices
+  std::map<std::string, int> shared_accessors_; ///< indices of accessors by content; vertices are not shared
 };
 
 constexpr const char *surface_layer = "surfaces", *abstraction_layer = "curves and sheets", *contact_layer = "contacts",
@@ -142,7 +142,7 @@ public:
   /// The abstraction with few triangles and flat shading.
   Drawn_mesh coarse_abstraction(std::size_t part) const;
   Drawn_mesh best_mesh(std::size_t part) const { return model_ ? surface(part) : abstraction(part); }
-  /// A line for each contact, from the middle of one part's curve or sheet via the contact to that of the other.
+  /// A line for each contact, via the contact, between the middles of the curves or sheets of its two parts.
   Drawn_mesh contacts() const;
 
   /// Adds a node with a child for each part, whose meshes `draw` makes.
@@ -194,10 +194,11 @@ public:
   };
 
   virtual ~Blend_painter() = default;
-  /// The meshes of a part of the source (`side` 0) or the target (1).
+  /// The meshes that show a part of the source (`side` 0) or the target (1), given by its surface `mesh`.
   virtual std::vector<Drawn_mesh> end(std::size_t side, std::size_t part, const Drawn_mesh& mesh) = 0;
   /// Times at which a surface changes its appearance, besides its own begin and end.
   virtual std::vector<double> changes(std::size_t surface) const = 0;
+  /// The meshes that show a surface of the blend at time t.
   virtual std::vector<Painted_mesh> surface(std::size_t surface, double t) = 0;
 };
 

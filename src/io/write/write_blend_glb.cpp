@@ -19,7 +19,7 @@
 namespace CGAL::Shape_correspondence::IO {
 namespace {
 
-constexpr double hold_seconds = 0.5, motion_seconds = 2;
+constexpr double hold_seconds = 0.5, motion_seconds = 2; // time for which each end is shown; time between the ends
 
 double seconds_at(double t) { return hold_seconds + t * motion_seconds; }
 
