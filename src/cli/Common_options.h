@@ -208,7 +208,7 @@ struct Common_options
   struct Of_input
   {
     std::string up, parts_from; ///< empty: the value for all inputs
-    std::string features;       ///< file with features of its faces or vertices; empty: none
+    std::string features;       ///< file with features of the model's faces or vertices; empty: none
   };
   std::array<Of_input, 2> of_pair; ///< options of the source and of the target
   /// Role model to find the upright axes of models that do not give one; null: by stability alone.

@@ -142,7 +142,7 @@ struct Labelled_model
 std::vector<Labelled_model> load_labelled_models(const std::vector<std::string>& folders,
                                                  const Common_options& options);
 
-/// Loads generated shapes likewise, but without curves, sheets and symmetries, as only features of parts are needed.
+/// Like `load_labelled_models()`, but without curves, sheets and symmetries, as only features of parts are needed.
 std::vector<Labelled_model> load_generated_models(const std::vector<std::string>& folders,
                                                   const Common_options& options);
 

@@ -52,7 +52,7 @@ void lead(const mpi::communicator& world, std::size_t n, const Work& work)
     dismissed += next >= n;
     world.send(asked.source(), reply, next < n ? next++ : n);
   };
-  for (int other = 1; other < world.size(); ++other) // before it is busy itself
+  for (int other = 1; other < world.size(); ++other) // before this process works itself
     serve(awaited(world, other, request));
   while (next < n) {
     work(next++);

@@ -83,8 +83,8 @@ std::size_t number_of_scans(std::string_view bytes)
   return result;
 }
 
-/// Decodes the pixels, or only the size if there is no room for them. \return whether that succeeded. No object with a
-/// destructor may live here, since longjmp() skips destructors
+/// Decodes the pixels, or only the size if `image.pixels` is empty. \return whether the data are valid. No object with
+/// a destructor may live here, since longjmp() skips destructors
 bool decode_jpeg(const std::string& bytes, Image& image)
 {
   jpeg_decompress_struct decoder;

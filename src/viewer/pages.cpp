@@ -39,7 +39,7 @@ std::string base64(std::string_view bytes)
   return result;
 }
 
-/// Writes < in JSON, which has it in texts only, as a code, so that no text ends the element that contains it.
+/// Writes the documents. In JSON, < becomes a code (it occurs in texts only), so that no text ends the script element.
 void write_documents(std::ostream& out, const Page& page)
 {
   for (const Page::Document& document : page.json) {

@@ -37,7 +37,7 @@ Shape_frame frame_of_abstractions(const std::vector<Part_abstraction>& parts, co
   return compute_shape_frame(all, up);
 }
 
-/// Merges contacts of the same two parts into one with the places of all.
+/// Merges contacts of the same two parts into one contact with the locations of all.
 std::vector<Contact> merged_contacts(std::vector<Contact> contacts)
 {
   std::vector<Contact> result;

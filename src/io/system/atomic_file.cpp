@@ -69,7 +69,7 @@ Temporaries& temporaries()
 class Temporary
 {
 public:
-  /// \param place path that it is next to
+  /// \param place path next to which the temporary file or folder is made
   /// \param make creates a file or folder; returns `file_exists` if the name is taken
   Temporary(const std::string& path, const fs::path& place, std::error_code (*make)(const fs::path&)) : path_(path)
   {

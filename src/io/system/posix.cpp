@@ -33,7 +33,7 @@ void reserve_standard_streams()
 }
 
 /// On signals that end the program, removes its temporary files first. A thread waits for the signals, since a handler
-/// may not remove folders; all other threads, started later, leave them to it.
+/// may not remove folders; all other threads, which start later, block these signals.
 void remove_temporaries_at_signals()
 {
 #ifndef __EMSCRIPTEN__

@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
                       remedy::install_again);
 }
 
-/// Uses `posix_spawn()`, which unlike fork() is safe when other threads hold locks.
+/// Starts a program by `posix_spawn()`, which unlike fork() is safe when other threads hold locks.
 pid_t start(const std::string& program, const std::vector<std::string>& arguments, int output)
 {
   posix_spawn_file_actions_t actions;
@@ -59,7 +59,7 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   return child;
 }
 
-/// Reads until the other end is closed. \return whether that was before `end`
+/// Reads until all writers have closed the pipe, or until the time `end`. \return whether it was closed by then
 bool read_all(int pipe, Clock::time_point end, std::string& bytes)
 {
   std::string buffer(std::size_t(1) << 16, '\0');
