@@ -65,7 +65,7 @@ struct Option
   std::string group;
   std::string value_name; ///< such as FILE; empty: the option is a switch
   std::string help;
-  Field field; ///< what the option sets; its value on addition is the default
+  Field field; ///< what the option sets; its value when the option is added is the default
 
   std::vector<std::string> known; ///< allowed values; empty: any
   double least = -std::numeric_limits<double>::infinity(), greatest = -least;

@@ -58,7 +58,7 @@ public:
   /// The bytes of the GLB file. \param role_of_cluster for each cluster, the role that its colour shows
   std::string text(const std::vector<std::string>& role_of_cluster)
   {
-    int number = 0; // materials in the order of labels, which are known when all shapes are added
+    int number = 0; // materials, in the order of labels, are added last, as roles are known only then
     for (const Colour& colour : colours_of_roles(role_of_cluster))
       glb_.add_material("cluster_" + std::to_string(++number), colour);
     glb_.add_material("none", grey());

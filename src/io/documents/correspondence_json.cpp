@@ -62,7 +62,7 @@ std::string confidences(const Correspondence& correspondence)
   return text.empty() ? text : std::move(text += ']');
 }
 
-/// An object with the role of each part, by its name.
+/// An object with the role of each part, by the part's name.
 Json roles(const std::vector<std::string>& roles, const Structural_graph& graph)
 {
   Json result = Json::object();

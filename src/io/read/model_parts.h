@@ -74,9 +74,9 @@ Model_content read_stl_parts(std::string_view text, const std::string& file);
 /// Reads glTF and GLB, including files with buffers named by the document. Nodes become parts.
 Model_content read_gltf_parts(std::string_view text, const std::string& file, const Reading_options& options = {});
 
-/// Reads a robot described in URDF with all joints at 0; links become parts. \param folder folder of all meshes; empty:
-/// that of the file \param read reads a mesh file
 using Mesh_reader = std::function<Model_content(const std::string& path)>;
+/// Reads a robot described in URDF with all joints at 0; links become parts. \param folder folder of all meshes; empty:
+/// that of `file` \param read reads a mesh file
 Model_content read_urdf_parts(const std::string& text, const std::string& file, const std::string& folder,
                               const Reading_options& options, const Mesh_reader& read);
 

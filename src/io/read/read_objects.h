@@ -30,8 +30,7 @@ struct Model_objects
   /// through its files in their order. Empty and 0 if faces have no indices.
   std::vector<std::vector<std::size_t>> faces = {};
   std::size_t number_of_faces = 0;
-  /// For each object and corner of its triangles, the index of its vertex, and the number of vertices, counted like
-  /// faces.
+  /// For each object and corner of its triangles, the index of its vertex, and the number of vertices, as for faces.
   std::vector<std::vector<int>> vertices = {};
   std::size_t number_of_vertices = 0;
   Shape_appearance appearance = {}; ///< appearance in the model's own file, completed from the files that it names

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 std::error_code error_of(int number) { return {number, std::generic_category()}; }
 std::error_code last_error_if(bool failed) { return failed ? error_of(errno) : std::error_code(); }
 
-/// Opens standard streams that are closed, such that their use fails; else the next opened files would get the output.
+/// Opens standard streams that are closed, in the mode in which their use fails; else other files would get the output.
 void reserve_standard_streams()
 {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
