@@ -118,7 +118,7 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "files of doubles are w
 
 constexpr Eigen::Index rows_at_a_time = 512; // rows of a block: so many entries of a column fill a page of 4 kB
 
-/// Calls `take` with every row. Columns are contiguous, so that rows are read in blocks.
+/// Calls `take` with every row. Rows are read in blocks, since the columns are contiguous in memory.
 template <typename Take>
 void for_each_row(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const Take& take)
 {

@@ -265,7 +265,7 @@ Contact read_contact(const Json_field& field, const std::vector<Part_abstraction
   return contact;
 }
 
-/// Merges contacts of the same parts, which are regions of one contact.
+/// Reads the contacts; those of the same two parts are regions of one contact, and are merged.
 std::vector<Contact> read_contacts(const Json_field& list, const std::vector<Part_abstraction>& parts,
                                    const Part_indices& indices)
 {
