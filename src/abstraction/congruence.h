@@ -89,7 +89,7 @@ inline Eigen::Matrix3d axes_of_two(const Point& first, const Point& second)
 inline void add_motions_of_corners(const Mesh_signature& from, const Mesh_signature& to,
                                    std::vector<Eigen::Matrix3d>& motions)
 {
-  const double alike = 0.01, tolerance = 2e-3 * to.size;
+  const double alike = 0.01, tolerance = 2e-3 * to.size; // alike: relative difference of lengths that count as equal
   const std::size_t most_motions = 128;
   const Eigen::Vector3d& lengths = from.lengths;
   if (std::min(lengths[1] - lengths[0], lengths[2] - lengths[1]) > alike * lengths[2]) return;
@@ -176,7 +176,7 @@ inline std::optional<Motion> find_congruence(const Mesh_signature& from, const M
   return std::nullopt;
 }
 
-/// The index of the mesh that a mesh is a copy of (or its own), and the motion that maps that mesh to it.
+/// The index of the original of which a mesh is a copy (or its own), and the motion that maps the original to it.
 struct Congruence
 {
   std::size_t original;

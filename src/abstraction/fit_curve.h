@@ -248,7 +248,7 @@ inline int number_of_points(int control_points, int turns) { return control_poin
 inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_points& surface, int control_points)
 {
   const int samples = 4;     // samples of the path for each control point
-  const double nearly = 0.1; // tolerance, as a fraction of a full turn
+  const double nearly = 0.1; // share of a full turn that a curve may lack to count as making it
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
   Skeleton_path result;

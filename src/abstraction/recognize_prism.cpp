@@ -36,7 +36,7 @@ Points area_vectors(const Part_mesh& mesh)
 Point largest_face_normal(const Points& normals, const std::vector<Eigen::Index>& candidates)
 {
   const std::size_t most_candidates = 8; // enough, since the largest triangles are in the largest faces
-  const double parallel = 0.9999;        // cosine
+  const double parallel = 0.9999;        // least cosine of the angle between normals of one direction
   Point result = Point::Zero();
   double largest = 0;
   for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {

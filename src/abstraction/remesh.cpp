@@ -121,8 +121,8 @@ private:
     }
   }
 
-  /// Whether moving the source of a halfedge to its target hardly changes the surface: it stays near the planes of its
-  /// faces, and none of them turns much.
+  /// Whether moving the source of a halfedge to its target hardly changes the surface: the vertex stays near the planes
+  /// of its faces, and none of these faces turns much.
   bool hardly_changes(int h, double tolerance) const
   {
     const double least_cosine = 0.5;

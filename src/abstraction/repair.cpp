@@ -121,7 +121,7 @@ bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
 bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
 {
   const double area = PMP::area(mesh);
-  // A longer border is the rim of an open surface rather than of a hole; triangulating it takes cubic time.
+  // A border of more edges is the rim of an open surface rather than of a hole; triangulating it takes cubic time.
   const std::size_t longest_border = 400;
   // Limit for the sum of the cubed lengths of all borders: that of about 30 of the longest ones
   const double most_work = 2e9;
@@ -135,7 +135,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
     if (length > longest_border || work > most_work) return false;
   }
   // A surface that intersects itself is left as it is: filling its holes would not change that.
-  const double much_work = 1e5;
+  const double much_work = 1e5; // with less, self-intersections are looked for only after filling
   if (work > much_work && PMP::does_self_intersect(mesh)) return false;
   for (auto h : borders) {
     deadline.check();

@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// Unlike Eigen's `unitOrthogonal()` it does not depend on the last digits of a direction along a coordinate axis.
 inline Point some_normal(const Point& direction)
 {
-  const double near = 0.8; // cosine
+  const double near = 0.8; // least cosine of the angle between y and a direction near it
   const Point towards = std::abs(direction.y()) < near ? Point::UnitY() : Point::UnitX();
   return (towards - direction.dot(towards) * direction).normalized();
 }

@@ -84,7 +84,7 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
   }
   if (!(section.radii.array() > least_radius).any()) return false;
   const Radii found = section.radii;
-  for (int i = 0; i < angles; ++i) { // gaps are bridged
+  for (int i = 0; i < angles; ++i) { // interpolates radii at angles without a segment
     if (found[i] > least_radius) continue;
     int before = 1, after = 1;
     while (!(found[(i - before + angles) % angles] > least_radius))

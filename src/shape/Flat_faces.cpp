@@ -110,7 +110,7 @@ struct Flat_faces::Units
   Groups triangles;
   std::vector<Point> area_vectors;
   std::vector<Point> moments; ///< sums of twice the area times the centre
-  std::vector<double> areas;
+  std::vector<double> areas;  ///< twice the areas
 };
 
 Flat_faces::Flat_faces(const Part_mesh& mesh, double tolerance) : tolerance_(tolerance), sorted_(mesh)

@@ -20,7 +20,7 @@ namespace {
 // Areas are shares of the area of all triangles.
 
 constexpr double cosine_of_crease = 0.5;                     // 60 degrees: where the surface turns more, a patch ends
-constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which one joins a neighbour
+constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which a sheet or a patch joins a neighbour
 constexpr std::size_t many_sheets = 150, many_patches = 120; // if there are as many, larger ones join, too
 constexpr std::size_t most_triangles_at_edge = 64;           // at an edge with more, no triangles are paired
 constexpr double turn_around = 2 * double(EIGEN_PI);         // full turn, in radians

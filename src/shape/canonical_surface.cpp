@@ -254,7 +254,7 @@ private:
     }
     for (int t : members)
       area += mesh_.area_vector(t).norm();
-    const double error = tolerance * length + 1e-3 * area; // error of twice the area
+    const double error = tolerance * length + 1e-3 * area; // largest error of twice the area
     if (std::abs(normal.norm() - area) > error) return false;
     if (normal.norm() <= tolerance * length) return border.size() < 3; // it has no area
     if (std::adjacent_find(border.begin(), border.end()) != border.end()) return false;

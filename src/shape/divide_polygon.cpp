@@ -34,7 +34,8 @@ int after(const std::vector<Link>& border, int v)
   return found == border.end() || (*found)[0] != v ? -1 : (*found)[1];
 }
 
-/// The triangles of a polygon of three or four edges, of two ways that of Delaunay; empty if neither is possible.
+/// The triangles of a polygon of three or four edges. Of two possible diagonals, it takes the Delaunay edge; empty if
+/// neither is possible.
 std::vector<Corners> few_triangles(const std::vector<Point>& points, const std::vector<Link>& border,
                                    const Point& normal, const Eigen::Matrix3d& stretch)
 {

@@ -32,7 +32,7 @@ constexpr int shape_samples = 3000;       // points sampled on the surface
 constexpr int mirrored_samples = 600;     // points whose mirror images are compared with the surface
 
 // A logistic regression on 131 labelled shapes, each an example of one right axis and two wrong ones. When each
-// category was left out in turn, it found the axis of 90 % of its shapes, and of all shapes to which it gave over 90 %.
+// category was left out in turn, it found the axis of 90 % of its shapes, and of all whose axis it held 90 % probable.
 constexpr double weight_of_stability = 9.2;
 constexpr double weight_of_horizontal = 8.3;
 constexpr double weight_of_asymmetry = 36;
