@@ -43,7 +43,7 @@ Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
   const Sorted_triangles sorted(rounded);
   if (sorted.triangles.empty()) {
     // The mesh is thinner than the grid: a finer one is tried.
-    const double finer = 1e-4, finest = 1e-20;
+    const double finer = 1e-4, finest = 1e-20; // ratio of the grids, and least grid that is refined
     return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
   }
   std::vector<double> places;

@@ -69,7 +69,7 @@ struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 
 inline bool may_be_congruent(const Mesh_signature& a, const Mesh_signature& b)
 {
-  const double tolerance = 1e-3; // difference of areas and of lengths, over the area and the greatest length
+  const double tolerance = 1e-3; // largest difference of areas, over the area, and of lengths, over the greatest
   return std::abs(a.area - b.area) <= tolerance * a.area &&
          (a.lengths - b.lengths).cwiseAbs().maxCoeff() <= tolerance * a.lengths[2];
 }

@@ -352,7 +352,7 @@ private:
   /// The curve found by the flow. Also finds whether the part is a tube.
   Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
   {
-    const double tube_area = 0.5; // share of the area that a tube keeps when its volume is gone
+    const double tube_area = 0.5; // least share of the area that a tube keeps when its volume is gone
     Stepwise_flow flow(solid, options().maximum_iterations, deadline());
     flow.run_to_volume(options().stop_volume);
     const double area_kept = flow.area_kept();

@@ -125,7 +125,7 @@ private:
   /// of its faces, and none of these faces turns much.
   bool hardly_changes(int h, double tolerance) const
   {
-    const double least_cosine = 0.5;
+    const double least_cosine = 0.5; // cosine of the greatest angle by which a face may turn
     const Point step = mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.source(h));
     return for_each_moved_face(h, [&](const Point& before, const Point& after) {
       return std::abs(before.dot(step)) <= tolerance * before.norm() &&

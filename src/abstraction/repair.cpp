@@ -99,7 +99,7 @@ std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
 /// of the border's consistently oriented normals. If two points coincide, it crashes (CGAL 5.5).
 bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
 {
-  constexpr double least_sine = 1e-6;
+  constexpr double least_sine = 1e-6; // of the angle between the normal and the line through two points
   Mesh_kernel::Vector_3 normal(0, 0, 0);
   for (std::size_t i = 1; i + 1 < border.size(); ++i) {
     const auto n = CGAL::normal(border[0], border[i], border[i + 1]);

@@ -14,8 +14,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr int stations = 33;
-constexpr double last_station = 0.998; // coordinate; a little inside of the end, where the section is not empty
+constexpr int stations = 33;           // number of cross-sections of an outline
+constexpr double last_station = 0.998; // coordinate of the last one: inside of the end, where sections are not empty
 
 double station(int i) { return -last_station * std::cos(double(EIGEN_PI * i / (stations - 1))); }
 

@@ -24,7 +24,7 @@ namespace {
 std::pair<double, double> closed_curve_fit(const Part_abstraction& source, const Points& source_points,
                                            const Part_abstraction& target, const Points& target_points)
 {
-  constexpr int n = 48;
+  constexpr int n = 48; // number of samples of either curve, and of starts that are tried
   const auto samples = [&](const Part_abstraction& part, const Points& points) {
     const Points result = sample(Curve{points, std::get<Curve>(part.geometry).closed}, n);
     return Points(result.colwise() - result.rowwise().mean());

@@ -106,7 +106,7 @@ public:
   static Chart_outline between(const Chart_outline& a, const Chart_outline& b, double t);
 
 private:
-  static constexpr int angles = 32;
+  static constexpr int angles = 32; ///< number of radii of a section
 
   using Radii = Eigen::Matrix<double, angles, 1>;
 

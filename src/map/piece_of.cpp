@@ -292,7 +292,7 @@ private:
     add_filling(axis, at, points, sides, fill_section(vertices, sides));
   }
 
-  /// Adds a filling to the mesh. \param points indices in the mesh of the section's vertices, the filling's first
+  /// Adds a filling to the mesh. \param points indices in the mesh of the section's vertices, first in the filling
   void add_filling(int axis, double at, std::vector<int> points, const std::vector<Section_side>& sides,
                    const Section_filling& filling)
   {

@@ -56,10 +56,10 @@ class Feature_bytes
 public:
   explicit Feature_bytes(std::uint8_t* next) : next_(next) {}
 
-  void share(double value);        ///< 0 … 1
-  void root(double share);         ///< 0 … 1, as its square root, which resolves small shares better
-  void signed_share(double value); ///< -1 … 1
-  void ratio(double value);        ///< 0 … ∞
+  void share(double value);        ///< from 0 to 1
+  void root(double share);         ///< from 0 to 1, written as its square root, which resolves small shares better
+  void signed_share(double value); ///< from -1 to 1
+  void ratio(double value);        ///< from 0 to ∞
   void count(std::size_t n);       ///< up to 255, on a logarithmic scale
 
   const std::uint8_t* next() const { return next_; }

@@ -129,7 +129,7 @@ private:
     const double residual = mean_distance(plane, 1, limit);
     if (residual >= limit) return plane;
     // Rounding noise must not decide between planes that are exact symmetries
-    const double noise = 0.02;
+    const double noise = 0.02; // least residual, over the spacing
     plane.residual = std::max(residual, noise * spacing_);
     return plane;
   }
@@ -175,7 +175,7 @@ private:
     });
     std::size_t count = 0;
     for (const Eigen::Vector2d& chord : chords) {
-      const double smallest_sine = 0.01;
+      const double smallest_sine = 0.01; // of the angle to directions that are candidates already
       const auto known = [&](const Eigen::Vector2d& d) {
         return std::abs(cross(d, chord)) < smallest_sine * chord.norm();
       };
@@ -277,7 +277,7 @@ Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
 /// Of a direction and its opposite, the x axis for which the front (z axis) points to +z or, if neither does, to +x.
 Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
 {
-  const double clearly = 0.01; // more than the error of a mirror plane's normal
+  const double clearly = 0.01; // least component that decides: more than the error of a mirror plane's normal
   const Point front = axes_of_side(direction).col(2);
   const bool keep = std::abs(front.z()) > clearly ? front.z() > 0 : front.x() > 0;
   return keep ? direction : Eigen::Vector2d(-direction);

@@ -99,7 +99,7 @@ Shape_in_frame::Shape_in_frame(const Segmented_shape& given)
   const Eigen::Matrix3d axes = upright_axes(given.up());
   const std::vector<Canonical_surface> surfaces = canonical_surfaces(given, axes);
   shape = canonical_shape(given, surfaces, axes);
-  // Once more with the axes found, so that a rotated shape gets the same triangles and samples
+  // Made canonical once more with the axes found, so that a rotated shape gets the same triangles and samples
   const Eigen::Matrix3d found = Sampled_shape(surfaces_of(shape), axes, rough_samples).frame(shape.up()).axes;
   if ((found - axes).norm() > rounding_of_axes) shape = canonical_shape(given, surfaces, found);
   frame = Sampled_shape(surfaces_of(shape), found, frame_samples).frame(shape.up());

@@ -75,7 +75,7 @@ private:
     if (sides.size() == 2) return join(sides[0], sides[1], sheets);
     const std::vector<double> angles = angles_around(sides);
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      // the nearest triangle on its inner side, of those that run along the edge in the other direction
+      // the nearest triangle on the inner side of this one, of those that run along the edge in the other direction
       double least = 9;
       std::size_t next = i;
       for (std::size_t j = 0; j < sides.size(); ++j) {
@@ -189,7 +189,7 @@ private:
     });
     patch_ = numbers_of_sets(sets);
     double least = least_patch;
-    constexpr int rounds = 24, rounds_of_small_ones = 6;
+    constexpr int rounds = 24, rounds_of_small_ones = 6; // later rounds also join larger patches, if there are many
     for (int round = 0; round < rounds; ++round) {
       if (round >= rounds_of_small_ones) {
         if (numbers_in(patch_) < many_patches) break;

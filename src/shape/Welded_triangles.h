@@ -109,10 +109,10 @@ public:
   Points points;                                   ///< the vertices
   Numbers places;                                  ///< indexed by vertex: number of its place, one for merged vertices
   std::vector<std::array<std::size_t, 3>> corners; ///< indexed by triangle: indices of vertices
-  Numbers objects;                                 ///< indexed by triangle
+  Numbers objects;                                 ///< indexed by triangle: the index of its object
   std::vector<double> areas;                       ///< indexed by triangle
   std::vector<Point> normals;                      ///< indexed by triangle
-  std::vector<Triangle_side> edges;                ///< sorted by `low` and `high`
+  std::vector<Triangle_side> edges;                ///< the sides of all triangles, sorted by `low` and `high`
 
   std::size_t size() const { return corners.size(); }
   Point corner(std::size_t t, int k) const { return points.col(Eigen::Index(corners[t][std::size_t(k)])); }

@@ -100,7 +100,7 @@ std::vector<Corners> triangulated(const std::vector<Point>& points, const std::v
     const Point p = stretch * (points[std::size_t(vertex)] - points[std::size_t(border[0][0])]);
     const auto near = handles.empty() ? Planar_triangulation::Face_handle() : handles.back()->face();
     handles.push_back(triangulation.insert({p.dot(u), p.dot(v)}, near));
-    if (triangulation.number_of_vertices() < handles.size()) return {}; // two in one place
+    if (triangulation.number_of_vertices() < handles.size()) return {}; // two vertices in one place
     handles.back()->info() = vertex;
   }
   const auto handle_of = [&](int vertex) {

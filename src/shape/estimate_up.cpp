@@ -27,7 +27,7 @@ namespace {
 
 constexpr double base_height = 0.02;      // height, over the largest extent, up to which vertices are the base
 constexpr double horizontal_cosine = 0.9; // least cosine between the axis and the normal of a horizontal triangle
-constexpr double least_stability = -0.2;  // lower bound of the stability of shapes that fall over
+constexpr double least_stability = -0.2;  // lower bound of stability, which is negative for shapes that fall over
 constexpr int shape_samples = 3000;       // points sampled on the surface
 constexpr int mirrored_samples = 600;     // points whose mirror images are compared with the surface
 

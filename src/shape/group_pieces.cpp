@@ -296,7 +296,7 @@ private:
   std::size_t objects_;
   double size_;
   const Part_splitting_options& options_;
-  std::vector<std::unique_ptr<Measured_piece>> measured_; ///< made on demand
+  std::vector<std::unique_ptr<Measured_piece>> measured_; ///< indexed by piece; made on demand
   Piece_groups result_;
 };
 
