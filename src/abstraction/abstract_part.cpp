@@ -74,7 +74,7 @@ void make_canonical(Curve& curve)
       curve.points = curve.points.rowwise().reverse().eval();
     return;
   }
-  // Oblique to the axes, so that no two points of a regular ring tie
+  // Direction in which the foremost point is sought: oblique, so that no two points of a regular ring tie
   const Point front(0.13, 0.29, 1.);
   const std::vector<double> lengths = arc_lengths(curve);
   Point turn = Point::Zero();

@@ -264,7 +264,7 @@ inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_
   return result;
 }
 
-/// The smoothed main path of a skeleton, neither extended to the surface nor centred. \param solid its closed mesh
+/// The smoothed main path of a skeleton, neither extended to the surface nor centred. \param solid the closed part
 inline Fitted_curve skeleton_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
 {
   auto [result, turns] = skeleton_path(skeleton, Nearest_points(solid.points), control_points);

@@ -270,7 +270,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     result.volume += solid.back() ? PMP::volume(component) : 0.;
     all_solid = all_solid && solid.back();
     if (!solid[0]) {
-      break; // the whole part will be wrapped
+      break; // the part, or this component alone, will be wrapped
     }
   }
   const bool stands_alone = !components.empty() && dominates(components[0], part, area);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int frame_samples = 4096;        ///< samples of a whole shape, to find its frame
 constexpr int rough_samples = 1024;        ///< samples of a whole shape, to find axes that settle ties
-constexpr int least_frame_samples = 4;     ///< samples of every part, however small
+constexpr int least_frame_samples = 4;     ///< least number of samples of each part
 constexpr double rounding_of_axes = 1e-12; ///< norm of a difference of axes that is rounding noise
 
 /// The triangles of a part, their area, and the position of their centre along a direction.
