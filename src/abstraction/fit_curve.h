@@ -64,12 +64,12 @@ inline std::vector<int> longest_path(const Spatial_graph_view& graph)
   return graph.path(from, graph.farthest(graph.distances_from(from)));
 }
 
-/// Removes twigs, the shortest first, as long as they are shorter than twice the thickness of the part at the
-/// branching, or than a tenth of the longest path.
+/// Removes twigs, the shortest first, as long as they are shorter than the part is thick at the branching, or
+/// than a tenth of the longest path.
 inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
 {
   const double smallest_fraction = 0.1; // least length of a twig that stays, over that of the longest path
-  const double smallest_radii = 2;      // the same, over the distance of the surface from the branching
+  const double smallest_radii = 2;      // least length, over the distance of the surface from the branching
   const double smallest_length = smallest_fraction * chain_length(graph, longest_path(graph));
   while (true) {
     std::vector<int> shortest;

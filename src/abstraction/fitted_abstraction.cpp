@@ -199,7 +199,7 @@ std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& 
 bool is_layer(const Intrinsic_layout& layout, double thickness)
 {
   const double most_depth = 0.28;        // largest depth of the medial axis, over its width
-  const double most_thickness = 2. / 3.; // largest thickness of the part, over the length of the medial axis
+  const double most_thickness = 2. / 3.; // largest half thickness of the part, over the length of the medial axis
   return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
 }
 
@@ -207,7 +207,7 @@ bool is_layer(const Intrinsic_layout& layout, double thickness)
 /// compact and so thick that its medial axis has no clear direction.
 enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 
-/// \param layout the layout of the medial axis
+/// \param layout the layout of the medial axis; the extents of an even layer are 1 / √12 of its sides
 /// \param thickness mean distance of the surface from the medial axis
 /// \param box extents of the bounding box, longest first
 Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)

@@ -145,8 +145,8 @@ bool is_clearly_long(const Extrusion& e)
 
 bool is_clearly_flat(const Extrusion& e)
 {
-  const double plate_width = 0.23, plate_thickness = 0.3;  // width over the length; height over the width
-  const double blade_width = 0.11, blade_thickness = 0.12; // width over the length; height over the width
+  const double plate_width = 0.23, plate_thickness = 0.3;  // least width over the length; largest height over the width
+  const double blade_width = 0.11, blade_thickness = 0.12; // the same for a blade
   return (e.width() > plate_width * e.length() && e.height() < plate_thickness * e.width()) ||
          (e.width() > blade_width * e.length() && e.height() < blade_thickness * e.width());
 }

@@ -68,7 +68,7 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
     const Eigen::Vector2d a = place(i), side = place(i + 1) - a;
     double from = turn_of(a, angles), to = turn_of(a + side, angles);
     if (from > to) std::swap(from, to);
-    if (to - from > angles / 2.) from += angles, std::swap(from, to); // across the angle 0
+    if (to - from > angles / 2.) from += angles, std::swap(from, to); // the segment crosses the angle 0
     for (int at = int(std::ceil(from)); at <= to; ++at) {
       const Eigen::Vector2d along = direction(at % angles, angles);
       const double slope = cross(along, side);

@@ -47,7 +47,7 @@ using Merge_affinity = std::function<double(const Part_node&, const Part_node&, 
 /// patch, in their order, then the unions, children before parents. O(n² log n) for n patches
 std::vector<Part_node> part_tree(const Surface_patches& surface, const Merge_affinity& affinity);
 
-/// The ascending indices of the nodes of largest total value that divide the patches. \param values indexed by node
+/// The ascending indices of the nodes of largest total value that hold each patch once. \param values indexed by node
 std::vector<std::size_t> best_cut(const std::vector<Part_node>& nodes, const std::vector<double>& values);
 
 /// Writes a row of features, each scaled from its range to a byte, 0 … 254.

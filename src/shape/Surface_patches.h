@@ -47,9 +47,9 @@ struct Patch_contact
   double gap = 0;                   ///< distance; 0 where they have a common border
   std::array<double, 2> near{0, 0}; ///< area of each patch within `patch_reach` of the other
   double border = 0;                ///< length of the common border
-  double flat_border = 0;           ///< integral over it of the cosine of the angle between the normals
+  double flat_border = 0;           ///< integral over the common border of the cosine of the angle between the normals
   double concave_border = 0;        ///< length of the part of the border at which the surface is concave
-  bool has_common_places = false;   ///< whether patches of different sheets have common vertices
+  bool has_common_places = false;   ///< whether the patches are of different sheets and have common vertices
 
   Patch_contact& operator+=(const Patch_contact& other);
   Patch_contact reversed() const;

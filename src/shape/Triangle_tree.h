@@ -84,8 +84,7 @@ public:
   /// the point is on
   Point nearest(const Point& p, std::size_t& triangle) const
   {
-    constexpr double rounding = 1 + 1e-9,
-                     some = 1e-30; // enlarge the first distance, so that its triangle is found, too
+    constexpr double rounding = 1 + 1e-9, some = 1e-30; // enlarge the start's distance, so that it is found as well
     double squared = (nearest_on_triangle(p, triangles_[triangle]) - p).squaredNorm() * rounding + some;
     Point result = p;
     improve_nearest(p, result, squared, triangle);

@@ -284,7 +284,7 @@ constexpr double copy_most_widths = 1.14; ///< largest ratio of widths in 90 % o
 /// Kinds of symmetry, in the order of preference among candidates with equally many members.
 enum class Preference {
   STAR,          ///< a ring whose members start at the axis
-  FOUR_MIRRORED, ///< two orthogonal mirror planes
+  FOUR_MIRRORED, ///< four parts mirrored in two orthogonal planes
   RING,
   ROW,               ///< three or more parts along a vector
   MIRRORED_IN_SHAPE, ///< a pair mirrored in a mirror plane of the shape
