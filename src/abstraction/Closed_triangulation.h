@@ -109,7 +109,7 @@ public:
   {
     const int a = source(h), b = target(h), c = apex(h), d = apex(opposite(h));
     if (c == d || degree(c) == 3 || degree(d) == 3) return false;
-    const int most_common = 2;
+    const int most_common = 2; // largest number of vertices adjacent to both ends of the edge
     int common = 0;
     return for_each_out(a, [&](int around) { return (common += are_adjacent(target(around), b)) <= most_common; });
   }

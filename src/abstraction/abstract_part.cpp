@@ -42,8 +42,8 @@ Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
     x = std::round(x / grid) * grid;
   const Sorted_triangles sorted(rounded);
   if (sorted.triangles.empty()) {
-    // The mesh is thinner than the grid.
-    const double finer = 1e-4, finest = 1e-20;
+    // The mesh is thinner than the grid: a finer one is tried.
+    const double finer = 1e-4, finest = 1e-20; // ratio of the grids, and least grid that is refined
     return grid > finest ? canonical_mesh(mesh, finer * grid) : mesh;
   }
   std::vector<double> places;
@@ -55,7 +55,7 @@ Part_mesh canonical_mesh(const Part_mesh& mesh, double grid)
 /// The coordinate axis of the largest component; of nearly equal components, y, then x.
 int dominant_axis(const Point& direction)
 {
-  const double nearly = 0.98;
+  const double nearly = 0.98; // least ratio of a component to the largest one
   const double longest = direction.cwiseAbs().maxCoeff();
   for (int axis : {1, 0, 2})
     if (std::abs(direction[axis]) >= nearly * longest) return axis;
@@ -65,7 +65,7 @@ int dominant_axis(const Point& direction)
 bool points_backwards(const Point& direction) { return direction[dominant_axis(direction)] < 0; }
 
 /// Orients a curve: an open one runs up, else to the side, else to the front; a closed one starts at its foremost point
-/// and turns counter-clockwise about its longest axis.
+/// and turns counter-clockwise about the coordinate axis nearest to its normal.
 void make_canonical(Curve& curve)
 {
   const Eigen::Index n = curve.points.cols();
@@ -74,14 +74,14 @@ void make_canonical(Curve& curve)
       curve.points = curve.points.rowwise().reverse().eval();
     return;
   }
-  // Oblique to the axes, so that no two points of a regular ring tie
+  // Direction in which the foremost point is sought: oblique, so that no two points of a regular ring tie
   const Point front(0.13, 0.29, 1.);
   const std::vector<double> lengths = arc_lengths(curve);
   Point turn = Point::Zero();
   for (Eigen::Index i = 0; i < n; ++i)
     turn += curve.points.col(i).cross(curve.points.col((i + 1) % n));
   if (points_backwards(turn)) curve.points = curve.points.rowwise().reverse().eval();
-  const int fine = 1024;
+  const int fine = 1024; // number of points that may become the start
   const Points dense = sample(curve, fine);
   Eigen::Index start = 0;
   (front.transpose() * dense).maxCoeff(&start);

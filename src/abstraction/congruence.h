@@ -69,7 +69,7 @@ struct alignas(EIGEN_MAX_ALIGN_BYTES) Mesh_signature
 
 inline bool may_be_congruent(const Mesh_signature& a, const Mesh_signature& b)
 {
-  const double tolerance = 1e-3; // difference of areas and of lengths, over the area and the greatest length
+  const double tolerance = 1e-3; // largest difference of areas, over the area, and of lengths, over the greatest
   return std::abs(a.area - b.area) <= tolerance * a.area &&
          (a.lengths - b.lengths).cwiseAbs().maxCoeff() <= tolerance * a.lengths[2];
 }
@@ -89,7 +89,7 @@ inline Eigen::Matrix3d axes_of_two(const Point& first, const Point& second)
 inline void add_motions_of_corners(const Mesh_signature& from, const Mesh_signature& to,
                                    std::vector<Eigen::Matrix3d>& motions)
 {
-  const double alike = 0.01, tolerance = 2e-3 * to.size;
+  const double alike = 0.01, tolerance = 2e-3 * to.size; // alike: relative difference of lengths that count as equal
   const std::size_t most_motions = 128;
   const Eigen::Vector3d& lengths = from.lengths;
   if (std::min(lengths[1] - lengths[0], lengths[2] - lengths[1]) > alike * lengths[2]) return;
@@ -176,7 +176,7 @@ inline std::optional<Motion> find_congruence(const Mesh_signature& from, const M
   return std::nullopt;
 }
 
-/// The index of the mesh that a mesh is a copy of (or its own), and the motion that maps that mesh to it.
+/// The index of the original of which a mesh is a copy (or its own), and the motion that maps the original to it.
 struct Congruence
 {
   std::size_t original;

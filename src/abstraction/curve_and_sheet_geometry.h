@@ -235,7 +235,7 @@ inline Curve medial_curve(const Oriented_box& box, int control_points, Eigen::In
 /// The axis of a box, as of a square prism, whose extent differs most from the other two; for a cube, the upright one.
 inline Eigen::Index distinct_axis(const Oriented_box& box)
 {
-  const double alike = 0.9;
+  const double alike = 0.9; // least ratio of the shortest to the longest extent of a cube
   Eigen::Index result = box.extents[0] * box.extents[2] > box.extents[1] * box.extents[1] ? 0 : 2;
   if (box.extents[2] > alike * box.extents[0]) box.axes.row(1).cwiseAbs().maxCoeff(&result);
   return result;

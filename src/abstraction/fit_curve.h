@@ -64,12 +64,12 @@ inline std::vector<int> longest_path(const Spatial_graph_view& graph)
   return graph.path(from, graph.farthest(graph.distances_from(from)));
 }
 
-/// Removes twigs, the shortest first, as long as they are shorter than twice the thickness of the part at the
-/// branching, or than a tenth of the longest path.
+/// Removes twigs, the shortest first, as long as they are shorter than the part is thick at the branching, or
+/// than a tenth of the longest path.
 inline void prune(Spatial_graph_view& graph, const Nearest_points& surface)
 {
   const double smallest_fraction = 0.1; // least length of a twig that stays, over that of the longest path
-  const double smallest_radii = 2;      // the same, over the distance of the surface from the branching
+  const double smallest_radii = 2;      // least length, over the distance of the surface from the branching
   const double smallest_length = smallest_fraction * chain_length(graph, longest_path(graph));
   while (true) {
     std::vector<int> shortest;
@@ -248,7 +248,7 @@ inline int number_of_points(int control_points, int turns) { return control_poin
 inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_points& surface, int control_points)
 {
   const int samples = 4;     // samples of the path for each control point
-  const double nearly = 0.1; // tolerance, as a fraction of a full turn
+  const double nearly = 0.1; // share of a full turn that a curve may lack to count as making it
   Spatial_graph_view graph(skeleton);
   prune(graph, surface);
   Skeleton_path result;
@@ -264,7 +264,7 @@ inline Skeleton_path skeleton_path(const Spatial_graph& skeleton, const Nearest_
   return result;
 }
 
-/// The smoothed main path of a skeleton, neither extended to the surface nor centred. \param solid its closed mesh
+/// The smoothed main path of a skeleton, neither extended to the surface nor centred. \param solid the closed part
 inline Fitted_curve skeleton_curve(const Spatial_graph& skeleton, const Part_mesh& solid, int control_points)
 {
   auto [result, turns] = skeleton_path(skeleton, Nearest_points(solid.points), control_points);

@@ -138,7 +138,7 @@ inline Outline_corners diagonal_corners(const Planar_points& outline)
 /// swept wing, the corners of its largest quadrilateral, starting with the one nearest to the lower left.
 inline Outline_corners outline_corners(const Planar_points& outline)
 {
-  const double clearly = 1.03; // ratio of areas beyond which the outline counts as skew
+  const double clearly = 1.03; // least area of a skew outline's largest quadrilateral, over that of its extreme points
   const Outline_corners along_diagonals = diagonal_corners(outline);
   Outline_corners largest = largest_quadrilateral(outline);
   if (quadrilateral_area(outline, largest) < clearly * quadrilateral_area(outline, along_diagonals))
@@ -167,7 +167,7 @@ inline Planar_points outline_side(const Planar_points& outline, std::size_t from
   return project(sample(curve, n));
 }
 
-/// A grid in the plane whose boundary follows an outline (a Coons patch). Rows run along y.
+/// A grid of `n` by `n` points in the plane whose boundary follows an outline (a Coons patch). Rows run along y.
 inline Sheet flat_grid(const Planar_points& outline, int n)
 {
   const auto corners = outline_corners(outline);
@@ -279,7 +279,7 @@ inline Points thin_out(const Points& points, Eigen::Index limit)
 /// Root mean square distance of points from a sheet.
 inline double sheet_residual(const Sheet& sheet, const Points& points)
 {
-  const Eigen::Index most_measured = 150;
+  const Eigen::Index most_measured = 150; // largest number of points whose distances are measured
   const Points measured = thin_out(points, most_measured);
   double sum = 0;
   for (Eigen::Index i = 0; i < measured.cols(); ++i) {
@@ -289,7 +289,7 @@ inline double sheet_residual(const Sheet& sheet, const Points& points)
   return std::sqrt(sum / double(measured.cols()));
 }
 
-constexpr Eigen::Index most_fitted_points = 600; // points of a medial axis to which a sheet is fitted
+constexpr Eigen::Index most_fitted_points = 600; // largest number of points of a medial axis to which a sheet is fitted
 
 /// Fits a sheet to a medial axis as a height field over a plane: the boundary is the outline of the part in this plane,
 /// the heights those of the axis.

@@ -36,7 +36,7 @@ struct Revolution_axis
   double slenderness = 0; ///< height over the diameter of most of the surface
   double deviation = 0;   ///< distance by which rotation moves the surface off itself, over the largest radius
 
-  /// The part of the axis within the extent of the points.
+  /// The segment of the axis within the extent of the points.
   Curve curve(const Points& points, int control_points) const
   {
     const Eigen::RowVectorXd heights = direction.transpose() * (points.colwise() - centre);
@@ -75,8 +75,8 @@ std::optional<Revolution_axis> revolution_axis(const Points& surface, double spa
 {
   // Largest distance by which rotation moves points off the surface, over the largest radius
   const double tolerance = 0.16;
-  const double clearly = 0.02; // least difference of these ratios by which a later axis is better
-  const double gap = 0.6;      // distance of samples of one surface from other samples of it, over the spacing
+  const double clearly = 0.02; // least decrease of this ratio for which a direction replaces an earlier one
+  const double gap = 0.6;      // allowance for the distance of samples from each other, over the spacing
   const double turns[] = {double(2 * EIGEN_PI / 5), double(2 * EIGEN_PI / 4)};
   const Point centre = surface.rowwise().mean();
   const Points centred = surface.colwise() - centre;
@@ -168,7 +168,7 @@ Rod_sections rod_sections(const Points& axis, const Points& surface, const Line&
 std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& solid, int control_points,
                                            bool is_convex)
 {
-  // The first two over the mean distance of the surface from the axis in the section; for convex parts plus the spread
+  // Limits of offset and spread, over the section's radius; of the offset of a convex part, over radius plus spread
   const double most_offset = 0.1; // greatest distance of a section's centre from the line
   const double most_spread = 1;   // greatest spread of the medial axis about the centre
   const double fewest = 3;        // least number of points in a section
@@ -199,7 +199,7 @@ std::optional<Fitted_curve> straight_curve(const Points& axis, const Part_mesh& 
 bool is_layer(const Intrinsic_layout& layout, double thickness)
 {
   const double most_depth = 0.28;        // largest depth of the medial axis, over its width
-  const double most_thickness = 2. / 3.; // largest thickness of the part, over the length of the medial axis
+  const double most_thickness = 2. / 3.; // largest half thickness of the part, over the length of the medial axis
   return layout.extents[2] < most_depth * layout.extents[1] && thickness < most_thickness * layout.extents[0];
 }
 
@@ -207,7 +207,7 @@ bool is_layer(const Intrinsic_layout& layout, double thickness)
 /// compact and so thick that its medial axis has no clear direction.
 enum class Intrinsic_kind { ELONGATED, BLADE, FLAT, COMPACT, BLOCK };
 
-/// \param layout the layout of the medial axis
+/// \param layout the layout of the medial axis; the extents of an even layer are 1 / √12 of its sides
 /// \param thickness mean distance of the surface from the medial axis
 /// \param box extents of the bounding box, longest first
 Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, const Eigen::Vector3d& box)
@@ -215,8 +215,8 @@ Intrinsic_kind intrinsic_kind(const Intrinsic_layout& layout, double thickness, 
   const double least_width = 0.21;        // width of a sheet, over its length
   const double least_depth = 0.5;         // depth of a compact part, over its width
   const double least_blade_width = 0.075; // width of a blade, over its length
-  const double blade_thickness = 0.253;   // largest thickness over the width; a blade is 7.8 times as wide as thick
-  const double least_thickness = 0.3;     // thickness of a block, over its length
+  const double blade_thickness = 0.253; // largest thickness over the width; blades are over 7.8 times as wide as thick
+  const double least_thickness = 0.3;   // thickness of a block, over its length
   // Least heights of a block's bounding box, over its length and over its width
   const double least_height = 0.32, plate_height = 0.45;
   const Eigen::Vector3d& extents = layout.extents;
@@ -240,10 +240,10 @@ bool is_slender(const Revolution_axis& axis, double thickness, bool has_handle)
   return axis.slenderness >= least_slenderness && (!has_handle || 2 * thickness <= thin_wall * axis.height);
 }
 
-/// Whether a body of revolution with a layer as medial axis is truly round, like a wheel, and not a cushion.
+/// Whether a body of revolution counts as round. Only one with a layer as medial axis, such as a cushion, may not.
 bool is_round(const Revolution_axis& axis, const Intrinsic_layout& layout, double thickness)
 {
-  const double most_deviation = 0.03; // ratio to the radius; a wheel with twelve sides has less
+  const double most_deviation = 0.03; // largest deviation, over the radius; a wheel with twelve sides has less
   return !is_layer(layout, thickness) || axis.deviation < most_deviation;
 }
 
@@ -327,7 +327,7 @@ class Fitter : public Solid_abstractor
       }
     }
     const Fitted_curve fitted = contracted_curve(solid, axis.points);
-    // Half of it for rings, whose skeletons have no branches off the curve
+    // Half of that limit for rings, whose skeletons have no branches off the curve
     const bool is_net = fitted.residual > (fitted.curve.closed ? 0.5 : 1.) * most;
     if (wanted_kind() == Abstraction_kind::AUTOMATIC &&
         (report().tube || (is_net && is_flat(box.extents)) || (kind == Intrinsic_kind::FLAT && !fitted.curve.closed))) {
@@ -352,7 +352,7 @@ private:
   /// The curve found by the flow. Also finds whether the part is a tube.
   Fitted_curve contracted_curve(const Part_mesh& solid, const Points& axis)
   {
-    const double tube_area = 0.5; // share of the area that a tube keeps when its volume is gone
+    const double tube_area = 0.5; // least share of the area that a tube keeps when its volume is gone
     Stepwise_flow flow(solid, options().maximum_iterations, deadline());
     flow.run_to_volume(options().stop_volume);
     const double area_kept = flow.area_kept();
@@ -378,8 +378,8 @@ private:
     return revolution_axis(solid.points, edge_length());
   }
 
-  /// A sheet as a height field over the principal plane of the medial axis; of a wrap, over a plane of the part's box,
-  /// since its medial axis differs with the version of CGAL, which could turn the sheet of a wheel with spokes.
+  /// A sheet as a height field over the principal plane of the medial axis or, for a part that was wrapped, of its box:
+  /// the medial axis of a wrap differs with the version of CGAL, which could turn the sheet of a wheel with spokes.
   Fitted_sheet sheet_seen_across(const Points& axis, const Oriented_box& box) const
   {
     return report().repair == Abstraction_report::Repair::WRAP

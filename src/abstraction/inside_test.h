@@ -98,7 +98,7 @@ private:
   const Part_mesh& mesh_;
   Eigen::Vector2d low_, cell_;
   int counts_[2];
-  std::vector<std::size_t> starts_;   ///< index of the first entry of every cell in `in_bins_`, then the size of that
+  std::vector<std::size_t> starts_;   ///< index of the first entry of every cell in `in_bins_`, then that of the end
   std::vector<Eigen::Index> in_bins_; ///< triangles, cell by cell
 };
 

@@ -43,8 +43,8 @@ Meso_kind meso_kind(const Meso_measures& measures)
   const double sheet_area = 0.36; // share of the area that only sheets keep; that of a rod falls as √volume, to 0.14
   const double thin_sheet_area = 0.14; // share of the area that thin sheets keep: the flow draws their rims far inwards
   const double thin_sheet_width = 5;   // least width of a thin sheet, over its thickness
-  const double blob_width = 0.2;       // least width over the length
-  const double blob_depth = 0.5;       // least depth over the width
+  const double blob_width = 0.2;       // least width of a blob, over its length
+  const double blob_depth = 0.5;       // least depth of a blob, over its width
   const Eigen::Vector3d& extents = measures.extents;
   const bool is_thin_sheet = measures.area_kept > thin_sheet_area && extents[1] > thin_sheet_width * measures.thickness;
   if (is_thin_sheet || measures.area_kept > sheet_area) return Meso_kind::SHEET;

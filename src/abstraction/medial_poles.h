@@ -45,7 +45,7 @@ inline Medial_pole medial_pole(const Nearest_points& vertices, const Points& poi
                                const Point& normal, double largest_radius, Eigen::Index likely)
 {
   const int most_rounds = 30;
-  const double clearly = 1e-6;
+  const double clearly = 1e-6; // share of the radius by which a vertex must be inside the ball
   const Point p = points.col(v);
   const auto touching_radius = [&](Eigen::Index other) {
     const Point offset = p - points.col(other);

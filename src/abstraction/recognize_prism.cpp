@@ -36,7 +36,7 @@ Points area_vectors(const Part_mesh& mesh)
 Point largest_face_normal(const Points& normals, const std::vector<Eigen::Index>& candidates)
 {
   const std::size_t most_candidates = 8; // enough, since the largest triangles are in the largest faces
-  const double parallel = 0.9999;        // cosine
+  const double parallel = 0.9999;        // least cosine of the angle between normals of one direction
   Point result = Point::Zero();
   double largest = 0;
   for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
@@ -145,8 +145,8 @@ bool is_clearly_long(const Extrusion& e)
 
 bool is_clearly_flat(const Extrusion& e)
 {
-  const double plate_width = 0.23, plate_thickness = 0.3;  // width over the length; height over the width
-  const double blade_width = 0.11, blade_thickness = 0.12; // width over the length; height over the width
+  const double plate_width = 0.23, plate_thickness = 0.3;  // least width over the length; largest height over the width
+  const double blade_width = 0.11, blade_thickness = 0.12; // the same for a blade
   return (e.width() > plate_width * e.length() && e.height() < plate_thickness * e.width()) ||
          (e.width() > blade_width * e.length() && e.height() < blade_thickness * e.width());
 }

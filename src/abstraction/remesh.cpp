@@ -121,11 +121,11 @@ private:
     }
   }
 
-  /// Whether moving the source of a halfedge to its target hardly changes the surface: it stays near the planes of its
-  /// faces, and none of them turns much.
+  /// Whether moving the source of a halfedge to its target hardly changes the surface: the vertex stays near the planes
+  /// of its faces, and none of these faces turns much.
   bool hardly_changes(int h, double tolerance) const
   {
-    const double least_cosine = 0.5;
+    const double least_cosine = 0.5; // cosine of the greatest angle by which a face may turn
     const Point step = mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.source(h));
     return for_each_moved_face(h, [&](const Point& before, const Point& after) {
       return std::abs(before.dot(step)) <= tolerance * before.norm() &&

@@ -99,7 +99,7 @@ std::vector<Halfedge_mesh> components_by_area(const Halfedge_mesh& mesh)
 /// of the border's consistently oriented normals. If two points coincide, it crashes (CGAL 5.5).
 bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
 {
-  constexpr double least_sine = 1e-6;
+  constexpr double least_sine = 1e-6; // of the angle between the normal and the line through two points
   Mesh_kernel::Vector_3 normal(0, 0, 0);
   for (std::size_t i = 1; i + 1 < border.size(); ++i) {
     const auto n = CGAL::normal(border[0], border[i], border[i + 1]);
@@ -121,7 +121,7 @@ bool projects_apart(const std::vector<Halfedge_mesh::Point>& border)
 bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
 {
   const double area = PMP::area(mesh);
-  // A longer border is the rim of an open surface rather than of a hole; triangulating it takes cubic time.
+  // A border of more edges is the rim of an open surface rather than of a hole; triangulating it takes cubic time.
   const std::size_t longest_border = 400;
   // Limit for the sum of the cubed lengths of all borders: that of about 30 of the longest ones
   const double most_work = 2e9;
@@ -135,7 +135,7 @@ bool fill_holes(Halfedge_mesh& mesh, const Deadline& deadline)
     if (length > longest_border || work > most_work) return false;
   }
   // A surface that intersects itself is left as it is: filling its holes would not change that.
-  const double much_work = 1e5;
+  const double much_work = 1e5; // with less, self-intersections are looked for only after filling
   if (work > much_work && PMP::does_self_intersect(mesh)) return false;
   for (auto h : borders) {
     deadline.check();
@@ -270,7 +270,7 @@ Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline)
     result.volume += solid.back() ? PMP::volume(component) : 0.;
     all_solid = all_solid && solid.back();
     if (!solid[0]) {
-      break; // the whole part will be wrapped
+      break; // the part, or this component alone, will be wrapped
     }
   }
   const bool stands_alone = !components.empty() && dominates(components[0], part, area);

@@ -12,7 +12,7 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Thrown if a part cannot be abstracted by the mean curvature flow; the message says why. Caught within this room.
+/// Thrown if a part cannot be abstracted by the mean curvature flow; the message says why. Caught in `abstraction/`.
 class Flow_failure : public std::runtime_error
 {
 public:
@@ -23,13 +23,13 @@ public:
 struct Repaired_part
 {
   Part_mesh mesh;    ///< closed, connected, oriented outwards
-  double volume = 0; ///< volume enclosed by all components of the part
+  double volume = 0; ///< volume of the solid components, or of the wrap, if there is one and not all are solid
   Abstraction_report::Repair repair = Abstraction_report::Repair::NONE;
   bool several_components = false;
 };
 
-/// Makes a part closed and connected: its dominant component with holes filled, or a wrap around everything.
-/// \throw Flow_failure
+/// Makes a part closed and connected: its dominant component, with holes filled or, if that fails, wrapped; without a
+/// dominant component, a wrap around everything. \throw Flow_failure, Out_of_time
 Repaired_part repair_part(const Part_mesh& part, const Deadline& deadline);
 
 /// Remeshes to triangles of uniform size, as the flow needs them: a leg of eight vertices would collapse to a point.

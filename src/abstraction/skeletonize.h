@@ -16,8 +16,8 @@ namespace CGAL::Shape_correspondence::internal {
 /// `quality_speed_tradeoff()` and `medially_centered_speed_tradeoff()`; the larger they are, the slower is the flow.
 struct Flow_weights
 {
-  double velocity = 0.1; ///< w_H
-  double medial = 0.2;   ///< w_P
+  double velocity = 0.1; ///< w_H, which keeps a vertex in place
+  double medial = 0.2;   ///< w_P, which pulls a vertex to its pole
 };
 
 /// Weights for the meso-skeleton: with CGAL's, a narrow sheet may become a curve in the first step.

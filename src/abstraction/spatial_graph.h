@@ -62,7 +62,7 @@ public:
 
   /// The vertices of a shortest path; empty if there is none.
   std::vector<int> path(int from, int to) const;
-  /// A shortest path by other lengths of edges.
+  /// The vertices of a shortest path if edges have the given lengths.
   std::vector<int> path(int from, int to, const Edge_length& edge_length) const;
 
 private:

@@ -16,7 +16,7 @@ namespace CGAL::Shape_correspondence::internal {
 /// Unlike Eigen's `unitOrthogonal()` it does not depend on the last digits of a direction along a coordinate axis.
 inline Point some_normal(const Point& direction)
 {
-  const double near = 0.8; // cosine
+  const double near = 0.8; // least cosine of the angle between y and a direction near it
   const Point towards = std::abs(direction.y()) < near ? Point::UnitY() : Point::UnitX();
   return (towards - direction.dot(towards) * direction).normalized();
 }
@@ -24,7 +24,7 @@ inline Point some_normal(const Point& direction)
 /// A unit vector or its opposite, such that the first component in the order y, x, z that is not small is positive.
 inline Point with_fixed_sign(const Point& direction)
 {
-  const double small = 0.1;
+  const double small = 0.1; // largest component whose sign does not decide
   for (const int axis : {1, 0, 2})
     if (std::abs(direction[axis]) > small) return direction[axis] > 0 ? direction : Point(-direction);
   return direction;
@@ -37,7 +37,7 @@ inline Point with_fixed_sign(const Point& direction)
 /// instantiate a singular value decomposition in every file.
 inline Eigen::Quaterniond least_rotation(const Point& from, const Point& to)
 {
-  constexpr double opposite = -1 + 1e-12; // cosine
+  constexpr double opposite = -1 + 1e-12; // cosine below which directions count as opposite
   const Point a = from.normalized(), b = to.normalized();
   const double cosine = b.dot(a);
   Eigen::Quaterniond result;

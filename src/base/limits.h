@@ -75,7 +75,7 @@ constexpr std::size_t most_triangles_of_vertex = 10000;
 /// Largest number of triangles of a model of one piece that is divided into segments by default.
 constexpr std::size_t most_segmented_triangles = 200000;
 
-/// Largest number of loose pieces that are grouped into parts: this takes time quadratic in it.
+/// Largest number of loose pieces that are grouped into parts: grouping takes time quadratic in it.
 constexpr std::size_t most_grouped_pieces = 10000;
 
 /// Number of pairs of congruent parts that are tried as the first two parts of a row; after it, no more rows are looked

@@ -14,8 +14,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr int stations = 33;
-constexpr double last_station = 0.998; // coordinate; a little inside of the end, where the section is not empty
+constexpr int stations = 33;           // number of cross-sections of an outline
+constexpr double last_station = 0.998; // coordinate of the last one: inside of the end, where sections are not empty
 
 double station(int i) { return -last_station * std::cos(double(EIGEN_PI * i / (stations - 1))); }
 
@@ -68,7 +68,7 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
     const Eigen::Vector2d a = place(i), side = place(i + 1) - a;
     double from = turn_of(a, angles), to = turn_of(a + side, angles);
     if (from > to) std::swap(from, to);
-    if (to - from > angles / 2.) from += angles, std::swap(from, to); // across the angle 0
+    if (to - from > angles / 2.) from += angles, std::swap(from, to); // the segment crosses the angle 0
     for (int at = int(std::ceil(from)); at <= to; ++at) {
       const Eigen::Vector2d along = direction(at % angles, angles);
       const double slope = cross(along, side);
@@ -84,7 +84,7 @@ bool Chart_outline::set_outline(Section& section, const std::vector<Eigen::Vecto
   }
   if (!(section.radii.array() > least_radius).any()) return false;
   const Radii found = section.radii;
-  for (int i = 0; i < angles; ++i) { // gaps are bridged
+  for (int i = 0; i < angles; ++i) { // interpolates radii at angles without a segment
     if (found[i] > least_radius) continue;
     int before = 1, after = 1;
     while (!(found[(i - before + angles) % angles] > least_radius))

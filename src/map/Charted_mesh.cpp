@@ -29,7 +29,7 @@ Eigen::Vector3d barycentric(const Point& p, const contacts::Triangle& t)
   return {1 - a - b, a, b};
 }
 
-constexpr double facing = 0.5; // least cosine of a normal and a direction that it faces; each faces one of the six
+constexpr double facing = 0.5; // least cosine of a normal and a direction that it faces; each normal faces one at least
 
 /// The six coordinate directions of a chart: +x, -x, +y, -y, +z, -z.
 Point direction(std::size_t side) { return (side % 2 ? -1. : 1.) * Point::Unit(Eigen::Index(side / 2)); }

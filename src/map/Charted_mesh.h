@@ -176,7 +176,7 @@ private:
   contacts::Triangle_tree all_;
   /// Trees of the triangles that face each of the six directions.
   std::array<std::optional<contacts::Triangle_tree>, 6> facing_;
-  std::array<std::vector<Eigen::Index>, 6> numbers_;
+  std::array<std::vector<Eigen::Index>, 6> numbers_; ///< indices of these triangles in the mesh
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -24,7 +24,7 @@ namespace {
 std::pair<double, double> closed_curve_fit(const Part_abstraction& source, const Points& source_points,
                                            const Part_abstraction& target, const Points& target_points)
 {
-  constexpr int n = 48;
+  constexpr int n = 48; // number of samples of either curve, and of starts that are tried
   const auto samples = [&](const Part_abstraction& part, const Points& points) {
     const Points result = sample(Curve{points, std::get<Curve>(part.geometry).closed}, n);
     return Points(result.colwise() - result.rowwise().mean());
@@ -118,7 +118,7 @@ Correspondence_map::Correspondence_map(const Structural_graph& source, const Str
 
 std::vector<Part_parameter> Correspondence_map::operator()(const Part_parameter& place) const
 {
-  constexpr double on_border = 1e-9;
+  constexpr double on_border = 1e-9; // distance from a piece, in its coordinates from -1 to 1, that counts as inside
   check_index("Correspondence_map", "part", place.part, pieces_->of_part.size());
   std::vector<Part_parameter> result;
   for (const Pieces::Piece_map& map : pieces_->of_part[place.part]) {

@@ -41,7 +41,7 @@ std::pair<int, double> station_cell(double k, int stations)
 /// is nearly as good, so that a round cross-section keeps its axes.
 double least_rectangle_angle(const Planar_points& points)
 {
-  constexpr double nearly = 1.02;
+  constexpr double nearly = 1.02; // ratio to the least area, up to which a rectangle is nearly as good
   const Planar_points hull = planar_hull(points);
   const auto area = [&](double angle) {
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-angle).toRotationMatrix();

@@ -19,8 +19,8 @@ namespace CGAL::Shape_correspondence::internal {
 class Part_chart
 {
 public:
-  static constexpr int curve_stations = 17, sheet_stations = 9;
-  static constexpr double least_half_extent = 1e-4; ///< lower bound, over the height, for flat parts
+  static constexpr int curve_stations = 17, sheet_stations = 9; ///< numbers along a curve, and each side of a sheet
+  static constexpr double least_half_extent = 1e-4; ///< lower bound of half extents, over the height, for flat parts
 
   /// The chart of a part, fitted to points of its surface. A closed curve gets the chart of its bounding box.
   static Part_chart around(const Part_abstraction& part, const Points& control_points, const Points& surface);
@@ -42,7 +42,7 @@ public:
   /// The chart refitted so that it just contains the points.
   Part_chart fitted(const Points& surface) const;
   /// The chart with its spine in the middle of the surface everywhere, which separates the two sides of a thin and bent
-  /// part; unchanged if that is not narrower. \param surface points that cover the surface as densely as the stations
+  /// part; unchanged if not narrower then. \param surface points that cover the surface as densely as the stations
   Part_chart centred(const Points& surface) const;
   /// The chart of the box from `low` to `high`, which are given in coordinates of this chart.
   Part_chart restricted(const Point& low, const Point& high) const;
@@ -106,7 +106,7 @@ public:
   static Chart_outline between(const Chart_outline& a, const Chart_outline& b, double t);
 
 private:
-  static constexpr int angles = 32;
+  static constexpr int angles = 32; ///< number of radii of a section
 
   using Radii = Eigen::Matrix<double, angles, 1>;
 

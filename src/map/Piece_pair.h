@@ -35,7 +35,7 @@ Points to_common_frame(const Shape_frame& frame, int quarter_turns, const Points
 Charted_shape charted_shape(const Structural_graph& graph, int quarter_turns,
                             const std::vector<const Points*>& surfaces);
 
-/// A connected component of the graph of pairs: the parts of both shapes in it.
+/// The parts of both shapes in a connected component of the graph whose edges are the pairs of parts.
 struct Connected_parts
 {
   std::vector<std::size_t> source, target;
@@ -46,7 +46,7 @@ std::vector<Connected_parts> connected_parts(const Part_pairs& pairs, std::size_
 
 /// The pairs of parts that are mapped to each other. If one part corresponds to several, these are the given pairs. If
 /// several parts correspond to several, where a method may have paired every part with every other, they are matched by
-/// the positions of their surfaces.
+/// their relative positions.
 Part_pairs matched_members(const Charted_shape& source, const Charted_shape& target, const Part_pairs& pairs);
 
 inline void check_model(const Structural_graph& graph, const Segmented_shape& shape)

@@ -173,8 +173,8 @@ public:
     add_coordinates();
   }
 
-  /// Removes everything beyond `at` in a coordinate, and fills the section if it is closed. A part that lies entirely
-  /// beyond is shrunk to a tiny copy at its nearest point.
+  /// Removes everything below (`is_low`) or above `at` in a coordinate, and fills the section if it is closed. A part
+  /// that lies there entirely is shrunk to a tiny copy at its nearest point.
   void cut(int axis, double at, bool is_low)
   {
     const auto beyond = [&](int i) {
@@ -228,8 +228,8 @@ public:
   }
 
 private:
-  static constexpr double on_side = 1e-9;
-  static constexpr double straight = 1e-3; ///< deviation of an edge from the chart, over the height
+  static constexpr double on_side = 1e-9;  ///< distance from a cut, in chart coordinates, up to which points are on it
+  static constexpr double straight = 1e-3; ///< least deviation from the chart of edges to split, over the height
   static constexpr int most_rounds = 8;    ///< number of rounds of splitting edges that deviate more
 
   /// Computes the coordinates of new points. \return the previous number of points
@@ -292,7 +292,7 @@ private:
     add_filling(axis, at, points, sides, fill_section(vertices, sides));
   }
 
-  /// Adds a filling to the mesh. \param points the mesh's points for the section's vertices, the first of the filling
+  /// Adds a filling to the mesh. \param points indices in the mesh of the section's vertices, first in the filling
   void add_filling(int axis, double at, std::vector<int> points, const std::vector<Section_side>& sides,
                    const Section_filling& filling)
   {

@@ -110,7 +110,7 @@ struct Flat_faces::Units
   Groups triangles;
   std::vector<Point> area_vectors;
   std::vector<Point> moments; ///< sums of twice the area times the centre
-  std::vector<double> areas;
+  std::vector<double> areas;  ///< twice the areas
 };
 
 Flat_faces::Flat_faces(const Part_mesh& mesh, double tolerance) : tolerance_(tolerance), sorted_(mesh)
@@ -223,7 +223,7 @@ std::vector<int> Flat_faces::grown(const Units& units, const Point& direction, d
 /// Whether the triangles of a unit lie in a plane and are not folded over.
 bool Flat_faces::is_flat(const Units& units, int unit, const Point& normal, const Point& centre, double tolerance) const
 {
-  const double least_cosine = 0.5;
+  const double least_cosine = 0.5; // least area projected on the plane, over the area, of a unit that is not folded
   const auto i = std::size_t(unit);
   for (int t : units.triangles[i])
     for (int k = 0; k < 3; ++k)

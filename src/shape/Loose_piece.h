@@ -25,7 +25,7 @@ struct Loose_piece
 
 /// The connected components of a mesh, in the order of their first triangles.
 /// \param tolerance greatest distance from a flat face that counts as rounding noise, see `canonical_surface()`
-/// \param materials indexed by triangle; triangles of different materials are not connected. Empty: all are of one
+/// \param materials indexed by triangle; triangles of different materials are not connected; if empty, all have one
 std::vector<Loose_piece> loose_pieces(std::size_t object, const Part_mesh& mesh, double tolerance,
                                       const std::vector<int>& materials);
 

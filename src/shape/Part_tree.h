@@ -47,7 +47,7 @@ using Merge_affinity = std::function<double(const Part_node&, const Part_node&, 
 /// patch, in their order, then the unions, children before parents. O(n² log n) for n patches
 std::vector<Part_node> part_tree(const Surface_patches& surface, const Merge_affinity& affinity);
 
-/// The nodes, ascending, that hold every patch once and have the largest sum of values. \param values indexed by node
+/// The ascending indices of the nodes of largest total value that hold each patch once. \param values indexed by node
 std::vector<std::size_t> best_cut(const std::vector<Part_node>& nodes, const std::vector<double>& values);
 
 /// Writes a row of features, each scaled from its range to a byte, 0 … 254.
@@ -56,10 +56,10 @@ class Feature_bytes
 public:
   explicit Feature_bytes(std::uint8_t* next) : next_(next) {}
 
-  void share(double value);        ///< 0 … 1
-  void root(double share);         ///< 0 … 1, as its square root, which resolves small shares better
-  void signed_share(double value); ///< -1 … 1
-  void ratio(double value);        ///< 0 … ∞
+  void share(double value);        ///< from 0 to 1
+  void root(double share);         ///< from 0 to 1, written as its square root, which resolves small shares better
+  void signed_share(double value); ///< from -1 to 1
+  void ratio(double value);        ///< from 0 to ∞
   void count(std::size_t n);       ///< up to 255, on a logarithmic scale
 
   const std::uint8_t* next() const { return next_; }

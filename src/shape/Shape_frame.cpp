@@ -57,7 +57,7 @@ public:
   /// The candidate of least residual; of about equal ones, the first.
   Mirror_plane best() const
   {
-    const double clearly = 0.9;
+    const double clearly = 0.9; // ratio of residuals below which a later candidate is better
     Mirror_plane result;
     for (const Eigen::Vector2d& direction : candidate_normals()) {
       const Mirror_plane plane = score(direction, clearly * result.residual);
@@ -121,15 +121,15 @@ private:
 
   Mirror_plane scored(Mirror_plane plane, double limit = std::numeric_limits<double>::infinity()) const
   {
-    constexpr Eigen::Index few = 50;
-    constexpr double hopeless = 1.5; // mean distance of `few` queries, over the limit, that rejects a plane
+    constexpr Eigen::Index few = 50; // number of queries of a first test
+    constexpr double hopeless = 1.5; // mean distance of these, over the limit, from which on a plane is rejected
     const Eigen::Index n = queries_.size() / few;
     plane.residual = std::numeric_limits<double>::infinity();
     if (n > 1 && mean_distance(plane, n, hopeless * limit) >= hopeless * limit) return plane;
     const double residual = mean_distance(plane, 1, limit);
     if (residual >= limit) return plane;
     // Rounding noise must not decide between planes that are exact symmetries
-    const double noise = 0.02;
+    const double noise = 0.02; // least residual, over the spacing
     plane.residual = std::max(residual, noise * spacing_);
     return plane;
   }
@@ -147,8 +147,8 @@ private:
     return sum / count;
   }
 
-  /// Directions that come from the points only, so that they turn with them: the least rectangle around the footprint,
-  /// its principal axes, and those of long chords of its hull, which a mirror plane may bisect.
+  /// Directions found from the points alone, so that they rotate with the shape: the least rectangle around the
+  /// footprint, its principal axes, and those of long chords of its hull, which a mirror plane may bisect.
   std::vector<Eigen::Vector2d> candidate_normals() const
   {
     std::vector<Eigen::Vector2d> result{rectangle_direction(), quarter_turn(rectangle_direction())};
@@ -175,7 +175,7 @@ private:
     });
     std::size_t count = 0;
     for (const Eigen::Vector2d& chord : chords) {
-      const double smallest_sine = 0.01;
+      const double smallest_sine = 0.01; // of the angle to directions that are candidates already
       const auto known = [&](const Eigen::Vector2d& d) {
         return std::abs(cross(d, chord)) < smallest_sine * chord.norm();
       };
@@ -212,7 +212,7 @@ private:
   /// of a square table, not its diagonals; for a disc on four legs, with the legs in the corners of the box.
   Mirror_plane tightest_alternative(const Mirror_plane& plane) const
   {
-    const double as_good = 1.3, tighter = 0.99, clearly = 0.8;
+    const double as_good = 1.3, tighter = 0.99, clearly = 0.8; // ratios of residuals, areas and `cornering()`
     if (!is_mirror(plane)) return plane;
     const double limit = as_good * plane.residual;
     const Mirror_plane diagonal = score(Eigen::Rotation2Dd(double(0.25 * EIGEN_PI)) * plane.normal, limit);
@@ -223,7 +223,7 @@ private:
     return better ? diagonal : plane;
   }
 
-  /// Searches directions near a plane for a smaller residual, unless it has less than half of the spacing.
+  /// Searches directions near a plane for a smaller residual, unless that of the plane is below half of the spacing.
   Mirror_plane refined(Mirror_plane plane) const
   {
     const double clearly = 0.95; // samples alone change a residual by a few hundredths
@@ -274,10 +274,10 @@ Eigen::Vector2d side_nearest_to_x(const Eigen::Vector2d& direction)
   return result;
 }
 
-/// Of a direction and its opposite, the x axis with which the front (z axis) points to +z or, if across to it, to +x.
+/// Of a direction and its opposite, the x axis for which the front (z axis) points to +z or, if neither does, to +x.
 Eigen::Vector2d side_with_front(const Eigen::Vector2d& direction)
 {
-  const double clearly = 0.01; // more than the error of a mirror plane's normal
+  const double clearly = 0.01; // least component that decides: more than the error of a mirror plane's normal
   const Point front = axes_of_side(direction).col(2);
   const bool keep = std::abs(front.z()) > clearly ? front.z() > 0 : front.x() > 0;
   return keep ? direction : Eigen::Vector2d(-direction);
@@ -314,7 +314,7 @@ void orient(Shape_frame& frame, const Points& points, const Points& corners, Eig
 /// Sets the height, and the origin: on the ground, on the mirror planes, else in the middle of the extent.
 void place(Shape_frame& frame, const Points& corners, const Eigen::Vector2d& offset_along_mirror)
 {
-  const double flattest = 1e-3;
+  const double flattest = 1e-3; // ratio to the largest extent, up to which the extent along y is not the height
   const Points turned = frame.axes.transpose() * corners;
   const Point low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
   Point origin(0.5 * (low.x() + high.x()), low.y(), 0.5 * (low.z() + high.z()));

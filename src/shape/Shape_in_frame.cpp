@@ -15,10 +15,10 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-constexpr int frame_samples = 4096;    ///< samples of a whole shape, to find its frame
-constexpr int rough_samples = 1024;    ///< samples of a whole shape, to find axes that settle ties
-constexpr int least_frame_samples = 4; ///< samples of every part, however small
-constexpr double rounding_of_axes = 1e-12;
+constexpr int frame_samples = 4096;        ///< samples of a whole shape, to find its frame
+constexpr int rough_samples = 1024;        ///< samples of a whole shape, to find axes that settle ties
+constexpr int least_frame_samples = 4;     ///< least number of samples of each part
+constexpr double rounding_of_axes = 1e-12; ///< norm of a difference of axes that is rounding noise
 
 /// The triangles of a part, their area, and the position of their centre along a direction.
 struct Part_triangles
@@ -99,7 +99,7 @@ Shape_in_frame::Shape_in_frame(const Segmented_shape& given)
   const Eigen::Matrix3d axes = upright_axes(given.up());
   const std::vector<Canonical_surface> surfaces = canonical_surfaces(given, axes);
   shape = canonical_shape(given, surfaces, axes);
-  // Once more with the axes found, so that a rotated shape gets the same triangles and samples
+  // Made canonical once more with the axes found, so that a rotated shape gets the same triangles and samples
   const Eigen::Matrix3d found = Sampled_shape(surfaces_of(shape), axes, rough_samples).frame(shape.up()).axes;
   if ((found - axes).norm() > rounding_of_axes) shape = canonical_shape(given, surfaces, found);
   frame = Sampled_shape(surfaces_of(shape), found, frame_samples).frame(shape.up());

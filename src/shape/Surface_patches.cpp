@@ -20,7 +20,7 @@ namespace {
 // Areas are shares of the area of all triangles.
 
 constexpr double cosine_of_crease = 0.5;                     // 60 degrees: where the surface turns more, a patch ends
-constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which one joins a neighbour
+constexpr double least_sheet = 0.002, least_patch = 0.0015;  // areas below which a sheet or a patch joins a neighbour
 constexpr std::size_t many_sheets = 150, many_patches = 120; // if there are as many, larger ones join, too
 constexpr std::size_t most_triangles_at_edge = 64;           // at an edge with more, no triangles are paired
 constexpr double turn_around = 2 * double(EIGEN_PI);         // full turn, in radians
@@ -75,7 +75,7 @@ private:
     if (sides.size() == 2) return join(sides[0], sides[1], sheets);
     const std::vector<double> angles = angles_around(sides);
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      // the nearest triangle on its inner side, of those that run along the edge in the other direction
+      // the nearest triangle on the inner side of this one, of those that run along the edge in the other direction
       double least = 9;
       std::size_t next = i;
       for (std::size_t j = 0; j < sides.size(); ++j) {
@@ -189,7 +189,7 @@ private:
     });
     patch_ = numbers_of_sets(sets);
     double least = least_patch;
-    constexpr int rounds = 24, rounds_of_small_ones = 6;
+    constexpr int rounds = 24, rounds_of_small_ones = 6; // later rounds also join larger patches, if there are many
     for (int round = 0; round < rounds; ++round) {
       if (round >= rounds_of_small_ones) {
         if (numbers_in(patch_) < many_patches) break;

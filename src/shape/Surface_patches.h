@@ -37,7 +37,7 @@ struct Surface_patch
   std::size_t object = 0;    ///< index of its object
   std::size_t sheet = 0;     ///< number of its sheet, whose triangles are connected across edges
   std::size_t component = 0; ///< number of its component, whose triangles are connected through vertices
-  std::size_t shape = 0;     ///< equal for patches of about the same area and principal lengths
+  std::size_t shape = 0;     ///< number that patches of about the same area and principal lengths share
   std::vector<std::array<Point, 3>> triangles{}; ///< triangles of the canonical surface
 };
 
@@ -47,9 +47,9 @@ struct Patch_contact
   double gap = 0;                   ///< distance; 0 where they have a common border
   std::array<double, 2> near{0, 0}; ///< area of each patch within `patch_reach` of the other
   double border = 0;                ///< length of the common border
-  double flat_border = 0;           ///< integral over it of the cosine of the angle between the normals
+  double flat_border = 0;           ///< integral over the common border of the cosine of the angle between the normals
   double concave_border = 0;        ///< length of the part of the border at which the surface is concave
-  bool has_common_places = false;   ///< whether patches of different sheets have common vertices
+  bool has_common_places = false;   ///< whether the patches are of different sheets and have common vertices
 
   Patch_contact& operator+=(const Patch_contact& other);
   Patch_contact reversed() const;
@@ -78,7 +78,7 @@ constexpr std::size_t most_patches = 3000; ///< if there are more, neither measu
 /// Divides the objects into sheets, and these at creases of 60 degrees or more; small patches join the patch of their
 /// sheet with which they have the longest border. O(n log n) in the number of triangles.
 /// \param axes the rows are the axes of the frame, the second one up
-/// \param materials indexed by object and triangle; patches end where the material changes. Empty: there is one
+/// \param materials indexed by object and triangle; patches end where the material changes; empty if it never does
 /// \pre at least one object has area
 Surface_patches surface_patches(const Segmented_shape& objects, const Eigen::Matrix3d& axes,
                                 const std::vector<std::vector<int>>& materials = {});

@@ -84,7 +84,7 @@ public:
   /// the point is on
   Point nearest(const Point& p, std::size_t& triangle) const
   {
-    constexpr double rounding = 1 + 1e-9, some = 1e-30;
+    constexpr double rounding = 1 + 1e-9, some = 1e-30; // enlarge the start's distance, so that it is found as well
     double squared = (nearest_on_triangle(p, triangles_[triangle]) - p).squaredNorm() * rounding + some;
     Point result = p;
     improve_nearest(p, result, squared, triangle);
@@ -131,8 +131,8 @@ public:
   int crossings(const Point& from, const Point& direction) const { return crossings(0, from, direction); }
 
 private:
-  static constexpr std::size_t leaf_size = 2;
-  static constexpr double nearly = 0.9;
+  static constexpr std::size_t leaf_size = 2; ///< greatest number of triangles of a leaf
+  static constexpr double nearly = 0.9;       ///< the `share` of `nearly_closest()`
 
   struct Node
   {
@@ -217,7 +217,7 @@ private:
   public:
     /// \param best closest points so far
     /// \param enough distance at which the search may end
-    /// \param share points are closer only if their distance over `enough` is at most this share of the best one's
+    /// \param share points count as closer only if their distance less `enough` is at most this share of the best one's
     Closest_search(Closest_pair& best, double enough, double share) : best_(best), enough_(enough), share_(share)
     {
       set_limit();

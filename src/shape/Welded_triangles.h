@@ -44,7 +44,7 @@ public:
   }
 
   /// Calls a function with the indices and squared distances of the points within `distance` of a point, in its cell
-  /// and the 26 cells around it. \param most number of points of each cell that are looked at
+  /// and the 26 cells around it. \param most largest number of points of a cell that are looked at
   template <typename Function>
   void for_each_near(std::size_t i, double distance, std::size_t most, Function function) const
   {
@@ -91,7 +91,7 @@ constexpr double welding_distance = 1e-5; ///< greatest distance of vertices tha
 /// A side of a triangle.
 struct Triangle_side
 {
-  std::size_t low, high; // numbers of the places of its ends
+  std::size_t low, high; // numbers of the places of its ends; merged vertices have one place
   std::size_t triangle;
   int corner;      // the corner at which it begins
   bool is_forward; // whether it goes from `low` to `high`
@@ -107,12 +107,12 @@ public:
   Point sides = Point::Ones();                     ///< lengths of the sides of the box
   double area = 0;                                 ///< area of all triangles
   Points points;                                   ///< the vertices
-  Numbers places;                                  ///< indexed by vertex: the number of its place
+  Numbers places;                                  ///< indexed by vertex: number of its place, one for merged vertices
   std::vector<std::array<std::size_t, 3>> corners; ///< indexed by triangle: indices of vertices
-  Numbers objects;                                 ///< indexed by triangle
+  Numbers objects;                                 ///< indexed by triangle: the index of its object
   std::vector<double> areas;                       ///< indexed by triangle
   std::vector<Point> normals;                      ///< indexed by triangle
-  std::vector<Triangle_side> edges;                ///< sorted by `low` and `high`
+  std::vector<Triangle_side> edges;                ///< the sides of all triangles, sorted by `low` and `high`
 
   std::size_t size() const { return corners.size(); }
   Point corner(std::size_t t, int k) const { return points.col(Eigen::Index(corners[t][std::size_t(k)])); }

@@ -90,7 +90,7 @@ private:
     });
   }
 
-  /// Finds the edges of faces, and the vertices that stay.
+  /// Finds the edges of faces, and the vertices that become corners of triangles.
   void find_outlines()
   {
     const std::size_t n = mesh_.points().size();
@@ -172,7 +172,7 @@ private:
     return result;
   }
 
-  /// The chain in a canonical direction: from the end, of a cycle the bend, with the lower position (`is_before()`).
+  /// The chain in canonical direction: an open one from its lower end, a cycle from its lowest bend (`is_before()`).
   std::vector<int> directed(std::vector<int> chain) const
   {
     if (chain.front() == chain.back() && !is_kept_[std::size_t(chain.front())]) {
@@ -254,7 +254,7 @@ private:
     }
     for (int t : members)
       area += mesh_.area_vector(t).norm();
-    const double error = tolerance * length + 1e-3 * area; // error of twice the area
+    const double error = tolerance * length + 1e-3 * area; // largest error of twice the area
     if (std::abs(normal.norm() - area) > error) return false;
     if (normal.norm() <= tolerance * length) return border.size() < 3; // it has no area
     if (std::adjacent_find(border.begin(), border.end()) != border.end()) return false;
@@ -286,7 +286,7 @@ private:
   Point direction_;
   Eigen::Matrix3d stretch_;
   std::vector<double> place_;    ///< indexed by vertex: place along the direction
-  std::vector<int> face_;        ///< indexed by triangle
+  std::vector<int> face_;        ///< indexed by triangle: the number of its face
   std::vector<char> is_whole_;   ///< indexed by triangle: whether it is kept as it is
   std::vector<int> degree_;      ///< indexed by vertex: number of face edges that end there
   std::vector<Link> neighbours_; ///< indexed by vertex: its neighbours along face edges, if its degree is 2

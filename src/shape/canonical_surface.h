@@ -11,7 +11,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 class Flat_faces;
 
-/// The same surface in triangles that depend on the surface alone, not on how a file divides it into triangles, nor on
+/// A surface in triangles that depend on the surface alone, not on how a file divides it into triangles, nor on
 /// their order: connected triangles of a plane become one face, of which points within straight edges are left out, and
 /// which is divided anew; points and triangles are sorted by their place. Faces that cannot be divided are kept.
 class Canonical_surface

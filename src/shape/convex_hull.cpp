@@ -239,7 +239,7 @@ Points thickened(const Points& points, double thickness)
 
 Convex_hull convex_hull(const Points& points)
 {
-  const double thinnest = 1e-6;
+  const double thinnest = 1e-6; // ratio of the least to the largest extent, up to which points lie in a plane
   if (points.cols() == 0) return {};
   const Oriented_box box = thinnest_box(points);
   if (box.extents[2] <= thinnest * box.extents[0]) return flat_hull(points, box);

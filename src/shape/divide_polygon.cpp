@@ -34,7 +34,8 @@ int after(const std::vector<Link>& border, int v)
   return found == border.end() || (*found)[0] != v ? -1 : (*found)[1];
 }
 
-/// The triangles of a polygon of three or four edges, of two ways that of Delaunay; empty if neither is possible.
+/// The triangles of a polygon of three or four edges. Of two possible diagonals, it takes the Delaunay edge; empty if
+/// neither is possible.
 std::vector<Corners> few_triangles(const std::vector<Point>& points, const std::vector<Link>& border,
                                    const Point& normal, const Eigen::Matrix3d& stretch)
 {
@@ -99,7 +100,7 @@ std::vector<Corners> triangulated(const std::vector<Point>& points, const std::v
     const Point p = stretch * (points[std::size_t(vertex)] - points[std::size_t(border[0][0])]);
     const auto near = handles.empty() ? Planar_triangulation::Face_handle() : handles.back()->face();
     handles.push_back(triangulation.insert({p.dot(u), p.dot(v)}, near));
-    if (triangulation.number_of_vertices() < handles.size()) return {}; // two in one place
+    if (triangulation.number_of_vertices() < handles.size()) return {}; // two vertices in one place
     handles.back()->info() = vertex;
   }
   const auto handle_of = [&](int vertex) {

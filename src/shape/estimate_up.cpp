@@ -27,12 +27,12 @@ namespace {
 
 constexpr double base_height = 0.02;      // height, over the largest extent, up to which vertices are the base
 constexpr double horizontal_cosine = 0.9; // least cosine between the axis and the normal of a horizontal triangle
-constexpr double least_stability = -0.2;  // lower bound of the stability of shapes that fall over
+constexpr double least_stability = -0.2;  // lower bound of stability, which is negative for shapes that fall over
 constexpr int shape_samples = 3000;       // points sampled on the surface
 constexpr int mirrored_samples = 600;     // points whose mirror images are compared with the surface
 
 // A logistic regression on 131 labelled shapes, each an example of one right axis and two wrong ones. When each
-// category was left out in turn, it found the axis of 90 % of its shapes, and of all shapes to which it gave over 90 %.
+// category was left out in turn, it found the axis of 90 % of its shapes, and of all whose axis it held 90 % probable.
 constexpr double weight_of_stability = 9.2;
 constexpr double weight_of_horizontal = 8.3;
 constexpr double weight_of_asymmetry = 36;

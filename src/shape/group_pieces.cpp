@@ -30,7 +30,7 @@ constexpr Eigen::Index vertex_samples = 64; // greatest number of vertices among
 constexpr double hull_tolerance = 0.005;    // distance outside of a hull that still counts as inside
 constexpr std::size_t most_pieces = 1000;   // an object with more pieces, such as the leaves of a tree, stays whole
 constexpr double share_in_hull = 0.95;      // least share of a piece inside the hull of the piece that holds it
-constexpr double share_interlocked = 0.3;   // least share of each of two pieces inside the hull of the other
+constexpr double share_interlocked = 0.3;   // least share of each of two interlocked pieces in the other one's hull
 constexpr double alike = 0.01;              // largest relative difference of sizes or areas that count as equal
 constexpr double holder_size = 0.5; // largest size of a piece that holds others; a larger one is the frame of the model
 constexpr double assembly_size = 0.3; // largest size of an object whose pieces stay together if they touch
@@ -296,7 +296,7 @@ private:
   std::size_t objects_;
   double size_;
   const Part_splitting_options& options_;
-  std::vector<std::unique_ptr<Measured_piece>> measured_; ///< made on demand
+  std::vector<std::unique_ptr<Measured_piece>> measured_; ///< indexed by piece; made on demand
   Piece_groups result_;
 };
 

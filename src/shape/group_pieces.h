@@ -23,7 +23,7 @@ struct Piece_groups
 
 /// Groups loose pieces into parts, as `split_parts()` documents it for `Part_splitting::AUTO`.
 /// \param pieces of all objects, those of an object next to one another
-/// \param names of the pieces, for the reasons \param objects their number \param size the model's `size_of()`
+/// \param names of the pieces, for the reasons \param objects number of objects \param size the model's `size_of()`
 Piece_groups group_pieces(const std::vector<Loose_piece>& pieces, const std::vector<std::string>& names,
                           std::size_t objects, double size, const Part_splitting_options& options);
 

@@ -22,9 +22,9 @@ namespace {
 
 // Lengths are fractions of the diagonal of the model's box.
 
-constexpr double concave_height = 1e-6; // least height of a triangle's middle over its neighbour's plane
+constexpr double concave_height = 1e-6; // least height of a triangle over its neighbour's plane at a concave edge
 constexpr int all_samples = 8000;       // number of sample points on all patches together
-constexpr int fewest_samples = 12;      // least number of sample points on a patch
+constexpr int fewest_samples = 12;      // least number of sample points on a patch, unless there are many patches
 // Margin by which a patch may reach out of another one's box and still count as inside; gap that such a pair is assumed
 // to have.
 constexpr double box_margin = 0.01, gap_in_box = 0.03;
@@ -161,7 +161,7 @@ private:
       std::set<std::size_t> patches;
       for (std::size_t t : at)
         patches.insert(pieces_.patches[t]);
-      constexpr std::size_t most = 7; // number of patches at a point; more meet only at a hub, which tells nothing
+      constexpr std::size_t most = 7; // number of patches at a point; with more, it is a hub, which tells nothing
       if (patches.size() > most) continue;
       for (auto i = patches.begin(); i != patches.end(); ++i)
         for (auto j = std::next(i); j != patches.end(); ++j)
@@ -169,7 +169,7 @@ private:
     }
   }
 
-  /// Lets patches be merged with one whose box holds them.
+  /// Adds contacts of patches with those whose boxes contain them, so that they may be merged.
   void find_in_boxes()
   {
     if (surface_.patches.size() > most_patches_in_boxes) return;

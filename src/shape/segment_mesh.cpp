@@ -38,7 +38,7 @@ using Tree = Surface_tree<Mesh_kernel, CGAL::AABB_face_graph_triangle_primitive<
 // Weights of the log odds that neighbours are of one part, each for the feature in its comment. Fitted to meshes in one
 // piece that were made of labelled and of generated shapes, by a logistic regression on the merges that the fit itself
 // proposes.
-constexpr double usual_odds = -1.2;
+constexpr double usual_odds = -1.2;         // the constant term
 constexpr double odds_of_visibility = 3.8;  // share of the pairs of points that see each other through the inside
 constexpr double odds_of_concavity = -2.3;  // mean concave angle along the common border
 constexpr double odds_of_thickness = -0.57; // difference of the mean logarithms of the thickness
@@ -46,7 +46,7 @@ constexpr double odds_of_thickness = -0.57; // difference of the mean logarithms
 constexpr double detour = 8;             // relative lengthening of paths over a concave edge, per radian of its angle
 constexpr double least_thickness = 1e-3; // lower bound, so that logarithms are finite
 constexpr double deepest = 4e-3; // greatest depth below the surface of the points whose mutual visibility is tested
-constexpr double depth_by_thickness = 0.3; // their greatest depth over the thickness
+constexpr double depth_by_thickness = 0.3; // greatest depth of these points over the thickness
 constexpr double above_rounding = 1e-5;    // depth at which rays begin, so that they do not meet their own face
 constexpr double none = -std::numeric_limits<double>::infinity();
 

@@ -27,7 +27,7 @@ using namespace internal;
 
 namespace {
 
-// Largest number of segments of a model in one piece. More are noise, on a surface without an inside
+// Largest number of segments of a model in one piece: more are noise, on a surface without an inside; it stays whole
 constexpr std::size_t most_segments = 30;
 
 double size_of_model(const Segmented_shape& model)

@@ -55,7 +55,7 @@ inline std::vector<contacts::Triangle> triangles_of(const Part_mesh& mesh)
 
 namespace contacts {
 
-/// A point of either of two sets, and their squared distance.
+/// A point of each of two sets, and the squared distance of these points.
 struct Closest_pair
 {
   double squared = std::numeric_limits<double>::infinity();
@@ -102,7 +102,7 @@ inline Point nearest_on_triangle(const Point& p, const Triangle& t)
       inside = normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0;
     return inside ? projected() : nearest_on_sides(p, t);
   }
-  const double u0 = u.dot(from_first), v0 = v.dot(from_first); // seen from the first corner, along two sides
+  const double u0 = u.dot(from_first), v0 = v.dot(from_first); // dot products from the first corner, with two sides
   if (u0 <= 0 && v0 <= 0) return t[0];
   const double u1 = u0 - uu, v1 = v0 - uv; // dot products from the second corner
   if (u1 >= 0 && v1 <= u1) return t[1];

@@ -22,7 +22,7 @@ constexpr int curve_samples = 64;
 /// Limits for congruent parts.
 constexpr double area_ratio = 1.35;    ///< largest ratio of areas
 constexpr double volume_ratio = 1.5;   ///< largest ratio of volumes, which are uncertain for open meshes
-constexpr double largest_factor = 2.5; ///< largest deviation, over the allowed mean deviation
+constexpr double largest_factor = 2.5; ///< largest single deviation, over the allowed mean deviation
 
 /// Directions of support functions: lattice points on a cube, which reflections in coordinate planes permute.
 class Directions
@@ -101,7 +101,7 @@ struct Part_signature
   Points surface;          ///< points spread over the surface
   Eigen::VectorXd support; ///< support function of the hull in `support_directions()`
   double spacing = 0;      ///< mean distance of nearest neighbours in `surface`
-  double width = 0;        ///< mean half width
+  double width = 0;        ///< mean of `support`: half of the mean width
   double diagonal = 0;     ///< diagonal of the bounding box
   double volume = 0;
   double area = 0;

@@ -122,7 +122,7 @@ public:
 private:
   static std::vector<Triangle> proper_triangles(const Points& points, const Eigen::Matrix3Xi& triangles)
   {
-    constexpr double least_relative_area = 1e-12; // twice the area, over the squared longest side
+    constexpr double least_relative_area = 1e-12; // twice the area of a triangle used, over its squared longest side
     std::vector<Triangle> result;
     for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
       const Triangle corners = {points.col(triangles(0, t)), points.col(triangles(1, t)), points.col(triangles(2, t))};

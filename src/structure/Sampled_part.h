@@ -19,10 +19,10 @@ struct Sampled_part
   enum class Kind { CURVE, CLOSED_CURVE, SHEET };
 
   Kind kind = Kind::CURVE;
-  Points samples; ///< e samples, or e × e row by row
+  Points samples; ///< `samples_per_side` of a curve; as many rows and columns of a sheet, row by row
   Point centroid; ///< mean of the samples
   Points surface; ///< at most `surface_samples` points spread over the surface; equal to `samples` if it is unknown
-  Eigen::VectorXd features; ///< column of `Shape_structure::features`; empty: none
+  Eigen::VectorXd features; ///< column of `Shape_structure::features`; empty if there are none
 };
 
 } // namespace CGAL::Shape_correspondence

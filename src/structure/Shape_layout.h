@@ -44,7 +44,7 @@ struct Shape_layout
   std::vector<char> is_on_ground;
   std::vector<std::vector<std::size_t>> neighbours;
 
-  // \param tolerance height, over that of the shape, up to which a part starts on the ground
+  // \param tolerance distance from the ground up to which a part stands on it, over the height of the shape
   Shape_layout(const Aligned_shape& shape, double tolerance) : neighbours(touching_parts(shape))
   {
     for (const Sampled_part& part : shape.parts)

@@ -21,11 +21,11 @@
 namespace CGAL::Shape_correspondence::internal::symmetry {
 
 constexpr double least_position_tolerance = 0.01; ///< tolerance of positions of small parts, over the shape's height
-constexpr double hull_noise = 0.003;              ///< mean deviation of hulls due to noise, over the shape's diagonal
+constexpr double hull_noise = 0.003;              ///< mean deviation of hulls always allowed, over the shape's diagonal
 constexpr double least_elongation = 1.5;          ///< least length over width of a shape with two different ends
 constexpr double plane_tolerance = 0.02; ///< greatest offset of a pair's midpoint from a mirror plane, over the height
-constexpr double main_plane_support = 0.4;  ///< least mirrored share of the surface for the main plane
-constexpr double other_plane_support = 0.7; ///< least mirrored share of the surface for the other plane
+constexpr double main_plane_support = 0.4;  ///< least share of the surface that the main mirror plane mirrors
+constexpr double other_plane_support = 0.7; ///< least share of the surface that the other mirror plane mirrors
 
 /// The linear maps that every pair of parts is tested for.
 enum Basic_map { TRANSLATED = 0, MIRRORED_X = 1, MIRRORED_Z = 2 };
@@ -44,7 +44,7 @@ inline Eigen::Matrix3d mirror_matrix(const Point& normal)
   return Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
 }
 
-/// The congruences between parts in canonical order. All are compared by their hulls, and by surfaces in `confirm()`.
+/// Which parts, given in canonical order, are congruent: by their hulls, after `confirm()` also by their surfaces.
 class Part_relations
 {
 public:
@@ -275,8 +275,8 @@ private:
 };
 
 /// Limits for copies, which are stricter than for congruent parts.
-constexpr double copy_tolerance = 0.4;    ///< largest mean deviation, over the tolerance
-constexpr double copy_maximum = 1.75;     ///< largest deviation, over the allowed mean deviation
+constexpr double copy_tolerance = 0.4;    ///< largest mean deviation, over that of congruent parts
+constexpr double copy_maximum = 1.75;     ///< largest deviation in one direction, over the allowed mean deviation
 constexpr double copy_area_ratio = 1.25;  ///< largest ratio of areas
 constexpr double copy_width_ratio = 1.27; ///< largest ratio of widths, in any direction
 constexpr double copy_most_widths = 1.14; ///< largest ratio of widths in 90 % of the directions, since noise is uneven
@@ -284,7 +284,7 @@ constexpr double copy_most_widths = 1.14; ///< largest ratio of widths in 90 % o
 /// Kinds of symmetry, in the order of preference among candidates with equally many members.
 enum class Preference {
   STAR,          ///< a ring whose members start at the axis
-  FOUR_MIRRORED, ///< two orthogonal mirror planes
+  FOUR_MIRRORED, ///< four parts mirrored in two orthogonal planes
   RING,
   ROW,               ///< three or more parts along a vector
   MIRRORED_IN_SHAPE, ///< a pair mirrored in a mirror plane of the shape
@@ -293,10 +293,10 @@ enum class Preference {
   MIRRORED_ANYHOW    ///< a pair mirrored in the vertical plane midway between them
 };
 
-/// A possible symmetry group: parts and the symmetry that carries each into the next, in frame coordinates.
+/// A possible symmetry group: parts and the symmetry that maps each to the next, in frame coordinates.
 struct Symmetry_candidate
 {
-  /// A linear map that must carry the surface of one member into that of another.
+  /// A linear map that must map the surface of one member to that of another, up to translation.
   struct Link
   {
     std::size_t from, to; ///< indices into `members`
@@ -316,7 +316,7 @@ struct Symmetry_candidate
 
 inline bool operator<(const Symmetry_candidate& a, const Symmetry_candidate& b) { return a.rank() < b.rank(); }
 
-/// Keeps the largest of the candidates that are added, unless they were rejected before.
+/// Keeps those of the added candidates that have most members. Candidates that were rejected are not added again.
 class Largest_candidates
 {
 public:
@@ -381,7 +381,7 @@ inline bool are_equally_wide(const Eigen::VectorXd& support_a, const Eigen::Vect
 }
 
 /// Whether a part is a copy of another, not just congruent within the tolerance. Members of rings, rows and translated
-/// pairs must be, or similar rails and shelves would be grouped; mirrored parts may be bent differently.
+/// pairs must be copies, or similar rails and shelves would be grouped; mirrored parts may be bent differently.
 inline bool is_copy(const Part_relations& parts, std::size_t i, std::size_t j, const Eigen::Matrix3d& map)
 {
   const double limit = copy_tolerance * parts.deviation_limit(i, j);

@@ -43,7 +43,7 @@ double prominence(const Part_abstraction& part, const Sampled_part& sampled)
 {
   if (part.volume > 0) return part.volume;
   if (part.hull_volume > 0) return part.hull_volume;
-  constexpr double assumed_thickness = 0.02; // ratio to the shape's height
+  constexpr double assumed_thickness = 0.02; // added to the extents of the box, over the shape's height
   const Point extent = sampled.samples.rowwise().maxCoeff() - sampled.samples.rowwise().minCoeff();
   return (extent.array() + assumed_thickness).prod();
 }
@@ -274,7 +274,7 @@ std::vector<Grid_point> sample_set(const Sampled_part& part)
   return result;
 }
 
-// Adds the parts ordered by their keys. \return the rank of each part of the file
+// Adds the parts ordered by their keys. \return for each part of the graph, its index in the aligned shape
 std::vector<std::size_t> add_parts(const Shape_structure& shape, const Eigen::Matrix3d& turn, Aligned_shape& result)
 {
   std::vector<Sampled_part> sampled;

@@ -25,7 +25,7 @@ namespace {
 
 /// Factor by which the tolerance is enlarged, so that a gap of exactly the tolerance is a contact in every pose.
 constexpr double slack = 1 + 1e-9;
-constexpr double near_band = 0.5; ///< how much farther than the gap samples of a contact may be, over the tolerance
+constexpr double near_band = 0.5;       ///< distance beyond the gap up to which samples are near, over the tolerance
 constexpr double region_gap = 1.0 / 6;  ///< least distance between two regions, over the diagonal of all near samples
 constexpr int region_samples = 64;      ///< samples of either surface for finding the regions of a contact
 constexpr int abstraction_samples = 16; ///< samples of a curve, or along each side of a sheet

@@ -112,7 +112,7 @@ std::vector<std::size_t> follow_row(const Part_relations& parts, std::size_t fir
   }
 }
 
-/// Adds rows of three or more parts, each of which a translation carries into the next. O(n² log n) for n copies in
+/// Adds rows of three or more parts: a translation maps each to the next. O(n² log n) for n copies in
 /// rows that are far apart.
 void add_rows(const Part_relations& parts, const Copies& copies, Largest_candidates& result)
 {
