@@ -18,8 +18,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Straight charts of the boxes of two surfaces. A box has the axes of the world unless a part's own axes make it much
-/// smaller; axes are paired by the least rotation over the symmetries of boxes.
+/// Straight charts (`Part_chart`) of the boxes of two surfaces. A box has the axes of the world unless a part's own
+/// axes make it much smaller; axes are paired by the least rotation over the symmetries of boxes.
 /// \param own_axes rotations to the axes of the surfaces
 /// \param much ratio of volumes below which a box is much smaller
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
@@ -28,10 +28,10 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 /// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
 ///
-/// Either surface moves with the space of its chart. If that *bends*, it also changes smoothly in the chart, so that in
-/// the large the outlines of its cross-sections become those of the other surface; details keep their shape. Just
-/// before one surface replaces the other, to which it is near, it slides half-way there; the other one comes from
-/// there.
+/// Either surface moves with the space of its chart. If the morph *bends*, the surface also changes smoothly in the
+/// chart, so that in the large the outlines of its cross-sections become those of the other surface; details keep their
+/// shape. Just before the change, the first surface slides half-way to the second one, which is near; the second one
+/// starts from there.
 class Part_morph
 {
 public:
@@ -58,7 +58,7 @@ public:
     constexpr double of_strain = 0.15; // weight of the strain, over that of the misfit
     return misfit_ + of_strain * strain_;
   }
-  /// Whether the effort is small, and both surfaces cover about as much when one replaces the other.
+  /// Whether the effort is small and, at the change, both surfaces cover similar shares of their bounding rectangles.
   bool is_faithful() const;
   /// Lets the surfaces meet half-way between each other at the change.
   void meet();

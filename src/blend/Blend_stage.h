@@ -119,9 +119,9 @@ struct Difference
 
   double change;  ///< sum of the absolute log ratios of the extents
   double stretch; ///< absolute log ratio of the longest extents
-  double way;     ///< displacement of the centre relative to the shapes' bounding boxes
-  double size;    ///< longest extent of both
-  double whole;   ///< mean diagonal of the shapes
+  double way;     ///< distance of the centres relative to the shapes' bounding boxes, times their mean extents
+  double size;    ///< longest extent of the two parts, pieces or boxes
+  double whole;   ///< mean diagonal of the shapes' bounding boxes
 };
 
 /// The pairs of parts that morph to each other:

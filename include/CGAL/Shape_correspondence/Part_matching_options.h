@@ -38,7 +38,7 @@ struct Part_cost_weights
   /// Mean distance of points of either surface from the other one.
   double chamfer = 2;
   /// Cosine distance of the features of the parts, in [0, 2], if both shapes have some (`Shape_structure::features`);
-  /// at most 1000.
+  /// the weight is at most 1000.
   double features = 3;
 };
 
@@ -56,10 +56,10 @@ struct Part_matching_options : Role_options
   /// Likelihood, in [0, 1], above which a pair of parts takes part in warping one shape towards the other; also the
   /// weight of a zero displacement in the mean of the displacements.
   double anchor = 0.2;
-  /// Standard deviation, a length, of the Gaussian by which the influence of such a pair falls with distance.
+  /// Standard deviation, a length, of the Gaussian by which the influence of a pair on the warp falls with distance.
   double warp_width = 0.15;
-  /// Limit for c - c1 + c - c2, where c is the cost of a matched pair, and c1, c2 are the least costs of its two parts,
-  /// one of which must be c. Smaller values give fewer pairs of higher precision.
+  /// Limit for (c - c1) + (c - c2), where c is the cost of a matched pair, and c1, c2 are the least costs of its two
+  /// parts in any pair; c must be c1 or c2. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
   /// Limit for the same sum of differences as `excess`, for the pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;
