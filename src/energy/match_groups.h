@@ -40,7 +40,7 @@ private:
   std::vector<std::vector<char>> allowed_;    // indexed by source part and target part
 };
 
-/// The connected components of the graph of pinned pairs; indices of parts as in the pinned pairs.
+/// The connected components of the graph of pinned pairs, whose indices of parts they keep.
 struct Pinned_sets
 {
   std::vector<std::vector<std::size_t>> source, target;

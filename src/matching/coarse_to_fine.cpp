@@ -56,7 +56,7 @@ std::vector<Groups> nearest_coarse(const Aligned_shape& shape, const std::vector
   return result;
 }
 
-/// The contact of two parts at their nearest samples, with the distance of these.
+/// The distance of two parts' nearest samples, and the contact at these samples.
 std::pair<double, Aligned_shape::Contact> nearest_samples(const Aligned_shape& shape, std::size_t a, std::size_t b)
 {
   if (a > b) std::swap(a, b);

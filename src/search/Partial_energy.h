@@ -63,7 +63,7 @@ private:
   const Deformable_shape& shape_;
   Structure_preservation preserve_structure_;
   std::vector<std::vector<std::size_t>> contacts_of_; // indexed by group
-  // Displacement of the contact point of a matched part, by 2 contact + side, and label
+  // Displacement of a contact point by a label of its part's group, by 2 contact + side, and label
   std::vector<std::vector<Point>> contact_movement_;
   std::vector<std::deque<Piece_rods>> piece_rods_; // indexed by contact
 
