@@ -22,7 +22,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The task of one of all pairs. \param corresponds whether the parts correspond; otherwise they are exchanged
+/// The task of `pair`, which is one of `all`. \param corresponds whether the parts correspond; otherwise they are
+/// exchanged
 Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, bool corresponds)
 {
   const auto uses = [&](std::size_t Piece_pair::*part) {

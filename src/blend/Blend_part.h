@@ -35,7 +35,8 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 class Part_morph
 {
 public:
-  /// \param charts the charts of both ends, as of curves: cross-sections are perpendicular to the first coordinate
+  /// \param charts the charts of both ends; cross-sections are perpendicular to their first coordinate
+  /// \param bends whether surfaces change in their charts, too
   Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends);
 
   static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
@@ -68,7 +69,7 @@ private:
   {
     Eigen::Matrix3Xi triangles;
     Points places;  ///< chart coordinates of the vertices, relative to the outline
-    Points offsets; ///< vectors from the chart's points there to the vertices at the surface's end, in its frames
+    Points offsets; ///< vectors from the chart's points at `places` to the vertices, in the frames of the surface's end
     Points meets;   ///< vectors from the vertices to where the surfaces meet at the change, in the chart's frames
   };
 
@@ -84,14 +85,14 @@ private:
 };
 
 /// The morph of least effort in one of several pairs of charts; null if none is faithful.
-/// \param charts groups of pairs: of straight charts, which differ by their first axis, or one pair of curves' charts
+/// \param charts groups of pairs: straight charts that differ by their first axis, or one pair of charts along curves
 std::shared_ptr<const Part_morph> best_morph(const std::vector<std::vector<Pair_charts>>& charts,
                                              const Part_mesh& source, const Part_mesh& target);
 
 struct Blend_stage;
 
-/// A part of the in-between shapes: a part of an end, or a piece of one. A matched part has two surfaces, mapped to
-/// each other; an unmatched part has one. Ends are numbered 0 (the source) and 1 (the target).
+/// A part of the in-between shapes: a part of the source or the target, or a piece of one. A matched part has two
+/// surfaces, mapped to each other; an unmatched part has one. Ends are numbered 0 (the source) and 1 (the target).
 struct Blend_part
 {
   /// Height up to which a part counts as standing on the ground, over the height of the shape.

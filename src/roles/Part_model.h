@@ -49,8 +49,8 @@ std::vector<Part_node> part_candidates(const Surface_patches& surface, const Par
 std::vector<double> part_values(const std::vector<Part_node>& nodes, const Byte_rows& features, const Part_model& model,
                                 const Part_model::Category* category);
 
-// Indices of the disjoint nodes with the greatest sum of part values, which are the likeliest parts, for the best of
-// four possible fronts of the shape. \param category null if it is not known
+// Indices of the likeliest parts: the nodes, with each patch in one of them, that have the greatest sum of part values,
+// for the best of four possible fronts of the shape. \param category null if it is not known
 std::vector<std::size_t> likeliest_parts(const Surface_patches& surface, const std::vector<Part_node>& nodes,
                                          const Part_model& model, const Part_model::Category* category);
 

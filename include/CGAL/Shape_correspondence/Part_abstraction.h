@@ -79,7 +79,7 @@ struct Abstraction_report
   Method method = Method::GIVEN; ///< object to which the curve or sheet was fitted
   Repair repair = Repair::NONE;  ///< how the surface was closed
   bool tube = false; ///< whether the part is a hollow tube, abstracted by its axis of revolution or a sheet across it
-  bool blob = false; ///< whether the part is neither elongated nor flat: its curve is along its axis, or through it
+  bool blob = false; ///< whether the part is neither elongated nor flat: its curve is an axis or a skeleton
   bool branching = false;          ///< whether the curve or sheet is a rough approximation: `coverage` is less than 0.8
   bool several_components = false; ///< whether the part's surface is disconnected
   bool hull_of_box = false; ///< whether the hull is that of the part's bounding box, since it could not be computed

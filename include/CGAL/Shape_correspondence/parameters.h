@@ -30,7 +30,7 @@ namespace parameters {
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters;
 
-// name, option structure, field
+// The named parameters, by name, option structure and field
 #define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(X)                                                                        \
   X(search_method, Search_options, method)                                                                             \
   X(min_confidence, Search_options, min_confidence)                                                                    \
