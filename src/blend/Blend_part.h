@@ -47,11 +47,11 @@ public:
   /// The points of a surface at time `t`, even if it is not the present one.
   Points points(int surface, double t) const;
 
-  /// Root mean square distance of either surface from the other when one replaces the other, over its diagonal: the
-  /// larger of the two.
+  /// Root mean square distance of a surface from the other one at the change, over its diagonal; the larger value of
+  /// the two surfaces.
   double misfit() const { return misfit_; }
-  /// Root mean square change of the edges of either surface by bending, until one replaces the other, over their
-  /// lengths: the larger of the two; 0 without bending.
+  /// Root mean square change of the edges of a surface by bending, until the change, over their lengths; the larger
+  /// value of the two surfaces; 0 without bending.
   double strain() const { return strain_; }
   /// Misfit plus weighted strain, by which morphs are compared: 0 if surfaces keep their shapes and fit each other.
   double effort() const

@@ -55,8 +55,8 @@ private:
   contacts::Box box_;    ///< bounding box of the shape
   Eigen::Array3i cells_; ///< number of cells of the lattice, by axis
   std::vector<Control> controls_;
-  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< indexed by axis
-  std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< indexed by axis
+  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< of the equations for the coefficients, by axis
+  std::array<Eigen::MatrixXd, 3> node_kernels_; ///< by axis, from coefficients to displacements of the nodes
 };
 
 /// How an unmatched part follows a warp: by the simplest of three motions that keep it at its contacts. It is stretched
@@ -102,7 +102,7 @@ private:
 
   Part_chart chart_;
   Points points_;
-  Points coordinates_, offsets_; ///< of the points, see `Charted_mesh`
+  Points coordinates_, offsets_; ///< of the points in the chart, see `Charted_mesh`
   int axis_ = 0;                 ///< coordinate along which the places are farthest apart
   std::vector<Point> stations_;  ///< coordinates of the line's ends and bends, sorted along the axis
 };

@@ -330,7 +330,7 @@ private:
     return result;
   }
 
-  /// Total size of the parts that are not connected to the largest component.
+  /// Total size of the present parts that are not in the largest connected component.
   double hanging(const Parts& is_there) const
   {
     Disjoint_sets components = always_joined_;

@@ -46,7 +46,7 @@ public:
   explicit Structure_preservation(const Aligned_shape& shape, bool has_hard_contacts = false);
 
   /// Moves the parts of unmatched groups.
-  /// \param matched by group
+  /// \param matched for each group, whether it is matched
   /// \param contact_displacement by contact, the displacements of the contact point on the first and on the second
   /// part, defined where these are matched
   /// \param motions by part; entries of matched parts are left unchanged

@@ -116,7 +116,7 @@ struct Group_label
   std::size_t target_group = no_group; ///< `no_group`: the group is left unmatched
   Operation operation = Operation::NONE;
   std::vector<std::vector<Piece_image>> images; ///< indexed by member of the source group; empty if it is unmatched
-  double solidity_ratio = 1;                    ///< S_i of Eq. 5
+  double solidity_ratio = 1;                    ///< S_i of Eq. 5, see `split_energy()`
 };
 
 /// The operation by the numbers of parts of two groups: match, split, duplicate or merge.

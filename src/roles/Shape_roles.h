@@ -61,9 +61,9 @@ private:
 // The category that two shapes are taken to be of.
 struct Pair_category
 {
-  std::size_t index = 0;   // the number of categories if there is none
+  std::size_t index = 0;   // index of the category; the number of categories if there is none
   std::string note;        // sentence that says why there is none
-  std::size_t nearest = 0; // the nearest category, even if it is not clear; 0 in a model without categories
+  std::size_t nearest = 0; // index of the nearest category, even if it is not clear; 0 in a model without categories
 };
 
 // The nearest category. None if the shapes are far from its labelled parts, or not much nearer to them than to those of

@@ -316,7 +316,7 @@ private:
   const Mini_bucket_bound* current_ = nullptr;
 
   std::size_t maximum_labels_ = 0;
-  std::vector<double> costs_, bounds_; // indexed by level and label
+  std::vector<double> costs_, bounds_; // by level and label, see `Mini_bucket_bound::extend()`
   std::vector<int> children_;          // labels to try, by level
   std::vector<int> labels_;            // indexed by level
   Assignment assignment_;

@@ -25,20 +25,20 @@ namespace CGAL::Shape_correspondence {
 /// are relative to the extents of the shapes: along each axis of the common frame, each shape extends from 0 to 1.
 struct Part_cost_weights
 {
-  /// Share of the smaller bounding box that lies outside of the other one.
+  /// Weight of the share of the smaller bounding box that lies outside of the other one.
   double overlap = 2;
-  /// |log(ratio of the sides of the bounding boxes)|, summed over the axes.
+  /// Weight of |log(ratio of the sides of the bounding boxes)|, summed over the axes.
   double extent = 0.7;
   /// Cost if only one of the parts stands on the ground; half of it if one of them is an upright board.
   double ground = 1.5;
-  /// Horizontal distance of the centres of the bounding boxes, summed over the two axes.
+  /// Weight of the horizontal distance of the centres of the bounding boxes, summed over the two axes.
   double place = 3.2;
-  /// Frobenius distance of the normalized square roots of the covariance matrices of the surfaces.
+  /// Weight of the Frobenius distance of the normalized square roots of the covariance matrices of the surfaces.
   double orientation = 1.5;
-  /// Mean distance of points of either surface from the other one.
+  /// Weight of the mean distance of points of either surface from the other one.
   double chamfer = 2;
-  /// Cosine distance of the features of the parts, in [0, 2], if both shapes have some (`Shape_structure::features`);
-  /// the weight is at most 1000.
+  /// Weight, at most 1000, of the cosine distance of the features of the parts, in [0, 2], if both shapes have some
+  /// (`Shape_structure::features`).
   double features = 3;
 };
 
