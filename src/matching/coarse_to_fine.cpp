@@ -77,7 +77,7 @@ struct Coarse_shape
 {
   const Aligned_shape& fine;
   std::vector<char> is_kept;                  ///< indexed by part
-  std::vector<std::size_t> group_of_original; ///< group of the fine shape, by index in the structural graph
+  std::vector<std::size_t> group_of_original; ///< group of the fine shape, by part of the structural graph
   std::vector<Groups> nearest;                ///< indexed by fine group, see `nearest_coarse()`
   Shared_shape coarse;
 
