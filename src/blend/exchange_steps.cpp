@@ -316,7 +316,7 @@ private:
     return empty > 0 ? empty / (covered + empty) : 0;
   }
 
-  /// Total size of present parts without those that they touched, as far as no other part is near the place of contact.
+  /// Total size of present parts that touched absent ones, as far as no other part is near the place of contact.
   double come_off(const Parts& is_there) const
   {
     double result = 0;

@@ -110,7 +110,7 @@ public:
   Fitted_range touching(std::size_t part, std::size_t sample, std::size_t label) const;
 
   const Sampled_part& source_piece(std::size_t index) const { return source_pieces_[index]; }
-  // The samples of a source piece after the deformation, in the order before it.
+  // The samples of a source piece after the deformation, in the order that they had before.
   const Sample_lanes& samples(const Fitted_piece& fitted) const { return lanes_[fitted.lanes]; }
   const Points& points(const Fitted_piece& fitted) const { return points_[fitted.lanes]; }
   std::size_t number_of_lanes() const { return lanes_.size(); }

@@ -71,7 +71,8 @@ struct Rod_comparison
   float least_squared_length = 0; // least of all rods after the deformation; not set by all functions
 };
 
-// Comparisons with no pair before (least length only), one pair (with or without it), or two pairs (cosines only).
+// Comparisons with no pair before (least length only), one pair (with or without least length), or two pairs (cosines
+// only).
 using Compare_rods = Rod_comparison(const Rod_block* const* before, const Sample_lanes& first, int n,
                                     const Sample_lanes& second, int m);
 Compare_rods least_length_of_rods, compare_rods_and_length, compare_rods_of_one, compare_rods_of_two;

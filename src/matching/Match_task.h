@@ -75,7 +75,7 @@ struct Match_source
   Prepared_shape shape;
   Search_options options;
   Pinned_sets pinned;
-  Shared_shape aligned; ///< the participating parts in the frame of the shape; null if it has no parts
+  Shared_shape aligned; ///< the participating parts in the frame of the shape; null if the shape has no parts
 };
 
 /// A source and a target to match.

@@ -55,7 +55,7 @@ Part_matching matched_in_frames(const Match_task& task, const Aligned_shape& sha
   return result;
 }
 
-// Matches the shapes in an alignment. \param shape the target in it \param deadline see `part_costs()`
+// Matches the shapes in an alignment. \param shape the target in this alignment \param deadline see `part_costs()`
 Part_matching matched_in(const Match_task& task, const Shared_shape& shape, const Alignment_candidate& alignment,
                          const Deadline* deadline)
 {

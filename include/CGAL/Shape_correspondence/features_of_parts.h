@@ -16,7 +16,7 @@
 namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// The features of the parts of a shape, for `Shape_structure::features`: those of its surface, such as a neural
+/// The features of the parts of a shape, for `Shape_structure::features`: features of its surface, such as a neural
 /// network computes, integrated over each part and divided by the area of the shape. Features of vertices are
 /// interpolated.
 /// \param features one column for each triangle, or else for each vertex, of all parts, in their order

@@ -32,7 +32,7 @@ Eigen::MatrixXf read_features(const std::string& file);
 /// \param features one column for each face, or else for each vertex
 /// \param model the file or folder
 /// \param split its parts, as from `split_parts()`
-/// \param options those with which the model was read
+/// \param options the options with which the model was read
 /// \return one column for each part (`Shape_structure::features`)
 /// \throw Invalid_input if the model cannot be read or is of another format, the number of columns is neither that of
 /// its faces nor that of its vertices, or a number is not finite
