@@ -22,7 +22,8 @@
 namespace CGAL::Shape_correspondence::internal {
 namespace {
 
-/// The task of one of all pairs. \param corresponds whether the parts correspond; otherwise they are exchanged
+/// The task of `pair`, which is one of `all`. \param corresponds whether the parts correspond; otherwise they are
+/// exchanged
 Blend_task task_of(const Piece_pair& pair, const std::vector<Piece_pair>& all, bool corresponds)
 {
   const auto uses = [&](std::size_t Piece_pair::*part) {
@@ -91,7 +92,7 @@ contacts::Triangle_tree tree_at(const Blend_part& part, double t)
   return result;
 }
 
-/// The matched parts in contact at an end, the one that changes more first.
+/// The pairs of matched parts that touch at an end; in each pair, the part that changes more comes first.
 std::set<std::array<std::size_t, 2>> contacts_at(int end, const Blend_stage& stage,
                                                  const std::vector<Blend_part>& parts)
 {
@@ -103,8 +104,9 @@ std::set<std::array<std::size_t, 2>> contacts_at(int end, const Blend_stage& sta
   return result;
 }
 
-/// The pairs whose part changes more than little and during the blend comes off a part that it touches at an end and
-/// that changes less. Two parts may separate if they are apart at the other end, and each touches a part at both ends.
+/// The pairs of source and target part whose morph changes more than little and, during the blend, comes off a part
+/// that touches it at an end and changes less. Two parts may separate if they are apart at the other end, and if each
+/// touches some other part at both ends.
 Part_pairs detached(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
   constexpr double widest = 0.05; // widest gap of parts that count as in contact, over the height

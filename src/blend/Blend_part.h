@@ -18,8 +18,8 @@
 
 namespace CGAL::Shape_correspondence::internal {
 
-/// Straight charts of the boxes of two surfaces. A box has the axes of the world unless a part's own axes make it much
-/// smaller; axes are paired by the least rotation over the symmetries of boxes.
+/// Straight charts (`Part_chart`) of the boxes of two surfaces. A box has the axes of the world unless a part's own
+/// axes make it much smaller; axes are paired by the least rotation over the symmetries of boxes.
 /// \param own_axes rotations to the axes of the surfaces
 /// \param much ratio of volumes below which a box is much smaller
 Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::array<Eigen::Matrix3d, 2>& own_axes,
@@ -28,14 +28,15 @@ Pair_charts pair_boxes(const std::array<const Points*, 2>& surfaces, const std::
 /// The morph of the surface of a part to that of its counterpart. At any time there is one surface, first that of the
 /// source, then that of the target: both ends are exact, and closed if the inputs are.
 ///
-/// Either surface moves with the space of its chart. If that *bends*, it also changes smoothly in the chart, so that in
-/// the large the outlines of its cross-sections become those of the other surface; details keep their shape. Just
-/// before one surface replaces the other, to which it is near, it slides half-way there; the other one comes from
-/// there.
+/// Either surface moves with the space of its chart. If the morph *bends*, the surface also changes smoothly in the
+/// chart, so that in the large the outlines of its cross-sections become those of the other surface; details keep their
+/// shape. Just before the change, the first surface slides half-way to the second one, which is near; the second one
+/// starts from there.
 class Part_morph
 {
 public:
-  /// \param charts the charts of both ends, as of curves: cross-sections are perpendicular to the first coordinate
+  /// \param charts the charts of both ends; cross-sections are perpendicular to their first coordinate
+  /// \param bends whether surfaces change in their charts, too
   Part_morph(const Pair_charts& charts, const Part_mesh& source, const Part_mesh& target, bool bends);
 
   static constexpr double change = 0.45; ///< time when the target's surface replaces the source's
@@ -46,11 +47,11 @@ public:
   /// The points of a surface at time `t`, even if it is not the present one.
   Points points(int surface, double t) const;
 
-  /// Root mean square distance of either surface from the other when one replaces the other, over its diagonal: the
-  /// larger of the two.
+  /// Root mean square distance of a surface from the other one at the change, over its diagonal; the larger value of
+  /// the two surfaces.
   double misfit() const { return misfit_; }
-  /// Root mean square change of the edges of either surface by bending, until one replaces the other, over their
-  /// lengths: the larger of the two; 0 without bending.
+  /// Root mean square change of the edges of a surface by bending, until the change, over their lengths; the larger
+  /// value of the two surfaces; 0 without bending.
   double strain() const { return strain_; }
   /// Misfit plus weighted strain, by which morphs are compared: 0 if surfaces keep their shapes and fit each other.
   double effort() const
@@ -58,7 +59,7 @@ public:
     constexpr double of_strain = 0.15; // weight of the strain, over that of the misfit
     return misfit_ + of_strain * strain_;
   }
-  /// Whether the effort is small, and both surfaces cover about as much when one replaces the other.
+  /// Whether the effort is small and, at the change, both surfaces cover similar shares of their bounding rectangles.
   bool is_faithful() const;
   /// Lets the surfaces meet half-way between each other at the change.
   void meet();
@@ -68,7 +69,7 @@ private:
   {
     Eigen::Matrix3Xi triangles;
     Points places;  ///< chart coordinates of the vertices, relative to the outline
-    Points offsets; ///< vectors from the chart's points there to the vertices at the surface's end, in its frames
+    Points offsets; ///< vectors from the chart's points at `places` to the vertices, in the frames of the surface's end
     Points meets;   ///< vectors from the vertices to where the surfaces meet at the change, in the chart's frames
   };
 
@@ -84,14 +85,14 @@ private:
 };
 
 /// The morph of least effort in one of several pairs of charts; null if none is faithful.
-/// \param charts groups of pairs: of straight charts, which differ by their first axis, or one pair of curves' charts
+/// \param charts groups of pairs: straight charts that differ by their first axis, or one pair of charts along curves
 std::shared_ptr<const Part_morph> best_morph(const std::vector<std::vector<Pair_charts>>& charts,
                                              const Part_mesh& source, const Part_mesh& target);
 
 struct Blend_stage;
 
-/// A part of the in-between shapes: a part of an end, or a piece of one. A matched part has two surfaces, mapped to
-/// each other; an unmatched part has one. Ends are numbered 0 (the source) and 1 (the target).
+/// A part of the in-between shapes: a part of the source or the target, or a piece of one. A matched part has two
+/// surfaces, mapped to each other; an unmatched part has one. Ends are numbered 0 (the source) and 1 (the target).
 struct Blend_part
 {
   /// Height up to which a part counts as standing on the ground, over the height of the shape.

@@ -28,7 +28,7 @@ bool is_inside(const Point& p, const contacts::Triangle_tree& surface)
   static const std::array<Point, 3> along = {Point(1, 0.0123, 0.0217), Point(0.0171, 1, 0.0119),
                                              Point(0.0223, 0.0137, 1)}; // oblique, since edges may follow the axes
   constexpr double least_depth = 0.005; // distance, over the height, below which a point is on the surface
-  constexpr int most = 5;               // least number of such rays
+  constexpr int most = 5;               // least number of rays with odd crossings of a point inside
   if (!surface.box().contains(p)) return false;
   int votes = 0;
   for (const Point& way : along)

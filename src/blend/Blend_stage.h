@@ -52,7 +52,7 @@ struct Blend_input
 {
   const Structural_graph& graph;
   const Segmented_shape& shape;
-  int quarter_turns;
+  int quarter_turns; ///< turns about the up axis that align its frame with the stage
 };
 
 inline Point mirrored(const Point& p) { return {-p.x(), p.y(), p.z()}; }
@@ -119,17 +119,17 @@ struct Difference
 
   double change;  ///< sum of the absolute log ratios of the extents
   double stretch; ///< absolute log ratio of the longest extents
-  double way;     ///< displacement of the centre relative to the shapes' bounding boxes
-  double size;    ///< longest extent of both
-  double whole;   ///< mean diagonal of the shapes
+  double way;     ///< distance of the centres relative to the shapes' bounding boxes, times their mean extents
+  double size;    ///< longest extent of the two parts, pieces or boxes
+  double whole;   ///< mean diagonal of the shapes' bounding boxes
 };
 
 /// The pairs of parts that morph to each other:
 ///  - Of the pairs that correspond, all but those whose parts would move far, or whose pieces would change their
 /// proportions or positions much: legs cut up for a star base, slats across spindles. As a part is divided as a whole,
 /// all other pairs of its parts, and their mirror images, are dropped with such a pair.
-///  - Leftover parts with similar position and size, unless one of them shares the place of another part nearly as
-/// much: two parts that correspond, but also to others, or two without counterparts.
+///  - Leftover pairs with similar position and size: two parts of a dropped pair, or two without counterparts, unless
+/// one of the two shares its place nearly as much with a third part, in another such pair.
 /// \param unlike its torn pairs are dropped; `all` is set
 Part_pairs like_pairs(const Blend_stage& stage, const Part_pairs& paired, Unlike_pairs& unlike);
 

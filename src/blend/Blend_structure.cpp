@@ -19,8 +19,9 @@ namespace CGAL::Shape_correspondence::internal {
 Growth::Growth(const Part_chart& chart, const Points& points, const std::vector<Point>& holds)
     : chart_(chart), points_(points), coordinates_(3, points.cols()), offsets_(3, points.cols())
 {
-  constexpr double near = 0.25; // distance along the axis, in coordinates, up to which two places become one
-  // Half extents, over the height and over that along the axis, up to which the line runs in the middle of the part
+  constexpr double near = 0.25; // distance in the chart's coordinate along the axis, up to which two places become one
+  // Limits of a half extent, over the height and over the half extent along the axis; if it is within both, the line
+  // runs in the middle of the part
   constexpr double thin = 0.03, slender = 0.2;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Point k = chart.coordinates(points.col(i));
@@ -109,7 +110,7 @@ Point foot_of(const Points& points)
   return sum.hnormalized();
 }
 
-/// Whether the part carries those that it touches, rather than being carried by them.
+/// Whether the part counts as carrying the parts that it touches: it morphs, corresponds, or stands on the ground.
 bool carries(const Blend_part& part)
 {
   return part.is_matched() || part.task.obstacle != Blend_obstacle::NONE || stands(part);
@@ -198,7 +199,8 @@ const Part_chart& Blend_structure::chart_of(std::size_t unmatched) const
   return stage.charted[std::size_t(end)].charts[parts[unmatched].given(end)];
 }
 
-/// Where an unmatched part is held: by those that carry it or, if it carries others itself, by all that it touches.
+/// The places from which an unmatched part grows: its contacts with parts of less depth or, if its depth is 0, with any
+/// parts; and its foot, if it stands or has no such contact.
 std::vector<Point> Blend_structure::holds(std::size_t unmatched) const
 {
   const Blend_part& part = parts[unmatched];

@@ -37,11 +37,11 @@ public:
   Points moved(const Points& points, const Points& ways) const;
 
 private:
-  /// A point whose motion is known, approximated to within the smoothing.
+  /// A point whose motion is known; the warp approximates it.
   struct Control
   {
     Point at, at_other_end;                 ///< `at_other_end` is defined for points of boxes
-    Point smoothing;                        ///< length along each axis, relative to the shape's height
+    Point smoothing;                        ///< by axis, over the height: the larger, the farther the warp may miss it
     std::size_t part = Blend_task::no_part; ///< the matched part that it is on, if any
     Mesh_place place = {};                  ///< location on the part's surface at this end
   };
@@ -55,8 +55,8 @@ private:
   contacts::Box box_;    ///< bounding box of the shape
   Eigen::Array3i cells_; ///< number of cells of the lattice, by axis
   std::vector<Control> controls_;
-  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< indexed by axis
-  std::array<Eigen::MatrixXd, 3> node_kernels_;                 ///< indexed by axis
+  std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, 3> solvers_; ///< of the equations for the coefficients, by axis
+  std::array<Eigen::MatrixXd, 3> node_kernels_; ///< by axis, from coefficients to displacements of the nodes
 };
 
 /// How an unmatched part follows a warp: by the simplest of three motions that keep it at its contacts. It is stretched
@@ -85,8 +85,8 @@ private:
   bool stands_;
 };
 
-/// How an unmatched part comes and goes: it grows from the line through the places where it is held, along its own
-/// curve or sheet, and is soon as thick as it will be.
+/// How an unmatched part comes and goes: it grows from the line through the places where it is attached, along its own
+/// curve or sheet, and soon has its full thickness.
 class Growth
 {
 public:
@@ -102,7 +102,7 @@ private:
 
   Part_chart chart_;
   Points points_;
-  Points coordinates_, offsets_; ///< of the points, see `Charted_mesh`
+  Points coordinates_, offsets_; ///< of the points in the chart, see `Charted_mesh`
   int axis_ = 0;                 ///< coordinate along which the places are farthest apart
   std::vector<Point> stations_;  ///< coordinates of the line's ends and bends, sorted along the axis
 };
@@ -123,8 +123,8 @@ public:
   Part_pairs unlike;             ///< pairs of the given parts that correspond but do not morph
   std::vector<Touch> touches;
   std::vector<std::optional<Growth>> growths; ///< for each part, defined if it is unmatched
-  /// For each part, the least number of contacts from it to a part that carries others, since it morphs, corresponds
-  /// without morphing, or stands on the ground: 0 for such a part, and 1 for one that is connected to none.
+  /// For each part, the least number of contacts on a way to a carrying part, which is a part that morphs, corresponds
+  /// without morphing, or stands on the ground: 0 for a carrying part, 1 for a part that no contacts connect to one.
   std::vector<int> depths;
   std::array<std::optional<Space_warp>, 2> warps; ///< defined for ends with unmatched parts
   /// For each part, how it follows the warp of its end; defined if it is unmatched.

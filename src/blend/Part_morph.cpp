@@ -103,7 +103,7 @@ Part_morph::Part_morph(const Pair_charts& charts, const Part_mesh& source, const
     : charts_{charts.source, charts.target}
 {
   constexpr double fine = 0.3; // longest edge, in coordinates, of meshes from which outlines are computed
-  constexpr int samples = 400;
+  constexpr int samples = 400; // number of points of a surface at which the misfit is measured
   const std::array<const Part_mesh*, 2> meshes = {&source, &target};
   if (bends) {
     const std::array<Charted_mesh, 2> charted = {charted_mesh(source, charts_[0], fine),
@@ -170,7 +170,7 @@ double Part_morph::strain_of(std::size_t end, const Charted_mesh& mesh) const
 /// Adds the surface of an end, subdivided until its edges stay nearly straight on the way to the other end.
 void Part_morph::add(std::size_t end, const Part_mesh& mesh)
 {
-  constexpr double bent = 0.002; // largest distance of an edge's middle from where it should be, over the diagonal
+  constexpr double bent = 0.002; // largest distance of an edge's moved middle from the straight edge, over the diagonal
   constexpr std::size_t most_triangles = 20000;
   constexpr int most_rounds = 6;
   const Part_chart &chart = charts_[end], &other = charts_[1 - end];

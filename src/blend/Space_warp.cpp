@@ -18,7 +18,7 @@ namespace {
 
 Eigen::Array3i lattice_cells(const contacts::Box& box)
 {
-  constexpr double least_side = 0.06; // side of a cell, over the height
+  constexpr double least_side = 0.06; // least side of a cell, over the height
   constexpr double most_cells = 4000;
   const Point sizes = box.sizes().cwiseMax(least_side);
   const double side = std::max(least_side, std::cbrt(sizes.prod() / most_cells));
@@ -40,7 +40,7 @@ Points lattice_nodes(const contacts::Box& box, const Eigen::Array3i& cells)
 /// The box with a minimum thickness, since points in a plane do not determine a motion of space.
 contacts::Box thickened(const contacts::Box& box)
 {
-  constexpr double thin = 0.01; // ratio to the shape's height
+  constexpr double thin = 0.01; // least extent of the box along an axis, over the height
   const Point half = box.sizes().cwiseMax(thin) / 2;
   return {box.center() - half, box.center() + half};
 }
@@ -116,7 +116,7 @@ Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& 
                        int end)
     : end_(end), box_(stage.boxes[std::size_t(end)]), cells_(lattice_cells(box_))
 {
-  // Smoothing of control points, over the height: the ground is held firmly, the rest softly
+  // `Control::smoothing` for the box of the whole: small on the ground, so that the warp keeps to it, large elsewhere
   constexpr double on_ground = 0.02, elsewhere = 0.3;
   add_box(stage.boxes, 2, Point::Constant(elsewhere)); // includes the centre of the ground
   for (Control& control : controls_)
@@ -140,7 +140,7 @@ Space_warp::Space_warp(const Blend_stage& stage, const std::vector<Blend_part>& 
   }
 }
 
-/// Adds points of the upper and lower face of a box: a grid of `cells` × `cells` cells.
+/// Adds control points on the upper and lower face of a box: a grid of `cells` × `cells` cells.
 void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, const Point& smoothing)
 {
   const auto points = [&](int end) { return lattice_nodes(thickened(boxes[std::size_t(end)]), {cells, 1, cells}); };
@@ -152,7 +152,7 @@ void Space_warp::add_box(const std::array<contacts::Box, 2>& boxes, int cells, c
 /// Adds a control point: the point nearest to `near` on a part of the shape, which is matched as a whole or in pieces.
 void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::size_t given, const Point& near)
 {
-  constexpr double smoothing = 0.005; // ratio to the shape's height
+  constexpr double smoothing = 0.005; // over the height, see `Control::smoothing`
   Control control;
   Steps least = std::numeric_limits<Steps>::max();
   for (std::size_t part : parts_of(parts, end_, given)) {
@@ -165,7 +165,7 @@ void Space_warp::add_surface_point(const std::vector<Blend_part>& parts, std::si
   controls_.push_back(control);
 }
 
-/// Adds points of matched parts and, so that the warp between symmetric shapes is symmetric, their mirror images.
+/// Adds control points on matched parts and, so that the warp of symmetric shapes is symmetric, their mirror images.
 void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_part>& parts)
 {
   // Numbers of points: of all parts together, least and most of a part, limit for all, which bounds the time
@@ -188,10 +188,10 @@ void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_
   }
 }
 
-/// Adds the boxes of sets of parts that correspond but do not morph.
+/// Adds control points on the boxes of sets of parts that correspond but do not morph.
 void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
 {
-  const Point alike(0.05, 0.3, 0.05), other(0.1, 0.5, 0.1); // smoothing, over the height
+  const Point alike(0.05, 0.3, 0.05), other(0.1, 0.5, 0.1); // smoothing by axis, if a set keeps its shape or not
   for (const Connected_parts& set : connected_parts(unlike, stage.meshes[0].size(), stage.meshes[1].size())) {
     const std::array<contacts::Box, 2> boxes = {box_around(stage, 0, set.source), box_around(stage, 1, set.target)};
     const Difference difference(stage, {chart_of(boxes[0]), chart_of(boxes[1])});
@@ -264,7 +264,7 @@ Straight_motion::Straight_motion(const Part_chart& chart, const Points& contacts
 /// ground may slide on it.
 Straight_motion::Affine Straight_motion::fitted(const Space_warp& warp, const Points& ways) const
 {
-  constexpr double thin = 0.002; // extent, over the height, along which a part is hardly stretched
+  constexpr double thin = 0.002; // extent, over the height, up to which a part is hardly stretched along it
   constexpr double firmly = 5;   // weight of contacts, over that of the lattice
   const Points ways_of_samples = warp.moved(samples_, ways) - samples_;
   const Eigen::Index contacts = samples_.cols() - lattice;

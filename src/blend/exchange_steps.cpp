@@ -58,7 +58,7 @@ double shared_cells(const std::vector<Cell>& a, const std::vector<Cell>& b)
 /// The share of a surface that is hidden inside another one; 0 unless that is most of it.
 double hidden(const Seen_surface& a, const Seen_surface& b)
 {
-  constexpr double most = 0.65;
+  constexpr double most = 0.65; // share above which a surface counts as hidden
   const double share = share_inside(a, b);
   return share > most ? share : 0;
 }
@@ -192,7 +192,7 @@ private:
   /// Unites old and new parts without counterpart that are attached to the same place, as a cactus and leaves in a pot.
   void unite_what_is_held_alike()
   {
-    constexpr double near = 0.1; // ratio to the shape's height
+    constexpr double near = 0.1; // distance, over the height, below which two places of contact are the same
     const Disjoint_sets groups = groups_;
     const std::vector<std::bitset<2>> ends = ends_of(groups);
     const auto is_alone = [&](const Hold& hold) { return !ends[groups[hold.part]].all(); };
@@ -208,7 +208,7 @@ private:
 
   std::vector<std::vector<Cell>> cells() const
   {
-    constexpr double least_side = 0.06, most_cells = 64; // ratio to the shape's height; number of cells along an axis
+    constexpr double least_side = 0.06, most_cells = 64; // least side, over the height; most cells along an axis
     const contacts::Box whole = blend_.stage.boxes[0].merged(blend_.stage.boxes[1]);
     const double side = std::max(least_side, whole.sizes().maxCoeff() / most_cells);
     std::vector<std::vector<Cell>> result;
@@ -283,7 +283,7 @@ private:
 
   void find_joined()
   {
-    constexpr double near = 0.02; // ratio to the shape's height
+    constexpr double near = 0.02; // largest gap, over the height, of parts that count as joined
     const auto join = [&](std::size_t a, std::size_t b) {
       if (is_matched(a) && is_matched(b))
         always_joined_.unite(a, b);
@@ -316,7 +316,7 @@ private:
     return empty > 0 ? empty / (covered + empty) : 0;
   }
 
-  /// Total size of parts that are detached from what they touched, unless another part is close to the place.
+  /// Total size of present parts that touched absent ones, as far as no other part is near the place of contact.
   double come_off(const Parts& is_there) const
   {
     double result = 0;
@@ -330,7 +330,7 @@ private:
     return result;
   }
 
-  /// Total size of the parts that are not connected to the largest component.
+  /// Total size of the present parts that are not in the largest connected component.
   double hanging(const Parts& is_there) const
   {
     Disjoint_sets components = always_joined_;

@@ -37,8 +37,8 @@ Blend_quality quality_of(const Blend_structure& blend, const std::vector<Blend_t
 
 /// The tasks with their times. Exchanged parts change about half-way or, in two steps, before and after that, one place
 /// after the other: new parts replace old ones in an instant, since half-grown ones leave the shape broken. Unmatched
-/// parts that are not exchanged vanish before the first step, what is carried before what carries it, or grow after the
-/// second, the inverse.
+/// parts that are not exchanged vanish before the first step, parts before those that carry them, or grow after the
+/// second step, in the inverse order.
 std::vector<Blend_task> timed_tasks(const Blend_structure& blend, const std::vector<Exchange>& exchanges,
                                     bool at_one_time)
 {
@@ -172,7 +172,7 @@ bool have_same_times(const std::vector<Blend_task>& a, const std::vector<Blend_t
 
 std::vector<Blend_schedule> ranked_schedules(const Blend_structure& blend, const Blend_options& options)
 {
-  // Limits beyond which a mixed shape is worse than exchanging all at once
+  // Limits of `Blend_quality::apart` and `support`, beyond which it is better to exchange all parts at one time
   constexpr double most_apart = 0.05, most_missing = 0.6;
   bool goes_on = true;
   const auto go_on = [&](double done) { return goes_on = goes_on && (!options.progress || options.progress(done)); };

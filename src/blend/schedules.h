@@ -30,8 +30,8 @@ struct Exchange
 ///
 /// Between the steps there is a *mixed shape*: new parts of the groups that change first, old parts of the others, and
 /// all matched parts. Its cost is the total size of old and new parts that are in the same place or have left a place
-/// empty, that are detached from what held them, or that are not connected to the rest, plus a cost for holes. The
-/// share that changes in the smaller step reduces the cost, and must not be too small. The steps of least cost are
+/// empty, that are detached from all that they touched, or that are not connected to the rest, plus a cost for holes.
+/// The share that changes in the smaller step reduces the cost, and must not be too small. The steps of least cost are
 /// found by local search, starting from steps in order of height. If no mixed shape costs less than both ends,
 /// everything is in the second step.
 /// \param progress called before every search with the share done; `false` ends the search with the best steps so far

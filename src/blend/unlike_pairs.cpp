@@ -26,7 +26,7 @@ Points samples(const Part_chart& chart)
   return result;
 }
 
-/// The extents of the bounding box of a shape, bounded away from 0.
+/// The extents of the bounding box of a shape, with a lower bound, so that one can divide by them.
 Point extents_of(const contacts::Box& whole) { return whole.sizes().cwiseMax(2 * Part_chart::least_half_extent); }
 
 /// A point in units of the bounding box of the shape.
@@ -38,7 +38,7 @@ Point relative_place(const contacts::Box& whole, const Point& p)
 /// The bounding box of a part in units of the shape's bounding box, enlarged so that a plate's box has a volume.
 contacts::Box relative_box(const contacts::Box& whole, const Part_mesh& part)
 {
-  constexpr double around = 0.03;
+  constexpr double around = 0.03; // margin on every side
   const contacts::Box box = box_of(part.points);
   return {relative_place(whole, box.min()).array() - around, relative_place(whole, box.max()).array() + around};
 }
@@ -54,7 +54,7 @@ double shared_place(const Blend_stage& stage, std::size_t source, std::size_t ta
 void add_leftovers(const Blend_stage& stage, const Unlike_pairs& unlike, Part_pairs& paired)
 {
   constexpr double same_place = 0.4; // limit of `shared_place()`, which pairs must exceed
-  constexpr double nearly = 0.8;     // factor of a pair's shared place from which on another pair is a rival
+  constexpr double nearly = 0.8;     // share of a pair's shared place with which another pair is its rival
   // Whether a part is in any pair
   std::vector<char> is_source(stage.meshes[0].size(), 0), is_target(stage.meshes[1].size(), 0);
   for (const Part_pairs* pairs : std::array<const Part_pairs*, 2>{&paired, &unlike.all})

@@ -197,7 +197,7 @@ std::vector<Eigen::Index> like_columns(const Flow_matrix& flow)
   return result;
 }
 
-/// Inflates a pruned column, which is not normalized then. \return how much it deviates from one of equal entries
+/// Inflates a pruned column, which is not normalized then. \return its deviation from a column of equal entries, 0 to 1
 double inflate(double inflation, Column& column)
 {
   const double sum = sum_of(column);

@@ -57,7 +57,7 @@ public:
     }
   }
 
-  // Whether the listed comparisons take more memory than the processor's cache has.
+  // Whether the listed comparisons and their rods exceed what the processor's cache can keep.
   bool is_full() const { return comparisons_.size() > maximum_comparisons || used_bytes_ > maximum_bytes; }
 
   // Appends the energies of the listed contacts, contact by contact, by first, then second label; clears the list.
@@ -86,13 +86,14 @@ private:
   using Fitted = Fitted_piece;
 
   static constexpr std::uint32_t none = std::uint32_t(-1);
+  // Limits of the lists: number of comparisons, and memory of `piece_rods_` in bytes
   static constexpr std::size_t maximum_comparisons = 8192, maximum_bytes = 3u << 17;
 
   // The rods between two source pieces, and their energy after the deformation into the target pair that lists them.
   struct Comparison
   {
     const Structural_rods* rods;
-    std::uint32_t next; // index of the next comparison of the target pair
+    std::uint32_t next; // index of the next comparison of the target pair, or `none`
     Rod_energy energy;
   };
 

@@ -80,7 +80,7 @@ struct Fitted_piece
   std::size_t source_index, target_index; // indices in `source_pieces_` and `target_pieces_`
   int samples;                            // number of samples, with repetitions
   int repeats;       // uses per source sample: `samples_per_side` where a curve becomes a sheet, else 1
-  std::size_t lanes; // index of `Fitted_pieces::samples()`
+  std::size_t lanes; // index of its deformed samples in `lanes_` and `points_`
 };
 
 using Fitted_range = boost::iterator_range<const std::uint32_t*>;
@@ -110,7 +110,7 @@ public:
   Fitted_range touching(std::size_t part, std::size_t sample, std::size_t label) const;
 
   const Sampled_part& source_piece(std::size_t index) const { return source_pieces_[index]; }
-  // The samples of a source piece after the deformation, in the order before it.
+  // The samples of a source piece after the deformation, in the order that they had before.
   const Sample_lanes& samples(const Fitted_piece& fitted) const { return lanes_[fitted.lanes]; }
   const Points& points(const Fitted_piece& fitted) const { return points_[fitted.lanes]; }
   std::size_t number_of_lanes() const { return lanes_.size(); }
@@ -134,11 +134,11 @@ private:
   std::vector<std::size_t> fitted_begin_; // for each source part, its first fitted piece; then their number
   std::vector<Sample_lanes> lanes_;
   std::vector<Points> points_; // same indices as `lanes_`
-  // Index of `lanes_` by target piece and order of `match_extremities()`
+  // Index in `lanes_`, by target piece and by the order of its samples from `match_extremities()`
   std::map<std::pair<std::size_t, const std::vector<int>*>, std::size_t> lanes_of_;
   std::vector<std::size_t> label_begin_; // for each source part, the index in `image_begin_` of its first label
   std::vector<std::size_t> image_begin_; // by source part and label, the index in `images_` of the first image
-  std::vector<std::uint32_t> images_;    // indices of fitted pieces
+  std::vector<std::uint32_t> images_;    // indices of fitted pieces, by source part, label and image
 };
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -172,7 +172,7 @@ void Matching_problem::add_cut_energy(std::size_t group, std::size_t label)
 void Matching_problem::add_role_costs()
 {
   if (!(options_.weights.roles > 0) || options_.role_costs.size() == 0) return;
-  // Indexed by part; each contact adds one half to both of its parts
+  // The weight of each part's role costs: half the number of its contacts
   std::vector<double> weight(source().parts.size(), 0);
   for (const Aligned_shape::Contact& contact : source().contacts)
     for (std::size_t part : contact.parts)

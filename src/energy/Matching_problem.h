@@ -18,7 +18,8 @@
 
 namespace CGAL::Shape_correspondence {
 
-/// Largest number of labels of a group without cut curves; bounds time and memory for shapes of hundreds of groups.
+/// Largest number of labels of a group, without those for which curves are cut; bounds time and memory for shapes of
+/// hundreds of groups.
 constexpr std::size_t maximum_labels = 64;
 
 /// For each source group, the target groups that it may be matched to, ascending; empty: all.

@@ -17,16 +17,16 @@ namespace CGAL::Shape_correspondence {
 
 /// Deform-to-fit (paper, section 5): the positions of the samples of `source` after it takes the shape of `target`.
 /// With `SAMPLES` these are the target's samples in the order of `match_extremities()`; with `EXTREMITIES`, the
-/// source's samples displaced by interpolation between its ends or corners. If one part is a sheet, there are e²
-/// samples.
+/// source's samples displaced by interpolation between its ends or corners. If one part is a sheet, there are
+/// `samples_per_side`² samples.
 Points deform_to_fit(const Sampled_part& source, const Sampled_part& target,
                      Deform_to_fit fit = Deform_to_fit::SAMPLES);
 
 /// The first step of deform-to-fit: sample i of the source goes to sample `result[i]` of the target. After the centres
 /// are aligned, extremities are matched by proximity: of the 2 directions of a curve, the 8 layouts of a sheet or the
-/// 2 e orders of a closed curve, the one with the least sum of squared distances of ends, corners or samples. If one
-/// part is a sheet, a curve counts as a sheet of e equal columns: sample j of that sheet is sample j / e of the curve.
-/// Refers to a static table.
+/// 2 e orders of a closed curve (e = `samples_per_side`), the one with the least sum of squared distances of ends,
+/// corners or samples. If one part is a sheet, a curve counts as a sheet of e equal columns: sample j of that sheet is
+/// sample j / e of the curve. The result is an entry of a static table.
 const std::vector<int>& match_extremities(const Sampled_part& source, const Sampled_part& target);
 
 Points ordered_samples(const Sampled_part& target, const std::vector<int>& order);
@@ -51,22 +51,22 @@ struct Rod_energy
   double connectedness = 0;
 };
 
-/// E_c of two connected parts that become the same part, or overlapping pieces of one. The paper does not define this
-/// case; the value is the one the authors' program uses.
+/// The value of E_c for two connected parts that become the same part, or overlapping pieces of one. The paper does not
+/// define this case; the value is the one the authors' program uses.
 constexpr double collapsed_connectedness = 0.5;
 
 /// E_d and E_c of a pair of connected parts by Eqs. 2 to 4, from their samples before and after the deformation.
 Rod_energy rod_energy(const Points& first, const Points& second, const Points& moved_first, const Points& moved_second);
 
 /// The structural rods of a pair of connected parts before the deformation (paper, section 4.3): all vectors from a
-/// sample of the first part to a sample of the second. The energies equal those of `rod_energy()` up to single
+/// sample of the first part to a sample of the second. The energies equal those of `rod_energy()` within single
 /// precision; the rods are computed once for many deformations and compared with vector instructions.
 class Structural_rods
 {
 public:
   Structural_rods() = default;
   /// The rods between samples repeated `first_repeats` and `second_repeats` times: a curve that becomes a sheet is
-  /// repeated e times. \pre each part has at most `samples_per_side`² samples
+  /// repeated `samples_per_side` times. \pre each part has at most `samples_per_side`² samples
   Structural_rods(const Points& first, const Points& second, int first_repeats = 1, int second_repeats = 1);
   Structural_rods(const internal::Sample_lanes& first, int n, const internal::Sample_lanes& second, int m);
 

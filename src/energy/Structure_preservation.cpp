@@ -14,14 +14,14 @@ namespace CGAL::Shape_correspondence {
 
 namespace {
 
-// The linear map of the symmetry that carries the representative of a group to another of its members.
+// The linear part of the symmetry that takes the representative of a group to another of its members.
 Eigen::Matrix3d generated_directions(const Part_group& group, const Point& representative, const Point& member)
 {
   const Symmetry& symmetry = group.symmetry;
   Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
   switch (symmetry.type) {
   case Symmetry_type::REFLECTION: {
-    // Orbits of more than two parts have a second, vertical plane; members on one side of a plane move alike
+    // Groups of more than two parts have a second, vertical mirror plane; members on one side of a plane move alike
     std::vector<Point> normals{symmetry.direction};
     if (group.parts.size() > 2) normals.push_back(symmetry.direction.cross(Point::UnitY()));
     for (const Point& normal : normals)

@@ -36,7 +36,7 @@ class Structure_preservation
 {
 public:
   static constexpr double tolerance = 1e-3; ///< convergence threshold, over the shape's height
-  static constexpr int maximum_sweeps = 20;
+  static constexpr int maximum_sweeps = 20; ///< limit for the rounds in which all unmatched groups are placed again
   /// Weight of the scatter of a part's samples relative to that of its contact points (weight 1): its resistance to
   /// stretching. A bar with contacts at its two ends follows them to within 2 % of their relative displacement.
   static constexpr double stiffness = 0.1;
@@ -46,7 +46,7 @@ public:
   explicit Structure_preservation(const Aligned_shape& shape, bool has_hard_contacts = false);
 
   /// Moves the parts of unmatched groups.
-  /// \param matched by group
+  /// \param matched for each group, whether it is matched
   /// \param contact_displacement by contact, the displacements of the contact point on the first and on the second
   /// part, defined where these are matched
   /// \param motions by part; entries of matched parts are left unchanged
@@ -87,7 +87,7 @@ private:
   Points displacement_;                     // indexed by part
   std::vector<char> placed_;                // whether a group is placed
   std::vector<std::size_t> order_;          // the unmatched groups connected to a matched one, breadth-first
-  // Pointers to displacements, by group in `order_` and contact of its representative
+  // The displacements that the representatives follow, by group in `order_` and contact of its representative
   std::vector<const double*> followed_;
 };
 

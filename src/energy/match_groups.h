@@ -40,7 +40,7 @@ private:
   std::vector<std::vector<char>> allowed_;    // indexed by source part and target part
 };
 
-/// The connected components of the graph of pinned pairs; indices of parts as in the pinned pairs.
+/// The connected components of the graph of pinned pairs, whose indices of parts they keep.
 struct Pinned_sets
 {
   std::vector<std::vector<std::size_t>> source, target;
@@ -116,7 +116,7 @@ struct Group_label
   std::size_t target_group = no_group; ///< `no_group`: the group is left unmatched
   Operation operation = Operation::NONE;
   std::vector<std::vector<Piece_image>> images; ///< indexed by member of the source group; empty if it is unmatched
-  double solidity_ratio = 1;                    ///< S_i of Eq. 5
+  double solidity_ratio = 1;                    ///< S_i of Eq. 5, see `split_energy()`
 };
 
 /// The operation by the numbers of parts of two groups: match, split, duplicate or merge.

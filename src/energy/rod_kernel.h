@@ -15,8 +15,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 constexpr int maximum_samples = samples_per_side * samples_per_side; // number of samples of a sheet; a curve has fewer
 constexpr int block_lanes = 16;                                      // number of floats in the widest vector register
-constexpr int maximum_blocks = (maximum_samples + block_lanes - 1) / block_lanes;
-constexpr int lane_count = block_lanes * maximum_blocks;
+constexpr int maximum_blocks = (maximum_samples + block_lanes - 1) / block_lanes; // number of blocks of a sheet
+constexpr int lane_count = block_lanes * maximum_blocks; // number of samples of a sheet with padding
 
 // Coordinate of padding samples: finite, and far from all others.
 constexpr float far_away = 1e6f;
@@ -68,10 +68,11 @@ Rod_lengths write_rods(const Sample_lanes& first, int n, const Sample_lanes& sec
 struct Rod_comparison
 {
   float squared_cosines[2] = {};  // for each pair before: sum over its rods that have a direction
-  float least_squared_length = 0; // of a rod after the deformation; not set by all functions
+  float least_squared_length = 0; // least of all rods after the deformation; not set by all functions
 };
 
-// Comparisons with no pair before (least length only), one pair (with or without it), or two pairs (cosines only).
+// Comparisons with no pair before (least length only), one pair (with or without least length), or two pairs (cosines
+// only).
 using Compare_rods = Rod_comparison(const Rod_block* const* before, const Sample_lanes& first, int n,
                                     const Sample_lanes& second, int m);
 Compare_rods least_length_of_rods, compare_rods_and_length, compare_rods_of_one, compare_rods_of_two;

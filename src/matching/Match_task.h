@@ -75,7 +75,7 @@ struct Match_source
   Prepared_shape shape;
   Search_options options;
   Pinned_sets pinned;
-  Shared_shape aligned; ///< the participating parts in the frame of the shape; null if it has no parts
+  Shared_shape aligned; ///< the participating parts in the frame of the shape; null if the shape has no parts
 };
 
 /// A source and a target to match.
@@ -111,7 +111,7 @@ struct Part_match_result
   std::string end;                       ///< why alignments were not tried; empty if all were
 };
 
-/// The votes of the forest for the parts of the source and of the target, under one category.
+/// The votes of a category's forest for the roles of the parts of the source and of the target.
 using Role_votes_of_pair = std::array<std::shared_ptr<const Role_votes>, 2>;
 
 inline std::size_t number_of_parts(const Prepared_shape& shape) { return structure(shape.graph()).parts.size(); }
@@ -152,7 +152,8 @@ std::optional<Role_votes_of_pair> votes_of(const Match_task& task, const Pair_ca
 Part_match_result matched_parts(const Match_task& task, const Deadline& limit);
 // Removes pairs of confidence below `Search_options::min_confidence`.
 Part_match_result without_unsure(Part_match_result found, const Search_options& options);
-// The correspondence, with the energy of deforming the source into all counterparts, or the likeliest to save time.
+// The correspondence, with the energy of deforming the source into all counterparts or, if that takes long, only into
+// the likeliest counterpart of each part.
 Correspondence rated(const Shared_shape& source, const Part_match_result& found, const Search_options& options,
                      const Deadline& limit);
 std::array<Correspondence, 2> both_orders(const Match_task& task);

@@ -78,10 +78,10 @@ Eigen::ArrayXXd mutual_softmax(const Eigen::MatrixXd& costs)
   return likelihood / (of_rows * of_columns.transpose()).array().sqrt();
 }
 
-// The pairs of parts whose boxes attract each other in a warp, and the weights of these pairs.
+// The pairs of parts by which boxes are warped towards those of the other shape, and the weights of these pairs.
 struct Anchors
 {
-  std::array<std::vector<Eigen::Index>, 2> parts;
+  std::array<std::vector<Eigen::Index>, 2> parts; // for either shape, the part of each pair
   std::vector<double> weights;
 };
 
@@ -100,8 +100,9 @@ Anchors anchors_of(const Eigen::MatrixXd& costs, double least_likelihood)
   return result;
 }
 
-// The boxes of one of the shapes (`side`), whose ends the anchors pull towards those of the other shape: along each
-// axis by the weighted mean of the anchors' displacements, with a zero displacement of weight `inertia`.
+// The boxes of one of the shapes (`side`), warped towards those of the other shape: along each axis, an end of a box
+// moves by the mean of the displacements of the anchors' ends, weighted by closeness and the weight of the pair, and of
+// a zero displacement with weight `inertia`.
 Boxes warped(const Boxes& boxes, const Closeness& closeness, const Boxes& others, const Anchors& anchors,
              std::size_t side, double inertia)
 {

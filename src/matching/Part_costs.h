@@ -17,7 +17,7 @@ inline const Deadline no_deadline{};
 } // namespace internal
 
 /// The cost of every part of the source (row) corresponding to every part of the target (column), by index of the
-/// aligned shapes. Swapping the shapes transposes the matrix, bitwise unless both have the same rank.
+/// aligned shapes. Swapping the shapes transposes the matrix, bitwise unless both have the same `Shape_rank`.
 ///
 /// Boxes are compared as given and after either shape was warped towards the other, axis by axis, by the most similar
 /// parts; the three costs are averaged. A group of at least `repetition` parts, or a panel (`Part_assemblies`), may

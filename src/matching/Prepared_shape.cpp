@@ -33,7 +33,7 @@ std::shared_ptr<const Shape_features> Alignments::features(int quarter_turns, co
   return result;
 }
 
-// The roles hold the aligned shapes that they were predicted from, and may outlive the prepared shape.
+// The roles keep the aligned shapes from which they are predicted alive, since they may outlive the prepared shape.
 Turned_roles Alignments::roles(const std::shared_ptr<const Role_model>& model)
 {
   const std::lock_guard<std::mutex> lock(roles_mutex_);

@@ -119,8 +119,8 @@ void add_learned(Shape_features& result)
 
 constexpr Eigen::Index most_kept_parts = 128; // limit for caching, which takes 96 bytes for each pair of parts
 
-// The influence of an end on others, a Gaussian of their distance. \param others an even number of ends, since the
-// vectorized exponential and the scalar one differ in bits
+// The influence of an end of a box on other ends, a Gaussian of their distance. \param others an even number of ends,
+// since the vectorized exponential and the scalar one differ in bits
 template <typename Ends>
 auto closeness_to(const Ends& others, double end, double width)
 {

@@ -55,16 +55,16 @@ private:
   std::array<Eigen::MatrixXd, 3> kept_; // one column for each end, symmetric; empty for shapes of many parts
 };
 
-// What is compared of a part, or of a union of parts, besides its box and points.
+// What is compared of a part, or of a union of parts, besides its box and the points of its surface.
 struct Part_extent
 {
-  Eigen::Matrix3d orientation;
+  Eigen::Matrix3d orientation; // root of the covariance matrix of the surface, of Frobenius norm 1
   bool on_ground = false;
   bool is_board = false;    // upright, and as high and as wide as a wall
   bool is_in_chain = false; // one of the rings of a chain
 };
 
-// Sort key of shapes, invariant to turns about the up axis, by which ties are broken whichever shape is the source.
+// Sort key of shapes, invariant to turns about the up axis. It breaks ties alike, whichever shape is the source.
 using Shape_rank = std::tuple<std::size_t, Steps, Steps>;
 
 Shape_rank rank_of(const Aligned_shape& shape);
@@ -76,7 +76,7 @@ struct Shape_features
   Part_matching_options options;
   Part_assemblies assemblies; // the assemblies found with the options
 
-  std::vector<Surface> surfaces;
+  std::vector<Surface> surfaces;  // points spread over the surface of each part
   std::vector<Point_lanes> lanes; // points of the surfaces, by part
   std::vector<Part_extent> parts;
   Measured_boxes boxes;
@@ -87,10 +87,11 @@ struct Shape_features
   Measured_boxes union_boxes;
 
   // Features of the parts and of the unions, one column each, of length 1. A part or union without features gets the
-  // mean of all parts, and so their mean distance from parts of the other shape. Empty: the shape has no features
+  // mean of the parts with features, and so their mean distance from parts of the other shape. Empty: the shape has no
+  // features
   Eigen::MatrixXd learned, learned_of_unions;
-  Eigen::VectorXd mean_learned;
-  std::vector<char> has_learned; // indexed by part
+  Eigen::VectorXd mean_learned;  // mean of the parts with features
+  std::vector<char> has_learned; // for each part, whether it has features
 
   Shape_rank rank;
 

@@ -56,7 +56,7 @@ std::vector<Groups> nearest_coarse(const Aligned_shape& shape, const std::vector
   return result;
 }
 
-/// The contact of two parts at their nearest samples, with the distance of these.
+/// The distance of two parts' nearest samples, and the contact at these samples.
 std::pair<double, Aligned_shape::Contact> nearest_samples(const Aligned_shape& shape, std::size_t a, std::size_t b)
 {
   if (a > b) std::swap(a, b);
@@ -77,7 +77,7 @@ struct Coarse_shape
 {
   const Aligned_shape& fine;
   std::vector<char> is_kept;                  ///< indexed by part
-  std::vector<std::size_t> group_of_original; ///< group of the fine shape, by index in the structural graph
+  std::vector<std::size_t> group_of_original; ///< group of the fine shape, by part of the structural graph
   std::vector<Groups> nearest;                ///< indexed by fine group, see `nearest_coarse()`
   Shared_shape coarse;
 

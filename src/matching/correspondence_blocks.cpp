@@ -228,7 +228,7 @@ private:
       if (internal::quantized(pair.weight) == greatest) set_of_.unite(pair.source, pair.target);
   }
 
-  /// Unites sets by their mean weights. \param firsts the first part of each set \param pairs those of their parts
+  /// Unites sets by their mean weights. \param firsts the first part of each set \param pairs their pairs of parts
   void unite(const std::vector<std::size_t>& firsts, const std::vector<Weighted_pair>& pairs)
   {
     const auto index = [&](std::size_t part) {

@@ -35,8 +35,8 @@ struct Search_run
 struct Search_runs
 {
   std::unique_ptr<const Search_run> best;
-  std::size_t states = 0, evaluations = 0, done = 0, count = 0;
-  std::string end;       // why runs are missing; empty if all were done
+  std::size_t states = 0, evaluations = 0, done = 0, count = 0; // sums over the runs; runs done, and to be done
+  std::string end;                                              // why runs are missing; empty if all were done
   std::string too_large; // message about runs whose tables exceed the memory; empty if there are none
 };
 

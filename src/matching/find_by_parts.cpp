@@ -55,7 +55,7 @@ Part_matching matched_in_frames(const Match_task& task, const Aligned_shape& sha
   return result;
 }
 
-// Matches the shapes in an alignment. \param shape the target in it \param deadline see `part_costs()`
+// Matches the shapes in an alignment. \param shape the target in this alignment \param deadline see `part_costs()`
 Part_matching matched_in(const Match_task& task, const Shared_shape& shape, const Alignment_candidate& alignment,
                          const Deadline* deadline)
 {
@@ -72,9 +72,9 @@ Part_matching matched_in(const Match_task& task, const Shared_shape& shape, cons
                      Match_constraints(*task.aligned_source, *shape, task.options.energy), deadline);
 }
 
-// The category of both shapes, as they are given. If there is none, and it is not certain that they face the given
-// side, both are turned to the front that the roles of their parts show, if those of one shape show another front
-// clearly.
+// The category of both shapes in their given orientations. If there is none, and `front_is_sure` is false, the category
+// to which they are nearest over all quarter turns, provided that one of them then clearly has another front. If
+// several alignments are to be tried, always the category over all quarter turns.
 Pair_category recognised(const Match_task& task)
 {
   const Role_model_data& model = Role_model_access::data(*task.options.roles);

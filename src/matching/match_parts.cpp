@@ -186,7 +186,7 @@ void complete_blocks(const std::vector<Block>& blocks, const Match_matrix& confi
       match_all(block.source, block.target, pairs);
 }
 
-// Whether every leg of the shape with fewer legs has a leg of its own, and all remaining legs stand on the ground.
+// Whether every leg of the shape with fewer legs has a counterpart of its own, and all other legs stand on the ground.
 bool supports_pair_one_to_one(const Match_matrix& confident, const Part_assemblies& fewer, const Part_assemblies& more)
 {
   const std::vector<std::size_t> of_fewer = number_of_pairs(confident, fewer.legs, more.legs),

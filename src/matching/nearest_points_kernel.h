@@ -32,8 +32,8 @@ private:
 };
 
 // The least distance of every point of `p` from `q`, and of every point of `q` from `p`; computed together, since they
-// need the same distances. The arrays have room for the padding. Every instruction set gives the same bits: a squared
-// distance is x² + y² + z² in that order, and a minimum does not depend on the order.
+// need the same distances. The two result arrays have room for the padding, too. Every instruction set gives the same
+// bits: a squared distance is x² + y² + z² in that order, and a minimum does not depend on the order.
 void find_nearest(const Point_lanes& p, const Point_lanes& q, double* p_from_q, double* q_from_p);
 
 } // namespace CGAL::Shape_correspondence::internal

@@ -19,7 +19,8 @@ std::vector<std::size_t> original_parts(const Aligned_shape& shape, const std::v
   return result;
 }
 
-// Lists the energy of every contact, and shares it between its two groups. \return energies of groups, with their cuts
+// Lists the energy of every contact, and shares it between its two groups. \return the share of each group, plus
+// the energy between the segments of its cut parts
 std::vector<Rod_energy> share_energy(const Matching_problem& problem, const Assignment& assignment,
                                      Correspondence& correspondence)
 {

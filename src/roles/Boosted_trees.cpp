@@ -71,15 +71,15 @@ private:
     }
   };
 
-  // A node of the tree that grows.
+  // A node of the tree that grows. Its best split sends examples with at most `value` of `feature` to the left.
   struct Growing
   {
     Indices examples;
     Sum sum;
-    int feature = -1;
+    int feature = -1; // -1: there is no split
     int value = 0;
-    double gain = 0; // gain of the best split
-    int left = -1, right = -1;
+    double gain = 0;           // gain of the best split
+    int left = -1, right = -1; // indices of the children; -1: not split yet
   };
 
   void find_split(Growing& node) const

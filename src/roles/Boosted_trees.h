@@ -45,7 +45,7 @@ public:
   bool read(Stored_bytes& bytes, int features);
 
 private:
-  static constexpr std::uint8_t leaf = 255;
+  static constexpr std::uint8_t leaf = 255; // marks a leaf in place of a feature
 
   struct Node
   {

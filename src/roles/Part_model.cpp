@@ -22,9 +22,9 @@ namespace CGAL::Shape_correspondence::internal {
 namespace {
 
 constexpr Boosting_options affinity_options{150, 16, 0.1, 5, 0.5, 1}, partness_options{60, 12, 0.15, 5, 0.3, 1};
-constexpr double pure_enough = 0.85; // least share of a node in one true part if it is to be an example of it
+constexpr double pure_enough = 0.85; // least share of a node's area in one true part, for a node to learn from
 constexpr std::size_t most_pairs_of_shape = 250; // limit of the pairs of nodes to learn from
-constexpr double worth_unit = 0.01;              // unit of worths in a file
+constexpr double worth_unit = 0.01;              // unit of `Part_model::Category::worth` in a file
 
 // Examples of pairs of nodes, and whether they are of one part.
 struct Node_pairs
@@ -129,11 +129,11 @@ Boosted_trees partness_of(const std::vector<Judged_nodes>& shapes, const std::fu
   return training.empty() ? Boosted_trees() : learned_partness(training);
 }
 
-// Chooses the worth of a category's parts, by the quality of the parts found in the shapes of each source.
+// Chooses `worth` for a category, by the mean quality of the parts found with it, over `Part_example::source`.
 class Worth_choice
 {
 public:
-  // \param unseen model learned without the source, of one category, in which a part has worth 0
+  // \param unseen model of one category with `worth` 0, learned without shapes of the example's source
   void add(const Part_example& example, const Judged_nodes& judged, const Part_model& unseen)
   {
     const Eigen::MatrixXd overlaps = example.overlaps_of(judged.nodes);
@@ -158,7 +158,7 @@ public:
   // The best worth; the usual one unless another is clearly better across sources.
   double best() const
   {
-    // Standard errors that are subtracted from the mean gain; greatest ratio of found parts to true ones
+    // Number of standard errors that are subtracted from the mean gain; greatest ratio of found parts to true ones
     constexpr double standard_errors = 1.5, most_divided = 1.25;
     if (sources_.empty()) return usual_worth_of_part;
     double best = 0, result = usual_worth_of_part;

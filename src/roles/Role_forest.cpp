@@ -123,7 +123,7 @@ private:
   const std::vector<Role_example>& examples_;
   Random random_;
   std::vector<Node>& nodes_;
-  std::vector<double> left_, right_; // weights of roles
+  std::vector<double> left_, right_; // weights of the examples on each side of a split, by role
 };
 
 std::vector<Role_example> Role_forest::seen(std::vector<Role_example> examples,

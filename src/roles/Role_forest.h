@@ -58,7 +58,7 @@ private:
     std::uint8_t value;      // threshold: up to it, parts go left; at a leaf, the role
     std::uint32_t right = 0; // index of the right child; the left one is next
   };
-  static constexpr std::uint8_t leaf = 255;
+  static constexpr std::uint8_t leaf = 255; // marks a leaf in place of a feature
   // A node has two bytes in a file, feature and value; but a leaf of one of the first roles has one, the number of
   // features plus the role.
   static constexpr int roles_in_one_byte = leaf - ROLE_FEATURE_COUNT;

@@ -21,7 +21,7 @@ namespace internal {
 
 namespace {
 
-constexpr double steps_per_deviation = 32;   // steps per standard deviation: a byte covers four deviations either way
+constexpr double steps_per_deviation = 32; // steps of a byte per standard deviation, so that it covers four either way
 constexpr double least_area_that_counts = 4; // added to the area of a part in its weight, in steps of the feature
 
 } // namespace

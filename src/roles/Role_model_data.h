@@ -37,7 +37,8 @@ struct Match_weights
 {
   Pair_weights weights = usual_pair_weights();
   Confidence_weights confidence = usual_confidence_weights();
-  // Calibrates confidences of pairs matched by geometry alone because this category is the nearest, but not clearly.
+  // Calibrates confidences for shapes matched by geometry alone, since they are nearest to this category, but not
+  // clearly.
   Confidence_weights geometric_confidence = usual_confidence_weights();
 };
 

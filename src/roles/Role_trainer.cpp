@@ -18,7 +18,8 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// Number that stands for weight 1. Weights are whole numbers, so that sums do not depend on the order of the parts.
+// Whole number that stands for a shape's weight of 1. Weights are whole numbers, so that sums do not depend on the
+// order of the parts.
 constexpr double weight_steps = 1e6;
 
 void check(const std::vector<Labelled_graph>& shapes, const Role_training_options& options)
@@ -198,7 +199,7 @@ Category_roles Role_trainer::category(const std::string& name, const std::vector
   std::sort(drawn.begin(), drawn.end());
   result.forest =
       Role_forest(result.examples, options_.trees, options_.seed, drawn, std::size_t(options_.generated_per_tree));
-  if (parts.empty()) // they are all that distances can be measured from
+  if (parts.empty()) // there are only generated shapes to measure distances from
     for (const std::vector<Role_example>& examples : drawn)
       result.examples.insert(result.examples.end(), examples.begin(), examples.end());
   std::sort(result.examples.begin(), result.examples.end());

@@ -48,7 +48,7 @@ Eigen::MatrixX2i parts_of_roles(const Category_roles& category)
 // go to the likeliest other role.
 void move_votes_on_ground(const Eigen::MatrixX2i& known, Eigen::Ref<Eigen::RowVectorXi, 0, Eigen::InnerStride<>> votes)
 {
-  // Fewest labelled parts that show it; "hardly" is at most one of so many
+  // Least number of labelled parts of a role to judge by; "hardly" means at most one of `most_rarely` parts
   constexpr int least_parts = 20, most_rarely = 50;
   const auto never_stands = [&](Eigen::Index role) {
     return known(role, 0) >= least_parts && known(role, 1) * most_rarely <= known(role, 0);
@@ -190,7 +190,7 @@ int likely_front(const Turned_roles& shape, std::size_t category, int trees, con
     if (found > most) most = found, best = turn;
   }
   if (best == 0 || !shape[std::size_t(best)]->is_nearest(category)) return 0;
-  // Trees agree on what they have not seen, too: parts clearly less like labelled ones than as given are not turned
+  // Trees agree on what they have not seen, too: no turn to where the parts are clearly less like labelled ones
   const auto distance = [&](int turn) { return shape[std::size_t(turn)]->distance(category); };
   if (quantized((1 - options.clearly_better) * distance(best)) > quantized(distance(0))) return 0;
   // A shape that is nearly as likely at another turn, like a table seen from behind, has no clear front

@@ -61,9 +61,9 @@ private:
 // The category that two shapes are taken to be of.
 struct Pair_category
 {
-  std::size_t index = 0;   // the number of categories if there is none
+  std::size_t index = 0;   // index of the category; the number of categories if there is none
   std::string note;        // sentence that says why there is none
-  std::size_t nearest = 0; // also set if it is not clear; 0 in a model without categories
+  std::size_t nearest = 0; // index of the nearest category, even if it is not clear; 0 in a model without categories
 };
 
 // The nearest category. None if the shapes are far from its labelled parts, or not much nearer to them than to those of
@@ -79,9 +79,9 @@ using Turned_roles = std::array<std::shared_ptr<const Shape_roles>, 4>;
 std::vector<int> front_turns(const Turned_roles& shape, std::size_t category, int trees,
                              const Role_options& options = {});
 
-// The quarter turns with which a shape of a category faces +z. They are 0 unless others clearly have the greatest sum
-// of the agreement of trees and the nearness of the parts to labelled ones, with parts not clearly farther from
-// labelled ones than at 0, and no other category nearer.
+// The number of quarter turns with which a shape of a category faces +z: that with the greatest sum of the agreement of
+// trees and the nearness of the parts to labelled ones. 0 if the sum is not clearly greater than for all other numbers,
+// the parts are then clearly farther from labelled ones than at 0, or another category is nearer.
 int likely_front(const Turned_roles& shape, std::size_t category, int trees, const Role_options& options = {});
 
 // The nearest category of two shapes of unknown front.

@@ -14,7 +14,7 @@ struct Stored_bytes
 {
   const std::uint8_t* next;
   const std::uint8_t* end;
-  std::shared_ptr<const void> owner; // keeps the bytes; null if they stay as long as the program runs
+  std::shared_ptr<const void> owner; // owner of the memory; null if it exists as long as the program
 
   std::size_t size() const { return std::size_t(end - next); }
 };

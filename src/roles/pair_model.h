@@ -63,6 +63,6 @@ Eigen::Matrix<double, 1, CONFIDENCE_TERM_COUNT> confidence_terms(double probabil
 // The calibrated confidence of a pair; probabilities 0 and 1 stay.
 double confidence(double probability, const Confidence_weights& weights);
 
-constexpr double pair_weight_unit = 1e-6; // unit of weights in a file
+constexpr double pair_weight_unit = 1e-6; // unit of the weights of terms in a file
 
 } // namespace CGAL::Shape_correspondence::internal

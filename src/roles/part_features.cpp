@@ -111,7 +111,7 @@ private:
     std::set<std::size_t> patches;
     double area = 0; // area of the node near these patches
     Patch_contact borders;
-    const Piece* largest = nullptr; // the largest of their sheets; null if there is no patch
+    const Piece* largest = nullptr; // the largest sheet with one of these patches; null if there is none
   };
 
   Around around(const Part_node& node) const
@@ -297,7 +297,7 @@ private:
   std::array<std::pair<Piece_number, std::map<std::size_t, Piece>>, 3> pieces_{
       {{&Surface_patch::sheet, {}}, {&Surface_patch::component, {}}, {&Surface_patch::object, {}}}};
   std::size_t largest_sheet_ = 0;
-  std::map<std::vector<std::size_t>, std::vector<std::size_t>> copies_; // indexed by the shapes of patches: nodes
+  std::map<std::vector<std::size_t>, std::vector<std::size_t>> copies_; // nodes by `Part_node::shapes`
   std::vector<int> depths_;
 };
 

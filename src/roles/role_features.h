@@ -15,7 +15,8 @@
 namespace CGAL::Shape_correspondence::internal {
 
 // The features that roles are predicted from, in the unit box of the shape (each axis from 0 to 1 over its surface)
-// unless it says otherwise: x to its left, y up, z to its front. Left and right are alike.
+// unless the comment says otherwise: x to the left, y up, z to the front. They do not tell left from right. "Its" means
+// the part's.
 enum Role_feature : int {
   ON_GROUND, // 1 or 0
   LOWEST_HEIGHT,

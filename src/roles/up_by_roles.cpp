@@ -30,7 +30,7 @@ Up_by_roles up_by_roles(const Structural_graph& graph, const std::array<Shape_fr
     structure(turned).frame = frames[axis];
     distances[axis] = distance_of_nearest_category(turned, model);
   }
-  for (std::size_t axis : {2u, 0u}) // y if it is not farther
+  for (std::size_t axis : {2u, 0u}) // y stays unless another axis is nearer
     if (quantized(distances[axis]) < quantized(distances[result.axis])) result.axis = axis;
   double second = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -13,7 +13,7 @@ namespace CGAL::Shape_correspondence::internal {
 
 namespace {
 
-// The index, among the samples of a piece, of a sample of its part; none if the sample is on another piece.
+// The index of the sample of a piece that is nearest to a sample of its part; none if that is not on the piece.
 std::optional<std::size_t> sample_on_piece(const Piece& piece, std::size_t sample)
 {
   constexpr int last = samples_per_side - 1;

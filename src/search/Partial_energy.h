@@ -34,7 +34,8 @@ public:
   // Sets the solution whose expansions are rated next.
   void set_parent(const Assignment& assignment, const Rating& rating);
 
-  // The energy of the parent with one more group assigned, without the contacts of unassigned groups, which add to it.
+  // The energy of the parent with one more group assigned, without the contacts of unassigned groups, which only add
+  // energy.
   double lower_bound(const Assignment& assignment, std::size_t group);
 
   // The energy of the parent with one more group assigned. \param least its `lower_bound()` \param greatest rating
@@ -63,7 +64,7 @@ private:
   const Deformable_shape& shape_;
   Structure_preservation preserve_structure_;
   std::vector<std::vector<std::size_t>> contacts_of_; // indexed by group
-  // Displacement of the contact point of a matched part, by 2 contact + side, and label
+  // Displacement of a contact point by a label of its part's group, by 2 contact + side, and label
   std::vector<std::vector<Point>> contact_movement_;
   std::vector<std::deque<Piece_rods>> piece_rods_; // indexed by contact
 
@@ -76,7 +77,7 @@ private:
   Rating rating_;
   std::vector<char> matched_; // indexed by group
   std::vector<std::array<Point, 2>> contact_displacement_;
-  std::vector<char> keeps_place_; // for each part, whether it is where it is in the parent
+  std::vector<char> keeps_place_; // for each part, whether it has the same place as in the parent
 
   // Samples of unmatched parts after a motion, cached since most motions recur
   std::vector<Sample_lanes> moved_;

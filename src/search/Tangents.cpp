@@ -154,7 +154,7 @@ void Tangents::touch(const std::vector<double>& touched, Tangent_bound& bound)
       else
         pairs_[e].cost -= slope * term.edge[e];
   }
-  constexpr int first_sweeps = 8, next_sweeps = 4;
+  constexpr int first_sweeps = 8, next_sweeps = 4; // passes of messages: fewer when they start from the last ones
   if (!exact()) pass_messages_(unary_, pairs_, pass_messages_.has_messages() ? next_sweeps : first_sweeps, deadline_);
 
   for (std::size_t i = 0; i < unary_.size(); ++i)

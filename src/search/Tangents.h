@@ -40,7 +40,7 @@ public:
 private:
   struct Pairs_of
   {
-    std::vector<std::size_t> forward, backward; // its terms with later and with earlier variables
+    std::vector<std::size_t> forward, backward; // indices of a variable's pairs with later and with earlier variables
   };
 
   void start(const std::vector<Eigen::VectorXd>& unary, const std::vector<Pair_cost>& pairs);
@@ -50,7 +50,7 @@ private:
   std::vector<Pairs_of> pairs_of_; // indexed by variable
   // For each pair, the cost moved to its first and its second variable
   std::vector<Eigen::VectorXd> to_first_, to_second_;
-  std::vector<Eigen::MatrixXd> transposed_; // costs, second × first
+  std::vector<Eigen::MatrixXd> transposed_; // transposed costs of each pair, second × first variable
   Eigen::VectorXd sum_, moved_;
 };
 
@@ -72,7 +72,7 @@ public:
   Tangents(const Pairwise_energy& energy, const std::vector<std::size_t>& order, std::size_t table_limit,
            const Deadline& deadline = Deadline());
 
-  // Whether the bounds are exact minima of the tangent energy.
+  // Whether the bounds are the exact minima of the energy with tangents in place of root terms.
   bool exact() const { return buckets_->exact(); }
   // Number of tables, which grows with the number of buckets that are split.
   std::size_t number_of_tables() const { return buckets_->number_of_tables(); }

@@ -316,9 +316,9 @@ private:
   const Mini_bucket_bound* current_ = nullptr;
 
   std::size_t maximum_labels_ = 0;
-  std::vector<double> costs_, bounds_; // indexed by level and label
-  std::vector<int> children_;
-  std::vector<int> labels_; // indexed by level
+  std::vector<double> costs_, bounds_; // by level and label, see `Mini_bucket_bound::extend()`
+  std::vector<int> children_;          // labels to try, by level
+  std::vector<int> labels_;            // indexed by level
   Assignment assignment_;
   std::vector<Solution> solutions_; // the best `wanted_` solutions so far
   std::size_t wanted_ = 1;

@@ -51,8 +51,8 @@ private:
     std::vector<std::size_t> tables;
     std::size_t message;
   };
-  // Tables that add to the bound at a variable: given ones whose last variable it is, messages whose last variable it
-  // is, and messages of later variables whose last variable is earlier.
+  // Tables that add to the bound once a variable v has a label: `complete` are given tables whose last variable is v,
+  // `arriving` are messages whose last variable is v, `passing` are messages from variables after v to ones before v.
   struct Level
   {
     std::vector<std::size_t> complete, arriving, passing;

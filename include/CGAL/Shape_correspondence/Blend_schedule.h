@@ -57,9 +57,9 @@ struct Blend_task
 /// Measures of an in-between shape, by which schedules are rated; 0 is best.
 struct Blend_quality
 {
-  double support = 0; ///< 1 - number of parts on the ground / its interpolated value, not negative
-  /// Widest gap that has to be bridged to join all parts, minus that of the source or the target, whichever is wider;
-  /// over the height; 0 if less than .005.
+  double support = 0; ///< 1 - parts on the ground / their number interpolated from both ends, at least 0
+  /// Widest gap that has to be bridged to join all parts, minus the wider one of the same gaps of source and target,
+  /// over the height; 0 if the difference is less than .005.
   double apart = 0;
 };
 

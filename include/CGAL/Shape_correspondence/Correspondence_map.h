@@ -34,8 +34,9 @@ struct Part_parameter
 ///
 /// Parts that correspond one to one are mapped as a whole, in the direction in which they are fitted to each other. A
 /// part that corresponds to several is divided among them by their positions: a curve into intervals of its parameter,
-/// a sheet into rectangles, each mapped to one part; if they lie side by side across it, it is mapped to all of them. A
-/// curve is mapped to the middle of a sheet, in the longer direction. The map is continuous within every piece.
+/// a sheet into rectangles, each mapped to one part. Counterparts side by side across the curve or sheet get the same
+/// piece, which is mapped to all of them. A curve is mapped to the middle of a sheet, in the longer direction. The map
+/// is continuous within every piece.
 class Correspondence_map
 {
 public:

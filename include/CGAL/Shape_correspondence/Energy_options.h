@@ -58,7 +58,8 @@ struct Energy_options
   /// Whether contacts of unmatched parts are hard constraints (paper, section 4.2): then a part follows its contact
   /// points wherever an affine map can; otherwise it resists stretching slightly.
   bool hard_proximity = false;
-  /// Energy of an unmatched group per contact (at least once), not negative; `never`: groups must be matched.
+  /// Energy for each contact with an unmatched group, and for an unmatched group without contacts, not negative;
+  /// `never`: groups must be matched.
   double unmatched_cost = never;
   /// Pairs that must correspond; their parts correspond to no other parts. A part in several pairs corresponds to all
   /// its partners. A search removes these parts from their symmetry groups and charges no E_s for them.

@@ -35,8 +35,8 @@ struct Curve
 struct Sheet
 {
   Points points; ///< control point (row i, column j) is column i * cols + j
-  int rows = 0;  ///< at least 2
-  int cols = 0;  ///< at least 2
+  int rows = 0;  ///< number of rows, at least 2
+  int cols = 0;  ///< number of columns, at least 2
 
   /// The point at parameters (`u`, `v`). O(1).
   Point operator()(double u, double v) const;
@@ -46,11 +46,11 @@ struct Sheet
 /// Time of each phase of an abstraction, in milliseconds.
 struct Phase_milliseconds
 {
-  double measure = 0; ///< area, hull, surface samples
-  double repair = 0;  ///< making the surface closed
-  double remesh = 0;  ///< isotropic remeshing
-  double flow = 0;    ///< mean curvature flow
-  double fit = 0;     ///< classification, curve or sheet
+  double measure = 0; ///< time for the area, the hull and the surface samples
+  double repair = 0;  ///< time for making the surface closed
+  double remesh = 0;  ///< time for isotropic remeshing
+  double flow = 0;    ///< time for the mean curvature flow
+  double fit = 0;     ///< time for the decision on curve or sheet, and for fitting it
 };
 
 /// \ingroup PkgShapeCorrespondenceAbstraction
@@ -79,7 +79,7 @@ struct Abstraction_report
   Method method = Method::GIVEN; ///< object to which the curve or sheet was fitted
   Repair repair = Repair::NONE;  ///< how the surface was closed
   bool tube = false; ///< whether the part is a hollow tube, abstracted by its axis of revolution or a sheet across it
-  bool blob = false; ///< whether the part is neither elongated nor flat: its curve is along its axis, or through it
+  bool blob = false; ///< whether the part is neither elongated nor flat: its curve is an axis or a skeleton
   bool branching = false;          ///< whether the curve or sheet is a rough approximation: `coverage` is less than 0.8
   bool several_components = false; ///< whether the part's surface is disconnected
   bool hull_of_box = false; ///< whether the hull is that of the part's bounding box, since it could not be computed

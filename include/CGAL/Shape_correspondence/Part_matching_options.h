@@ -25,20 +25,20 @@ namespace CGAL::Shape_correspondence {
 /// are relative to the extents of the shapes: along each axis of the common frame, each shape extends from 0 to 1.
 struct Part_cost_weights
 {
-  /// Share of the smaller bounding box that lies outside of the other one.
+  /// Weight of the share of the smaller bounding box that lies outside of the other one.
   double overlap = 2;
-  /// |log(ratio of the sides of the bounding boxes)|, summed over the axes.
+  /// Weight of |log(ratio of the sides of the bounding boxes)|, summed over the axes.
   double extent = 0.7;
   /// Cost if only one of the parts stands on the ground; half of it if one of them is an upright board.
   double ground = 1.5;
-  /// Horizontal distance of the centres of the bounding boxes, summed over the two axes.
+  /// Weight of the horizontal distance of the centres of the bounding boxes, summed over the two axes.
   double place = 3.2;
-  /// Frobenius distance of the normalized square roots of the covariance matrices of the surfaces.
+  /// Weight of the Frobenius distance of the normalized square roots of the covariance matrices of the surfaces.
   double orientation = 1.5;
-  /// Mean distance of points of either surface from the other one.
+  /// Weight of the mean distance of points of either surface from the other one.
   double chamfer = 2;
-  /// Cosine distance of the features of the parts, in [0, 2], if both shapes have some (`Shape_structure::features`);
-  /// at most 1000.
+  /// Weight, at most 1000, of the cosine distance of the features of the parts, in [0, 2], if both shapes have some
+  /// (`Shape_structure::features`).
   double features = 3;
 };
 
@@ -56,10 +56,10 @@ struct Part_matching_options : Role_options
   /// Likelihood, in [0, 1], above which a pair of parts takes part in warping one shape towards the other; also the
   /// weight of a zero displacement in the mean of the displacements.
   double anchor = 0.2;
-  /// Standard deviation, a length, of the Gaussian by which the influence of such a pair falls with distance.
+  /// Standard deviation, a length, of the Gaussian by which the influence of a pair on the warp falls with distance.
   double warp_width = 0.15;
-  /// Limit for c - c1 + c - c2, where c is the cost of a matched pair, and c1, c2 are the least costs of its two parts,
-  /// one of which must be c. Smaller values give fewer pairs of higher precision.
+  /// Limit for (c - c1) + (c - c2), where c is the cost of a matched pair, and c1, c2 are the least costs of its two
+  /// parts in any pair; c must be c1 or c2. Smaller values give fewer pairs of higher precision.
   double excess = 1.5;
   /// Limit for the same sum of differences as `excess`, for the pairs that decide which sets of parts correspond.
   double confident_excess = 0.5;

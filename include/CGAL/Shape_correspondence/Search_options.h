@@ -49,7 +49,7 @@ struct Search_options
   Beam_options beam;         ///< options of `Search_method::BEAM`
   Exact_options exact;       ///< options of `Search_method::EXACT`
   Energy_options energy;     ///< options of the deformation energy
-  /// Whether to deform either shape, and keep the lower energy per pair of connected parts.
+  /// Whether to deform each shape into the other one, and keep the result of less energy per pair of connected parts.
   bool both_directions = true;
   /// Whether to compare directions by energy, as in the paper, instead of energy per pair of connected parts.
   bool direction_by_energy = false;

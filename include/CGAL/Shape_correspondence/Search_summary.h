@@ -20,9 +20,9 @@ namespace CGAL::Shape_correspondence {
 /// Effort and lower bound of a search.
 struct Search_summary
 {
-  std::string method = "beam"; ///< parts, beam or exact
-  std::size_t states = 0;      ///< search states kept
-  std::size_t evaluations = 0; ///< states whose energy, or a lower bound of it, was computed
+  std::string method = "beam"; ///< `parts`, `beam` or `exact`
+  std::size_t states = 0;      ///< number of search states kept
+  std::size_t evaluations = 0; ///< number of states whose energy, or a lower bound of it, was computed
   double lower_bound = 0;      ///< lower bound of the energy of any correspondence in the direction of the result
 };
 

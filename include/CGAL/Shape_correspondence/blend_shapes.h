@@ -46,27 +46,28 @@ struct Blend_surface
 ///
 /// - *Stage*: every shape stands on the ground with the centre of its bounding box, or its mirror plane, above the
 ///   origin, in the axes of the source; the source and the target are the inputs, moved there.
-/// - *Layout*: every matched part has a box at either end; position, size and rotation are interpolated between them;
-///   the axes of boxes are paired by the least rotation. The shape stands on the ground with the interpolated height.
+/// - *Layout*: every matched part has a box in the source and one in the target; position, size and rotation are
+///   interpolated between the two, whose axes are paired by the least rotation. The shape stands on the ground with the
+///   interpolated height.
 /// - *Matched parts* morph in their boxes, or along their curves. Either surface moves with its box and, where that
 ///   brings it nearer to the other one, with a smooth change of space by the outlines of cross-sections. The target's
 ///   surface replaces the source's at time .45. A part that corresponds to many is cut into closed pieces, one for
 ///   each.
 /// - *Unmatched parts* have no counterpart, or cannot morph to it (`Blend_obstacle`). Two with similar place and size
-///   become each other (`Blend_task_type::EXCHANGE`). Unmatched parts follow a warp of the space around their end, a
-///   smoothing spline: it follows the surfaces of matched parts, the boxes of parts that correspond, and the bounding
-///   box of the whole, so that parts stay in contact with their neighbours. Where their contacts allow it, they are
-///   stretched, or turned and stretched, so that what is straight stays straight. They come and go along their own
-///   curve or sheet: from the place where they are held, or from the line between several such places. Old parts
+///   become each other (`Blend_task_type::EXCHANGE`). Unmatched parts follow a warp of the space around their shape,
+///   a smoothing spline: it follows the surfaces of matched parts, the boxes of parts that correspond, and the bounding
+///   box of the whole shape, so that parts stay in contact with their neighbours. Where their contacts allow it, they
+///   are stretched, or turned and stretched, so that what is straight stays straight. They come and go along their own
+///   curve or sheet: from the place where they are attached, or from the line between several such places. Old parts
 ///   (of the source) are replaced by the new ones in their place in an instant, one place after the other; other old
 ///   parts vanish before that, and other new parts grow after it, parts after those that carry them.
-/// - If both shapes have the common mirror plane, the *mirror image* of a part becomes the mirror image of its
-///   counterpart, even if only one of the two pairs is in the correspondence.
+/// - If x = 0 is a mirror plane of both shapes on the stage, the *mirror image* of a part becomes the mirror image of
+///   its counterpart, even if only one of the two pairs is in the correspondence.
 ///
 /// In a *schedule*, old parts are exchanged for new ones in two steps or at one time. Two steps, with a mixed shape
 /// between them, are preferred unless parts come apart in the mixed shape or most of its supports are missing
 /// (`Blend_quality`); if no mixed shape is good, both schedules are the same. Deterministic.
-/// \pre for all members: the blend was not moved from
+/// \pre for all members: the object has not been moved from (`std::move()`)
 ///
 /// Functions that do not change a blend may be called by several threads at once.
 class Shape_blend

@@ -30,8 +30,8 @@ struct Structure_options
 /// Time of the steps of `build_structural_graph()`, in seconds.
 struct Structure_times
 {
-  double abstraction = 0; ///< abstracting all parts
-  double structure = 0;   ///< finding symmetry groups and contacts
+  double abstraction = 0; ///< seconds for abstracting all parts
+  double structure = 0;   ///< seconds for finding symmetry groups and contacts
 };
 
 /// \ingroup PkgShapeCorrespondenceFunctions

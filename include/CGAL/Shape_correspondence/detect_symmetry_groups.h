@@ -52,8 +52,8 @@ struct Symmetry_options
 /// ordered along the generator: of a pair, the one with the larger x (z) in the frame first; of a ring, by angle; of a
 /// row, along the vector. Groups are ordered by their first part; their volumes and hull volumes are set. The result
 /// does not depend on the order of the parts, nor on the shape's pose. O(n²) comparisons of hulls for n parts. Rows are
-/// followed from ten million ordered pairs of congruent parts at most, for example in ten rounds from those of 1000
-/// parts; of more, the longest rows are groups.
+/// followed from ordered pairs of congruent parts, at most ten million pairs in all rounds of finding groups, such as
+/// those of 1000 parts in ten rounds. After that, only the rows of the earlier rounds, the longest ones, are groups.
 /// \param parts the abstractions of the shape's parts
 /// \param frame the frame of the shape
 /// \param options the kinds of symmetry to detect, and the tolerance

@@ -16,13 +16,13 @@
 namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceShapes
-/// The features of the parts of a shape, for `Shape_structure::features`: those of its surface, such as a neural
+/// The features of the parts of a shape, for `Shape_structure::features`: features of its surface, such as a neural
 /// network computes, integrated over each part and divided by the area of the shape. Features of vertices are
 /// interpolated.
 /// \param features one column for each triangle, or else for each vertex, of all parts, in their order
 /// \param shape the shape
 /// \return one column for each part
-/// \throw Invalid_input if the number of columns is neither, or a number is not finite
+/// \throw Invalid_input if there is not one column for each triangle or vertex, or a number is not finite
 Eigen::MatrixXd features_of_parts(const Eigen::MatrixXf& features, const Segmented_shape& shape);
 
 /// \ingroup PkgShapeCorrespondenceShapes
@@ -32,7 +32,7 @@ Eigen::MatrixXd features_of_parts(const Eigen::MatrixXf& features, const Segment
 /// \param objects the objects
 /// \param split the parts made of them
 /// \return one column for each part
-/// \throw Invalid_input if the number of columns is neither, or a number is not finite
+/// \throw Invalid_input if there is not one column for each triangle or vertex, or a number is not finite
 Eigen::MatrixXd features_of_parts(const Eigen::MatrixXf& features, const Segmented_shape& objects,
                                   const Part_split& split);
 

@@ -29,9 +29,9 @@ struct Markov_clustering_options
   double inflation = 2;
   double expansion_limit = 1e-4;   ///< share of the sum of a column below which an entry is dropped
   std::size_t column_limit = 1000; ///< largest number of entries of a column; the smallest ones are dropped
-  /// Largest number of all entries, 28 bytes each; shared evenly if that is less than `column_limit` per column.
+  /// Largest number of entries of the matrix, 28 bytes each; it also limits a column to an even share of it.
   std::size_t entry_limit = 30'000'000;
-  /// Largest difference, at convergence, between the largest entry of a column and its sum of squares.
+  /// Largest difference, at convergence, between the largest entry of a column and the sum of squares of its entries.
   double tolerance = 1e-3;
   int maximum_iterations = 200; ///< limit for the iterations of squaring and inflating
 };

@@ -30,7 +30,7 @@ namespace parameters {
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters;
 
-// name, option structure, field
+// The named parameters, by name, option structure and field
 #define CGAL_SHAPE_CORRESPONDENCE_PARAMETERS(X)                                                                        \
   X(search_method, Search_options, method)                                                                             \
   X(min_confidence, Search_options, min_confidence)                                                                    \
@@ -112,7 +112,8 @@ Options options_from(const NamedParameters& np)
 /// \param shape the shape
 /// \param np named parameters, each of which sets a field, where its meaning, unit and default are documented
 ///
-/// | parameter | field | |---|---|
+/// | parameter | field |
+/// |---|---|
 /// | `time_limit`, `progress` | fields of these names in `Abstraction_options` |
 /// | `detect_symmetry` | `Symmetry_options::enabled` |
 /// | `contact_tolerance` | `Contact_options::tolerance` |
@@ -130,7 +131,8 @@ Structural_graph build_structural_graph(const Segmented_shape& shape,
 /// \param source,target the structural graphs of the shapes
 /// \param np named parameters, each of which sets a field, where its meaning, unit and default are documented
 ///
-/// | parameter | field | |---|---|
+/// | parameter | field |
+/// |---|---|
 /// | `search_method` | `Search_options::method` |
 /// | `min_confidence`, `maximum_parts`, `alignments`, `front_is_sure`, `solutions` | same names in `Search_options` |
 /// | `feature_weight` | `Part_cost_weights::features` |

@@ -69,7 +69,7 @@ struct Part_split
   Segmented_shape shape;              ///< the parts
   std::vector<Model_piece> pieces;    ///< sorted by object, then by place along a direction of the frame
   std::vector<std::string> decisions; ///< for every object: the result, and its reason
-  bool by_segments = false;           ///< whether pieces are segments
+  bool by_segments = false;           ///< whether loose pieces were divided, where possible, by `segment_mesh()`
   bool is_found = false;              ///< whether parts were found by their similarity to labelled parts
   /// The category and the number of parts of each role, in words, if parts were found and are clearly of a category.
   std::string found_roles = {};

@@ -19,7 +19,8 @@ namespace CGAL::Shape_correspondence {
 
 /// \ingroup PkgShapeCorrespondenceRoles
 /// Learns roles from labelled shapes. The same shapes, in any order, and the same seed give the same model, byte for
-/// byte, on any number of threads. Weights of pairs of parts are defaults by the number of a category's shapes.
+/// byte, on any number of threads. The weights that give the probabilities of pairs of parts are not learned, but
+/// defaults for the number of a category's shapes.
 /// \param shapes the labelled shapes
 /// \param options the options
 /// \throw Invalid_input if a shape has no category, a part no role, or a number is out of its range

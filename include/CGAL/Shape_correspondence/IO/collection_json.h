@@ -38,7 +38,7 @@ struct Collection
     std::string file;               ///< the file or folder from which it was read
     std::vector<std::string> parts; ///< names of its parts
   };
-  /// Two shapes that match better via other shapes.
+  /// Two shapes for which a chain via other shapes has less energy than the direct match.
   struct Bridge
   {
     std::size_t source;                       ///< index of the source shape

@@ -26,10 +26,10 @@ namespace CGAL::Shape_correspondence::IO {
 /// Seconds of each phase of a match, as written to the result file.
 struct Match_seconds
 {
-  double read = 0;        ///< reading both models
-  double abstraction = 0; ///< abstracting their parts
-  double structure = 0;   ///< finding symmetry groups and contacts
-  double search = 0;      ///< finding the correspondence
+  double read = 0;        ///< seconds for reading both models
+  double abstraction = 0; ///< seconds for abstracting their parts
+  double structure = 0;   ///< seconds for finding symmetry groups and contacts
+  double search = 0;      ///< seconds for finding the correspondence
 };
 
 /// \ingroup PkgShapeCorrespondenceIO

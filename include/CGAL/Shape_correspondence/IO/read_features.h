@@ -25,17 +25,17 @@ namespace CGAL::Shape_correspondence::IO {
 Eigen::MatrixXf read_features(const std::string& file);
 
 /// \ingroup PkgShapeCorrespondenceIO
-/// The features of the parts made of a model in OBJ, OFF, PLY or STL, or of a folder of such files, from those of its
-/// faces or vertices in the order of the file, or of the files sorted by name, one after the other. Polygons are one
-/// face each; faces and vertices that reading leaves out or merges count. STL has no vertices. If a model has as many
+/// The features of the parts that were made of a model in OBJ, OFF, PLY or STL, or of a folder of such files. Given are
+/// features of its faces or vertices, in the order of the file, or of the files sorted by name. Polygons are one face
+/// each; faces and vertices that reading leaves out or merges count. STL has no vertices. If a model has as many
 /// faces as vertices, the features are those of faces.
 /// \param features one column for each face, or else for each vertex
 /// \param model the file or folder
 /// \param split its parts, as from `split_parts()`
-/// \param options those with which the model was read
+/// \param options the options with which the model was read
 /// \return one column for each part (`Shape_structure::features`)
-/// \throw Invalid_input if the model cannot be read or is of another format, the number of columns is neither that of its
-/// faces nor that of its vertices, or a number is not finite
+/// \throw Invalid_input if the model cannot be read or is of another format, the number of columns is neither that of
+/// its faces nor that of its vertices, or a number is not finite
 Eigen::MatrixXd features_of_parts(const Eigen::MatrixXf& features, const std::string& model, const Part_split& split,
                                   const Reading_options& options = {});
 
