@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures part abstraction on folders of parts: benchmark_abstraction [--parts] [--triangles N] SHAPE_FOLDER...
-// Every folder holds parts/ and, for the category, labels.json; with a structure.json that states mid-lines and
-// mid-surfaces, deviations from them are measured, too. --parts prints one line for each part; --triangles: as `graph`.
+// Every folder holds parts/ and, for the category, labels.json. If it also has structure.json, which states mid-lines
+// and mid-surfaces, deviations from these are measured, too. --parts prints one line for each part; --triangles is that
+// of the command `graph`.
 
 #include "abstraction_error.h"
 

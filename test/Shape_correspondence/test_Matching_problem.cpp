@@ -297,7 +297,7 @@ TEST_CASE("A cut part: its contacts count by the segment that touches, and betwe
     const double distortion = rods.energy(sampled(low).samples, sampled(flat).samples).distortion;
     CHECK(distortion > 0.2);
     CHECK(problem.group_terms(1, cut).distortion == Approx(distortion).margin(1e-5));
-    CHECK(problem.group_terms(1, cut).connectedness == Approx(0.04)); // Eq. 4 with d = 0, d' = 0.04, f = 1
+    CHECK(problem.group_terms(1, cut).connectedness == Approx(0.04)); // Eq. 4: the gap over the longest rod, 1
   }
 }
 

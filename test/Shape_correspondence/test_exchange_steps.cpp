@@ -218,7 +218,7 @@ TEST_CASE("A part that would be hidden inside a new one is not kept")
 
 TEST_CASE("Space that both shapes fill is not empty between the steps")
 {
-  // An old bar ends where a new one begins, and a third of each is in the same place; either has its counterpart
+  // An old bar ends where a new one begins, and a third of each is in the same place; each has its counterpart
   // elsewhere. If the old bar, whose group is lower, changed first, there would be a hole between them.
   const Named_box back = {"back", {0, 0.5, -0.3}, {2.4, 1, 0.1}};
   const std::vector<Named_box> from = {
