@@ -29,7 +29,7 @@ struct Totals
 {
   std::size_t shapes = 0, parts = 0, copies = 0, curves = 0, closed_curves = 0, sheets = 0, fallbacks = 0, flagged = 0;
   Values seconds;                      ///< wall-clock time of each shape
-  Values medialness, plain_medialness; ///< by curve point; `plain`: only of parts without flags, in one piece
+  Values medialness, plain_medialness; ///< `medialness()` by curve point; `plain`: of unflagged parts in one piece
   Values sheet_residuals;              ///< by sheet, see `Abstraction_report::residual`
   Values deviations;                   ///< distances from the stated curve or sheet, over the part's diagonal
   std::size_t stated = 0, kinds_right = 0;

@@ -144,7 +144,7 @@ inline Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const 
   const Pair_category of_pair = category_of_pair(source, target, model);
   const std::size_t found = category_known ? own : of_pair.index;
   if (of_pair.nearest < none) result.nearest = model.categories[of_pair.nearest].name;
-  std::vector<double> distances(2, 1e9); // as good as infinite
+  std::vector<double> distances(2, 1e9); // greater than any distance
   for (std::size_t category = 0; category < none; ++category)
     distances.push_back((source.distance(category) + target.distance(category)) / 2);
   std::partial_sort(distances.begin(), distances.begin() + 2, distances.end());

@@ -430,7 +430,7 @@ private:
   Role_trainer trainer_;
   Role_model_data all_;                            // model learned from all shapes
   std::vector<std::vector<Role_evidence>> turned_; // by shape and quarter turns of it; empty for shapes in no pair
-  std::vector<Unseen_pair> unseen_, fitted_to_;    // predictions by pair: reported, and for fitting weights
+  std::vector<Unseen_pair> unseen_, fitted_to_;    // predictions by pair: to report; to fit weights to
   std::vector<std::array<Pairs, 2>> least_energy_; // by pair of shapes: pairs of parts without, with roles
   std::vector<Validated_pair> pairs_;
   std::unique_ptr<Role_fit> fit_;
