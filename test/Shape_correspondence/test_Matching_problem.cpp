@@ -89,7 +89,7 @@ TEST_CASE("Role costs: each contact is charged the mean role cost of its two par
     for (Eigen::Index i = 0; i < options.role_costs.rows(); ++i)
       for (Eigen::Index j = 0; j < options.role_costs.cols(); ++j)
         options.role_costs(i, j) = double((3 * i + 5 * j) % 7) / 7;
-    CHECK(Matching_problem(source, target, options).energy().unary == without.energy().unary); // the weight is 0
+    CHECK(Matching_problem(source, target, options).energy().unary == without.energy().unary); // roles weigh 0
     options.weights.roles = 0.8;
     const Matching_problem problem(source, target, options);
     const auto cost_of_part = [&](std::size_t part, const Assignment& assignment) {

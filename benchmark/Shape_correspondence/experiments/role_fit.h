@@ -199,7 +199,7 @@ private:
   // Weights fitted to all categories but that of `key`. \param examples terms by pair of shapes
   template <typename Examples>
   auto fitted_without(const Key& key, const Examples& examples) const;
-  // Weights fitted to the pairs whose member `group` is the category of `key`, drawn to the expected weights
+  // Weights fitted to the pairs whose member `group` is the category of `key`, near the expected weights
   template <typename Examples, typename Weights>
   Weights fitted_of(const Key& key, std::string Unseen_pair::*group, const Examples& examples, const Weights& expected,
                     const Weights& penalties) const;
