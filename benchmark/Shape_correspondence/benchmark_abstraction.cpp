@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures part abstraction on folders of parts: benchmark_abstraction [--parts] [--triangles N] SHAPE_FOLDER...
-// Every folder holds parts/ and, for the category, labels.json; with a structure.json that states mid-lines and
-// mid-surfaces, deviations from them are measured, too. --parts prints one line for each part; --triangles: as `graph`.
+// Every folder holds parts/ and, for the category, labels.json. If it also has structure.json, which states mid-lines
+// and mid-surfaces, deviations from these are measured, too. --parts prints one line for each part; --triangles is that
+// of the command `graph`.
 
 #include "abstraction_error.h"
 
@@ -28,7 +29,7 @@ struct Totals
 {
   std::size_t shapes = 0, parts = 0, copies = 0, curves = 0, closed_curves = 0, sheets = 0, fallbacks = 0, flagged = 0;
   Values seconds;                      ///< wall-clock time of each shape
-  Values medialness, plain_medialness; ///< by curve point; `plain`: only of parts without flags, in one piece
+  Values medialness, plain_medialness; ///< `medialness()` by curve point; `plain`: of unflagged parts in one piece
   Values sheet_residuals;              ///< by sheet, see `Abstraction_report::residual`
   Values deviations;                   ///< distances from the stated curve or sheet, over the part's diagonal
   std::size_t stated = 0, kinds_right = 0;

@@ -22,9 +22,9 @@
 #include <numeric>
 #include <optional>
 
-// Compares the parts that are made of raw model files with labelled parts of the same shapes, by sample points on the
+// Compares the parts that are found in raw model files with labelled parts of the same shapes, by sample points on the
 // labelled surfaces: Rand indices (Rand 1971; Hubert and Arabie 1985), F1 of parts, and the number of points that each
-// labelled part has in common with each part made.
+// labelled part has in common with each part found.
 
 namespace CGAL::Shape_correspondence::benchmark {
 namespace {
@@ -35,8 +35,8 @@ using internal::contacts::Triangle_tree;
 
 constexpr int points_of_shape = 8000; // samples on a labelled shape
 constexpr int points_of_part = 32;    // least number of samples on a part, so that small parts count
-constexpr double found_share = 0.75;  // intersection over union above which a part is found; at most one part has it
-constexpr double same_place = 0.005;  // largest distance of a labelled sample from the raw surface, over the diagonal
+constexpr double found_share = 0.75;  // intersection over union above which a raw part is the labelled one
+constexpr double same_place = 0.005;  // labelled samples farther from the raw surface do not count; over the diagonal
 
 const char* const usage =
     "Usage: benchmark_parts [--parts auto|file|components|segments] [--roles FILE] [--obj FILE] RAW LABELLED [RAW "
@@ -152,9 +152,9 @@ Common_points common_points(const Labelled_points& labelled, std::size_t labelle
 
 struct Agreement
 {
-  double rand = 0, adjusted = 0;
-  double f1 = 0;      ///< of parts; raw parts without samples do not count
-  double covered = 0; ///< share of the labelled surface that is in the raw model
+  double rand = 0, adjusted = 0; ///< Rand index, adjusted Rand index
+  double f1 = 0;                 ///< of parts; raw parts without samples do not count
+  double covered = 0;            ///< share of the labelled surface that is in the raw model
 };
 
 Agreement agreement_of(const Counts& counts)

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times the search on pairs of saved structural graphs, single-threaded: matching by parts, tables and exact search,
-// and the paper's beam, the searches with both directions. Prints medians and 95th percentiles in milliseconds, how far
-// the beam is from the optimum, the speed of the rod kernel, and synthetic problems.
+// Times the search on pairs of saved structural graphs, single-threaded: matching by parts; tables of energies, exact
+// search and the paper's beam search, each in both directions. Prints medians and 95th percentiles in milliseconds, the
+// energy of the beam over that of exact search, the speed of the rod kernel, and times of synthetic problems.
 //   benchmark_search [--pairs] [--repeats N] GRAPH.json GRAPH.json ...     matches all pairs of graphs of one folder
 // --pairs prints a line for each pair: numbers of parts, milliseconds of matching by parts, exact and beam search.
-// --repeats: each pair is matched N times, and the least time counts, as other programs on the machine add to the rest.
+// --repeats: each pair is matched N times, and the least time counts, as other programs lengthen the other times.
 #include "energy/Structural_rods.h"
 #include "energy/rod_kernel.h"
 #include "matching/match_parts.h"
@@ -73,8 +73,8 @@ double kernel_speed()
   return sum > 0 ? 2 * 36 * 36 * repeats / (best * 1e6) : 0;
 }
 
-// An energy of random points in the unit cube: every source point is joined to the `width` points before it by a rod,
-// whose energy is that of moving its ends to two target points (the labels); splits have random costs.
+// The energy of matching random points in the unit cube. A rod joins every source point to each of the `width` points
+// before it; it costs the energy of moving its ends to two target points, which are the labels. Splits cost at random.
 SC::Pairwise_energy synthetic_problem(unsigned seed, int groups, int labels, int width)
 {
   std::mt19937 random(seed);

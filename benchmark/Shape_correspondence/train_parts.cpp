@@ -3,8 +3,8 @@
 // This file is part of the CGAL package Shape_correspondence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What parts look like, learned from labelled shapes, and how well the parts of others are found again when their
-// meshes are joined.
+// Learns what parts look like from labelled shapes, and measures how well the parts of other shapes are found again
+// after their meshes are joined.
 
 #include "base/for_each_index.h"
 #include "command_line.h"
@@ -43,7 +43,8 @@ struct Options
   bool folds = false;
 };
 
-/// The parts as one object, or as three of parts with the same roles; and by object and triangle the part.
+/// A shape whose parts are joined to one object, or to three, where parts of one role are in the same object. `parts`
+/// has the index of the labelled part, by object and triangle.
 struct Joined
 {
   Segmented_shape shape;
@@ -113,7 +114,9 @@ Example example_of(const IO::Labelled_shape& labels, bool one)
   return result;
 }
 
-using Row = std::array<double, 5>; // recovered, overlap, found over true parts, in one true part, F1
+// Share of the true parts that are recovered, their mean overlap, number of found parts over that of true parts, share
+// of the found parts that are in one true part, F1.
+using Row = std::array<double, 5>;
 
 Row measured(const Part_example& shape, const std::vector<Part_node>& nodes, const std::vector<std::size_t>& cut)
 {
@@ -200,7 +203,7 @@ std::vector<Example> examples_of(const std::vector<IO::Labelled_shape>& labels)
   return result;
 }
 
-/// How well parts are found, by the form of the shapes, the way to find them, and the category.
+/// How well parts are found, by title (number of objects of a shape, and way to find parts) and category.
 using Tables = std::map<std::string, std::map<std::string, std::vector<Row>>>;
 
 const Part_model::Category* category_of(const Part_example& shape, const Part_model& model)
@@ -210,7 +213,7 @@ const Part_model::Category* category_of(const Part_example& shape, const Part_mo
   return nullptr;
 }
 
-/// The cut that recovers most parts.
+/// The cut through the tree of `nodes` that recovers the most true parts.
 std::vector<std::size_t> ideal_cut(const Part_example& shape, const std::vector<Part_node>& nodes)
 {
   const Eigen::MatrixXd overlaps = shape.overlaps_of(nodes);

@@ -188,7 +188,7 @@ public:
     return worst;
   }
 
-  /// Distance of the in-between shape from its mirror image, minus the larger one of source and target.
+  /// Distance of the in-between shape from its mirror image, minus the larger of these distances of source and target.
   double asymmetry(double t) const
   {
     CGAL::Shape_correspondence::internal::Tree_pointers trees;
@@ -205,7 +205,7 @@ public:
 private:
   using Input = CGAL::Shape_correspondence::internal::Blend_input;
   using Shape = CGAL::Shape_correspondence::internal::In_between_shape;
-  static constexpr double touching = 0.02;
+  static constexpr double touching = 0.02; // gap below which parts touch
 
   double asymmetry_of_end(std::size_t end) const
   {

@@ -73,8 +73,9 @@ inline Part_group group(std::vector<std::size_t> parts, Symmetry_type type = Sym
 }
 
 // A graph of points with given contacts, by default each a group of its own. All samples of a part are at one place, so
-// that energies can be computed by hand. A contact whose rod turns by an angle t has E_d = 1 - cos t (1
-// beyond a right angle) and, if the rod grows, E_c = 1; a contact whose parts coincide has E_d = 1 and E_c = 1/2.
+// that energies can be computed by hand. A contact whose rod turns by an angle t has the distortion E_d = 1 - cos t (1
+// beyond a right angle) and, if the rod grows, the connectedness energy E_c = 1. If its parts come to be in one place,
+// E_d = 1 and E_c = 0.
 // \param places positions of the parts, ascending in y, then x, then z, so that labels are the indices of target groups
 inline Structural_graph point_graph(const std::vector<Point>& places,
                                     const std::vector<std::array<std::size_t, 2>>& contacts,

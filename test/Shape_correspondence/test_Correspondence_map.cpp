@@ -48,7 +48,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
     const auto images = map({0, parameter});
     REQUIRE(images.size() == 1);
     ++hits[images[0].part];
-    // Lath and plate are in the same place: the image is the lath's share of the plate
+    // The laths are in the place of the plate, so that a point and its image are near each other
     const Point place = evaluate(structure(from).parts[0], parameter);
     const Point image = evaluate(structure(to).parts[images[0].part], images[0].parameter);
     CHECK(std::abs(place.x() - image.x()) < 0.06);
@@ -56,7 +56,7 @@ TEST_CASE("A plate that splits into laths is covered by them, each by its third"
     if (part_before == images[0].part) CHECK((image - before).norm() < 2 * 1.2 / n);
     before = image;
     part_before = images[0].part;
-    // The inverse map returns to the lath
+    // The inverse map returns to the point of the plate
     bool returns = false;
     for (const Part_parameter& back : map.inverse()(images[0]))
       returns = returns || (back.part == 0 && (back.parameter - parameter).norm() < 1e-9);

@@ -63,7 +63,7 @@ TEST_CASE("A pinned pair corresponds, and its parts to nothing else, by every me
     CHECK(partners_of_source(c, 2) == Parts{3});
     CHECK(partners_of_target(c, 3) == Parts{2});
     CHECK(partners_of_source(c, 0) == Parts{0});
-    // Leg 3 takes the leg that is left, and the hind legs are still a pair
+    // Leg 3 takes the remaining front leg, and the hind legs still correspond as a pair
     if (method != Search_method::PARTS)
       CHECK(part_pairs(c.pairs) == Pairs{{0, 0}, {1, 1}, {2, 3}, {3, 2}, {4, 4}, {5, 5}});
   }
@@ -150,7 +150,7 @@ TEST_CASE("Constraints that cannot be satisfied are errors")
   CHECK_THROWS_AS(matched_with({}, {{6, 0}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({}, {{0, 8}}), Invalid_input);
   CHECK_THROWS_AS(matched_with({{0, 0}}, {{0, 0}}), Invalid_input);
-  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // part 2 is not in the coarse shape
+  CHECK_THROWS_AS(matched_with({{2, 4}}, {}, 1), Invalid_input); // `maximum_parts` leaves out part 2
   CHECK_NOTHROW(matched_with({}, {{2, 4}}, 1));
 }
 

@@ -89,7 +89,7 @@ TEST_CASE("Role costs: each contact is charged the mean role cost of its two par
     for (Eigen::Index i = 0; i < options.role_costs.rows(); ++i)
       for (Eigen::Index j = 0; j < options.role_costs.cols(); ++j)
         options.role_costs(i, j) = double((3 * i + 5 * j) % 7) / 7;
-    CHECK(Matching_problem(source, target, options).energy().unary == without.energy().unary); // the weight is 0
+    CHECK(Matching_problem(source, target, options).energy().unary == without.energy().unary); // roles weigh 0
     options.weights.roles = 0.8;
     const Matching_problem problem(source, target, options);
     const auto cost_of_part = [&](std::size_t part, const Assignment& assignment) {
@@ -297,7 +297,7 @@ TEST_CASE("A cut part: its contacts count by the segment that touches, and betwe
     const double distortion = rods.energy(sampled(low).samples, sampled(flat).samples).distortion;
     CHECK(distortion > 0.2);
     CHECK(problem.group_terms(1, cut).distortion == Approx(distortion).margin(1e-5));
-    CHECK(problem.group_terms(1, cut).connectedness == Approx(0.04)); // Eq. 4 with d = 0, d' = 0.04, f = 1
+    CHECK(problem.group_terms(1, cut).connectedness == Approx(0.04)); // Eq. 4: the gap over the longest rod, 1
   }
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("The energy is the sum of its terms, worked out by hand")
   const Pairwise_energy energy = small_energy();
   CHECK(energy.number_of_variables() == 2);
   CHECK(energy.number_of_labels(1) == 2);
-  CHECK(energy({0, 0}) == 1 + 0 + 5);                                      // Q = 2: the root term is 0
+  CHECK(energy({0, 0}) == 1 + 0 + 5);                                      // `root_sum()` Q = 2: the root term is 0
   CHECK(energy({0, 1}) == Approx(1 + 4 + 0 + 2 * (1 - std::sqrt(0.5))));   // Q = 1
   CHECK(energy({1, 0}) == Approx(2 + 0 + 3 + 2 * (1 - std::sqrt(0.625)))); // Q = 1.25
   CHECK(energy.root_sum(energy.root_terms[0], {1, 1}) == 0.25);

@@ -28,7 +28,7 @@ TEST_CASE("The inverse map is sorted by the other side, with its confidences")
 
 TEST_CASE("Maps compose over intermediate parts; each pair has the probability of its most probable path")
 {
-  // Part 0 has the image 5 in two ways, .5 · .4 and .9 · .8; part 1 splits into 6 and 7; part 2 has no image in the end
+  // Part 0 has the image 5 in two ways, .5 · .4 and .9 · .8; part 1 splits into 6 and 7; 2 has no image by both maps
   const Part_map first{{{0, 0, .5}, {0, 1, .9}, {1, 2, 1}, {2, 3, 1}}};
   const Part_map second{{{0, 5, .4}, {1, 5, .8}, {2, 6, .25}, {2, 7, .75}, {4, 8, 1}}};
   const Part_map result = composed(first, second);

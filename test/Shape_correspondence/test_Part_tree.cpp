@@ -280,7 +280,7 @@ TEST_CASE("Parts are learned from examples and found in others")
     changed.categories[1].worth = worth;
     return likeliest_parts(surface, nodes, changed, &changed.categories[1]).size();
   };
-  CHECK(number_of_parts(2) < 5); // no part is so probable
+  CHECK(number_of_parts(2) < 5); // no part has the probability 2, from which it is worth taking
   CHECK(number_of_parts(0) >= 5);
   std::ostringstream out;
   changed.categories[0].worth = 0.3;

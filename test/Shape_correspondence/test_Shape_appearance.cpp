@@ -97,7 +97,7 @@ TEST_CASE("The geometry is the same whether the appearance is read or not")
   const std::string path = folder.write("model.obj", two_parts);
   const Segmented_shape plain = IO::read_segmented_shape(path);
   const Model model = read(path);
-  REQUIRE(model.looks.warnings.size() == 1); // the library is missing
+  REQUIRE(model.looks.warnings.size() == 1); // the material library is missing
   CHECK(model.looks.warnings[0].find("some.mtl") != std::string::npos);
   CHECK(model.looks.empty());
   for (std::size_t part = 0; part < 2; ++part) {

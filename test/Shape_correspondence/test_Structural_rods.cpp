@@ -25,7 +25,7 @@ TEST_CASE("Eq. 2 and 3: two rods, one turned by 60 degrees")
   const double c = 0.5, s = std::sqrt(3) / 2;
   // Lengths change as well, but only directions count
   const Rod_energy energy = rods.energy(points({{0, 0, 0}}), points({{4 * c, 4 * s, 0}, {0, 5, 0}}));
-  // Eq. 3 with D = (1/2, 1), J = (1, 1): 1 - sqrt(1/4 + 1) / sqrt(2)
+  // Eq. 3, where the cosines of the rotations of the rods are 1/2 and 1: 1 - sqrt((1/4 + 1) / 2)
   CHECK(energy.distortion == Approx(1 - std::sqrt(1.25 / 2)));
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("Eq. 2: a short rod has a direction, too")
 
 TEST_CASE("Eq. 4 with its sign turned: the penalty grows with the distance")
 {
-  // Eq. 4 with d = 1 and f = 4
+  // Eq. 4: the shortest rod has the length d = 1, the longest f = 4
   const Structural_rods rods(points({{0, 0, 0}}), points({{1, 0, 0}, {4, 0, 0}}));
   const auto moved = [&](double x) { return rods.energy(points({{0, 0, 0}}), points({{x, 0, 0}, {x + 3, 0, 0}})); };
   CHECK(moved(0.5).connectedness == 0);
@@ -61,7 +61,7 @@ TEST_CASE("Touching samples: a rod of length zero has no connection to break")
   const Rod_energy same = rods.energy(a, b);
   CHECK(same.distortion == 0);
   CHECK(same.connectedness == 0);
-  // One of four rods shrinks to zero, the others keep their directions: 1 - sqrt(3/4)
+  // Of four rods, one stays, one rotates by 45 degrees, and two shrink to zero: 1 - sqrt((1 + 1/2) / 4)
   const Structural_rods apart(points({{0, 0, 0}, {0, 1, 0}}), points({{1, 0, 0}, {1, 0, 0}}));
   CHECK(apart.energy(points({{0, 0, 0}, {0, 0, 0}}), points({{1, 0, 0}, {0, 0, 0}})).distortion ==
         Approx(1 - std::sqrt((1 + 0 + 0.5 + 0) / 4)));

@@ -124,7 +124,8 @@ TEST_CASE("Structure preservation: a bar is stretched between the legs that it s
   std::vector<Part_motion> motions(legs.parts.size());
   Structure_preservation preserve_structure(legs);
   preserve_structure(matched, contact_displacement, motions);
-  // Squared distances from the centre: sum for the contact points 2 · 0.25, mean for samples at ±.1, ±.3, ±.5: .35 / 3
+  // Least squares, from squared distances from the centre: their sum for the contact points is 2 · 0.25, their mean for
+  // the samples, which are at ±.1, ±.3 and ±.5, is .35 / 3
   const double slope = .1 / (.5 + Structure_preservation::stiffness * .35 / 3);
   for (std::size_t bar : {2, 5}) {
     const Part_motion& motion = motions[index_of(legs, bar)];

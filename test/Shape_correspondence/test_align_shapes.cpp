@@ -94,7 +94,7 @@ TEST_CASE("The remaining members of a group have their own solidity; a single on
     const Aligned_shape shape = regrouped(table, {legs});
     return shape.group(shape.group_of[hand_made::index_of(shape, leg)]);
   };
-  // Legs at the corners of a square: three of them have 3/4 of the volume and half of the hull's
+  // Legs at the corners of a square: three of them have 3/4 of the volume, and a hull of half the volume
   const Part_group three = rest_without({1}, 2);
   CHECK(three.parts.size() == 3);
   CHECK(three.volume / three.hull_volume == Approx(.1 * 1.5));

@@ -73,7 +73,7 @@ TEST_CASE("The last level is returned in the order of its energies")
 
 namespace {
 
-// The best solution of a beam search. \param options K and k
+// The best solution of a beam search. \param options beam width K and number of expansions k
 Solution best(const Structural_graph& source, const Structural_graph& target, const Beam_options& options,
               const Energy_options& energy = {})
 {
@@ -84,10 +84,10 @@ Solution best(const Structural_graph& source, const Structural_graph& target, co
 
 TEST_CASE("Local pruning: no partial solution takes all places of the beam")
 {
-  // a has contacts with b, above it, and c, 2.6 away to its upper right. If a takes 0, b costs nothing at the three
-  // points above 0, but c costs 8 / 13 or more: at these, its rod rotates by the angle between (2.4, 1) and up, of
-  // cosine 5 / 13; at 5, it grows to 2.64, which costs 0.6. If a takes 1, c costs nothing at 5, and b's best point, 4,
-  // is off by (0.3, 0.4), which costs 1 - 0.8
+  // Source point a has contacts with b, above it, and c, 2.6 away to its upper right. If a takes target point 0, b
+  // costs nothing at the three points above 0, but c costs 8 / 13 or more: at these points, c's rod rotates by the
+  // angle between (2.4, 1) and up, of cosine 5 / 13; at 5, it rotates and grows to 2.64, which costs 0.63. If a takes
+  // 1, c costs nothing at 5, and b's best point, 4, is off by (0.3, 0.4), which costs 1 - 0.8
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}, {2.4, 1, 0}}, {{0, 1}, {0, 2}});
   const Structural_graph target = point_graph(
       {{0, 0, 0}, {-.3, .6, 0}, {0, .9, 0}, {0, .95, 0}, {0, 1, 0}, {2.1, 1.6, 0}}, {{0, 1}, {1, 2}, {2, 3}});
@@ -124,10 +124,10 @@ TEST_CASE("Groups are assigned from the best-connected one outwards")
 
 TEST_CASE("After the best-connected group come those in contact with it")
 {
-  // Points above each other, so that a rod costs nothing as long as it stays upright and does not grow. a, on the
-  // ground, has contacts with two leaves and with b above them, b with c, and c with two leaves above it. With a beam
-  // of one, a, b and c take the lowest points, one above the other. If c, which has more contacts than b, came second,
-  // it would take the point next to a, with no place for b in between
+  // Points above each other, so that a rod costs nothing as long as it stays upright and does not grow. Source point a,
+  // on the ground, has contacts with two leaves and with b above them, b with c, and c with two leaves above it. With a
+  // beam of one, a, b and c take the lowest points, one above the other. If c, which has more contacts than b, came
+  // second, it would take the point next to a, with no place for b in between
   const auto at = [](const std::vector<double>& heights) {
     std::vector<Point> places;
     for (double height : heights)
@@ -144,9 +144,9 @@ TEST_CASE("After the best-connected group come those in contact with it")
 
 TEST_CASE("Parts not yet assigned move along")
 {
-  // b is above a; in the target, 2 is above 0. With a assigned to 0, b follows it at no cost; if b stayed, its rod
-  // would rotate by an angle of cosine 0.8 and grow from 1 to 1.25, and 1, below b's old place, would be better for a:
-  // from there, 2 costs only 1 - 0.9 / 1.1715 = 0.23, and 0.6 for its distance
+  // In the source, b is above a; in the target, 2 is above 0. With a assigned to 0, b follows it at no cost; if b
+  // stayed, its rod would rotate by an angle of cosine 0.8 and grow from 1 to 1.25, and 1, below b's old place, would
+  // be better for a: with a there, b at 2 costs only 1 - 0.9 / 1.1715 = 0.23, and 0.6 for its distance
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}});
   const Structural_graph target = point_graph({{.75, 0, 0}, {0, .1, 0}, {.75, 1, 0}}, {{0, 2}});
   const Solution solution = best(source, target, {1, 1});
@@ -190,8 +190,8 @@ TEST_CASE("A part not yet assigned follows hard contacts to the point, and resis
 TEST_CASE("The members of a group not yet assigned follow one of them by the group's generator")
 {
   // A point with a pair to the left and right above it; in the target, all are higher by 0.2, and another point is on
-  // the right, with the lowest label. If the point takes that, at a displacement of 0.5, one of the pair follows and
-  // the other moves to the left, so that its rod rotates by 45 degrees. If both followed, it would cost nothing
+  // the right, with the lowest label. If the point takes that label, at a displacement of 0.5, one of the pair follows
+  // and the other moves to the left, so that its rod rotates by 45 degrees. If both followed, that would cost nothing
   for (const bool rotation : {true, false}) {
     const auto pair = [&](std::size_t first) {
       return rotation ? group({first, first + 1}, Symmetry_type::ROTATION, Point::UnitY())
@@ -209,7 +209,7 @@ TEST_CASE("The members of a group not yet assigned follow one of them by the gro
 
 TEST_CASE("Contacts of parts not yet assigned count")
 {
-  // A right angle with all three corners in contact; assigned in the order a, b, c. With a at 0, both 1 and 2 cost b
+  // A right angle with corners a, b, c, all in contact, assigned in this order. With a at 0, both 1 and 2 cost b
   // nothing. If b takes 1, half the way back, c is displaced by the mean of a's and b's displacements, a quarter to the
   // left, and its rods rotate. So b takes 2, and c stays in place; with b at 1, c's rod to b would rotate from (-1, 1)
   // to (-0.5, 1): 1 - 1.5 / sqrt(2 * 1.25) = 0.05
@@ -223,9 +223,9 @@ TEST_CASE("Contacts of parts not yet assigned count")
 TEST_CASE("Contacts between two parts not yet assigned count")
 {
   // Points above each other: a at 0, d at 1.5, b at 2, c at 3, with contacts a - b - d - c - a; the target has another
-  // one at 1. a is assigned first, to 0, then b. If b took 1 or 1.5, lower by s, no rod of a or b would grow, but d
+  // point at 1. a is assigned first, to 0, then b. If b took 1 or 1.5, lower by s, no rod of a or b would grow, but d
   // would follow by 3 s / 4 and c by s / 4, and the rod between them would. So b takes 2, and d and c have points at no
-  // cost. There is none for d within 0.5 below 1
+  // cost. The target has no point within 0.5 below 1, which d would need if b took 1
   const Structural_graph source =
       point_graph({{0, 0, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 2}, {0, 3}, {1, 2}, {1, 3}});
   const Structural_graph target = point_graph({{0, 0, 0}, {0, 1, 0}, {0, 1.5, 0}, {0, 2, 0}, {0, 3, 0}}, {{0, 1}});
@@ -236,7 +236,7 @@ TEST_CASE("Contacts between two parts not yet assigned count")
 
 TEST_CASE("A part that pulls on one not yet assigned changes all contacts of that one")
 {
-  // A right angle with all three corners in contact, assigned in the order a, b, c; in the target it is half as large,
+  // A right angle with corners a, b, c, all in contact, assigned in this order; in the target it is half as large,
   // to the right. a takes 0, and c follows. If b takes 1, c is pulled half the way back: its rod to b rotates from (0,
   // 2) to (-0.5, 2), which costs 0.03, and grows, 0.6; the rod to a rotates by 0.01. If b takes 2, its rod to a rotates
   // by 45 degrees, 0.29, and the rod to c from (0, 2) to (-0.5, 1.5), 0.05, but c's rod to a grows as well: 0.6 and
@@ -287,8 +287,8 @@ TEST_CASE("A part follows the point of contact with another part")
 TEST_CASE("Contacts of a group left unmatched cost the charge for that, and no more")
 {
   // A right angle with all three corners in contact; in the target, the right corner is half as far, and the upper one
-  // is off by an angle of cosine 0.8. That costs 0.2, and 0.01 for the rod between them; leaving the upper one
-  // unmatched costs 0.1 for each contact
+  // is off by an angle of cosine 0.8. Matching all costs 0.2, and 0.01 for the rod between these two; leaving the upper
+  // one unmatched costs 0.1 for each contact
   const Structural_graph source = point_graph({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {0, 2}, {1, 2}});
   const Structural_graph target = point_graph({{0, 0, 0}, {.5, 0, 0}, {-.6, .8, 0}}, {{0, 1}, {0, 2}});
   Energy_options options;
@@ -300,8 +300,8 @@ TEST_CASE("Contacts of a group left unmatched cost the charge for that, and no m
 
 TEST_CASE("A part may split into a rotational group at no cost")
 {
-  // b is above a. In the target two points are above 0, and one is off by an angle of cosine 0.96. A solidity ratio of
-  // 0.1 would cost 0.4 (1 - sqrt((1 + 0.1 * 0.1) / 2)) = 0.116, more than the angle's 0.04
+  // In the source, b is above a. In the target, two points are above 0, and one is off by an angle of cosine 0.96. A
+  // solidity ratio of 0.1 would cost 0.4 (1 - sqrt((1 + 0.1 * 0.1) / 2)) = 0.116, more than the angle's 0.04
   const Structural_graph source = point_graph({{0, 0, 0}, {0, 1, 0}}, {{0, 1}});
   for (const bool rotational : {true, false}) {
     const Symmetry_type type = rotational ? Symmetry_type::ROTATION : Symmetry_type::TRANSLATION;

@@ -144,7 +144,7 @@ TEST_CASE("Frames as OBJ and PLY read back; the animation plays all surfaces one
         for (std::size_t i = 0; i < points.size(); ++i)
           points[i] += weights[key * targets + target] * difference[i];
       }
-      const std::vector<Points> wanted = blend.points((double(times[key]) - 0.5) / 2); // held for .5 s, moving for 2 s
+      const std::vector<Points> wanted = blend.points((double(times[key]) - 0.5) / 2); // still for .5 s, moving for 2 s
       double least = 1e9; // minimum over the surfaces of this name, one for each piece of a part
       for (std::size_t s = 0; s < surfaces.size(); ++s)
         if (surfaces[s].name == node["name"] && std::size_t(wanted[s].size()) == points.size())

@@ -19,7 +19,7 @@ using namespace blend_models;
 
 namespace {
 
-constexpr double wider = 0.005; // relative to the shape's height: the width up to which a gap is accepted
+constexpr double wider = 0.005; // largest accepted gap or asymmetry, over the shape's height
 
 } // namespace
 
@@ -235,8 +235,8 @@ TEST_CASE("Mirror images of round parts and of parts that hang in the middle sta
 
 TEST_CASE("Shapes in between are the same whatever the order of parts")
 {
-  // Relative to the shape's height: the largest difference. It comes from asymmetries, since of two mirror images the
-  // one that comes first is computed, and the other is its image
+  // Largest accepted difference, over the shape's height. It comes from asymmetries: of two mirror images, the one that
+  // comes first is computed, and the other one is its image
   constexpr double alike = 0.002;
   const Model &source = model("chair_four_legged"), &target = model("chair_slatted");
   Model reversed{Segmented_shape(source.shape.name(), source.shape.up()), {}};

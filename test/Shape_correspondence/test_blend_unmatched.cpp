@@ -73,7 +73,7 @@ double distance(const Segmented_shape& shape, const std::string& first, const st
   return std::sqrt(trees[found[0]].nearly_closest(trees[found[1]]).squared) / (high - low);
 }
 
-constexpr double touching = 0.02; // ratio to the shape's height
+constexpr double touching = 0.02; // gap, over the shape's height, below which parts touch
 
 /// Two posts on a base.
 Segmented_shape two_posts(const std::string& name)
@@ -180,7 +180,7 @@ TEST_CASE("Unmatched parts shrink to where they are held")
     REQUIRE(!part.is_matched());
     const Points less = blend.growths[i]->points(share), none = blend.growths[i]->points(0);
     const internal::contacts::Box whole = internal::box_of(part.mesh.points), box = internal::box_of(less);
-    if (part.name == "rail~") { // held at both ends: it becomes thin
+    if (part.name == "rail~") { // attached at both ends: it becomes thin
       CHECK(box.sizes().x() == Approx(whole.sizes().x()).epsilon(0.02));
       CHECK(box.sizes().tail<2>().isApprox(share * whole.sizes().tail<2>(), 1e-6));
       CHECK(internal::box_of(none).sizes().tail<2>().norm() < 1e-9);

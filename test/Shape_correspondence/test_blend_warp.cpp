@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-// Unmatched parts follow a warp of the space around them; those that correspond follow the box of their counterparts.
+// Unmatched parts move with a warp of space; corresponding parts that do not morph move to their counterparts' boxes.
 
 using namespace CGAL::Shape_correspondence;
 using namespace blend_checks;
@@ -166,7 +166,7 @@ TEST_CASE("An unmatched post that touches one part stays straight and nearly upr
 
 TEST_CASE("Blends do not depend on units and places")
 {
-  // Corners of boxes have equal distances up to rounding, which must decide nothing
+  // Distances between corners of boxes are equal except for rounding errors, which must not decide anything
   std::vector<Named_box> wide = stand(), narrow = stand();
   wide[2].size.x() = 1.6;
   narrow.push_back({"vase", {0.3, 1.1, 0.1}, {0.2, 0.2, 0.2}});

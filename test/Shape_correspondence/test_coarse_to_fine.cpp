@@ -56,7 +56,8 @@ TEST_CASE("Coarse to fine: candidates for a group are near the images of the lar
   const auto shape = std::make_shared<Deformable_shape>(align_shape(row(7, 0.01)));
   const Group_candidates allowed = internal::coarse_candidates(shape, shape, search(Search_method::EXACT, 2));
   REQUIRE(allowed.size() == 7);
-  // From left to right: A b c d e f G. b and c are nearest to A, d to both, e and f to G; e touches d, so it is near A
+  // Boxes from left to right: A b c d e f G; A and G are large. b and c are nearest to A, d to both, e and f to G. e
+  // touches d, so that it is near A, too
   const auto at = [&](std::size_t original) {
     const auto found = std::find(shape->original.begin(), shape->original.end(), original);
     return shape->group_of[std::size_t(found - shape->original.begin())];
@@ -106,7 +107,7 @@ TEST_CASE("Coarse to fine: symmetry groups, directions, pinned pairs and unmatch
                        back = find_correspondence(slatted_chair(), chair(), options);
   CHECK(there.energy == Approx(back.energy));
   CHECK(there.pairs.size() == back.pairs.size());
-  options.energy.pinned = {{2, 5}}; // legs, which are in no coarse match
+  options.energy.pinned = {{2, 5}}; // legs, which are too small for the coarse search
   const Correspondence pinned = find_correspondence(chair(), slatted_chair(), options);
   CHECK(std::count_if(pinned.pairs.begin(), pinned.pairs.end(),
                       [](const Part_correspondence& pair) { return pair.source == 2 && pair.target == 5; }) == 1);

@@ -300,7 +300,7 @@ TEST_CASE("--nearest lists the shapes nearest to a query")
   REQUIRE(result["nearest"].size() == 2);
   CHECK(result["nearest"][0]["name"] == "shape 2");
   CHECK(result["nearest"][0]["distance"].get<double>() == Approx(0).margin(1e-9));
-  CHECK(result["nearest"][1]["name"] == "shape 5"); // the table of the query, without symmetry
+  CHECK(result["nearest"][1]["name"] == "shape 5"); // the same table, whose legs are no group
   CHECK_THAT(run(quoted(in) + " --nearest " + quoted(query)).out, Contains("of 6 shapes"));
 }
 

@@ -92,8 +92,8 @@ Named_groups groups_stated(const generated_shapes::gen::Assembly& assembly)
   return result;
 }
 
-constexpr double ANGLE = 0.02;    // in radians
-constexpr double DISTANCE = 0.01; // ratio to the shape's diagonal
+constexpr double ANGLE = 0.02;    // angle, in radians, below which directions are parallel
+constexpr double DISTANCE = 0.01; // distance, over the shape's diagonal, below which generators are the same
 
 bool are_parallel(const Point& a, const Point& b) { return a.cross(b).norm() < ANGLE * a.norm() * b.norm(); }
 

@@ -124,7 +124,7 @@ TEST_CASE("a star base comes in one part and in several", "[grammar]")
 
 TEST_CASE("no two handles of furniture are in one place", "[grammar]")
 {
-  constexpr double apart = .01; // metres
+  constexpr double apart = .01; // least distance of handles, in metres
   for (const gen::Assembly& shape : gen::drawn_shapes(300, 1)) {
     INFO(shape.name);
     std::vector<Point> handles;

@@ -221,7 +221,7 @@ TEST_CASE("The node limit ends the search with a gap, not with a wrong proof")
 
 TEST_CASE("A long search continues with larger tables, until its result is proven")
 {
-  // Tables of three variables exceed the first limit; without them, millions of nodes would give no proof
+  // Tables of three variables exceed the first limit of the search. With smaller ones, millions of nodes give no proof
   std::mt19937 random(10);
   const Pairwise_energy energy = random_tables(random, 40, 40, 2);
   const Search_result result = exact_search(energy);
@@ -247,7 +247,7 @@ TEST_CASE("Costs beyond the comparison grid are compared as its last step")
   CHECK(internal::quantized(1e15) == internal::quantized(infinite));
   CHECK(internal::quantized(-infinite) == -internal::quantized(infinite));
   Energy_options options;
-  options.unmatched_cost = 1e15; // beyond the last step of the grid
+  options.unmatched_cost = 1e15; // beyond the last step of the grid of `quantized()`
   const Matching_problem problem(align_shape(chair()), align_shape(slatted_chair()), options),
       never(align_shape(chair()), align_shape(slatted_chair()));
   const Search_result result = exact_search(problem.energy()), expected = exact_search(never.energy());

@@ -55,7 +55,7 @@ std::vector<Named_box> on_walls()
           {"box", {0, 0.82, 0}, {0.9, 0.36, 0.6}}};
 }
 
-/// The same board on a column, with a needle on it.
+/// The board of `on_walls()` on a column, with a needle on it.
 std::vector<Named_box> on_column()
 {
   return {board, {"column", {0, 0.28, 0}, {0.15, 0.56, 0.15}}, {"needle", {0, 0.82, 0}, {0.05, 0.36, 0.05}}};
@@ -218,7 +218,7 @@ TEST_CASE("A part that would be hidden inside a new one is not kept")
 
 TEST_CASE("Space that both shapes fill is not empty between the steps")
 {
-  // An old bar ends where a new one begins, and a third of each is in the same place; either has its counterpart
+  // An old bar ends where a new one begins, and a third of each is in the same place; each has its counterpart
   // elsewhere. If the old bar, whose group is lower, changed first, there would be a hole between them.
   const Named_box back = {"back", {0, 0.5, -0.3}, {2.4, 1, 0.1}};
   const std::vector<Named_box> from = {
@@ -237,7 +237,7 @@ TEST_CASE("A part supported at the same place as an earlier one replaces it")
                                       {"post", {0, 0.6, -0.25}, {0.1, 0.4, 0.1}}};
   std::vector<Named_box> from = pot, to = pot;
   from.push_back({"cactus", {-0.05, 0.55, 0.1}, {0.2, 0.3, 0.2}});
-  to.push_back({"leaf", {0.11, 0.7, 0.1}, {0.02, 0.6, 0.1}}); // beside the old one
+  to.push_back({"leaf", {0.11, 0.7, 0.1}, {0.02, 0.6, 0.1}}); // beside the cactus
   auto found = steps(from, to, same_parts(2));
   CHECK(found.at("cactus~") != Exchange_step::NONE);
   CHECK(found.at("cactus~") == found.at("~leaf"));

@@ -55,7 +55,7 @@ TEST_CASE("Models in formats that assimp writes have their parts, materials and 
       CHECK(mesh.triangles.cols() == 4);
       REQUIRE_FALSE(looks.parts[part].materials.empty());
       const Surface_material& material = looks.materials.at(std::size_t(looks.parts[part].materials[0]));
-      const bool is_seat = mesh.points.row(1).maxCoeff() > 2; // some formats truncate names
+      const bool is_seat = mesh.points.row(1).maxCoeff() > 2; // by its height: some formats truncate names
       if (is_seat) CHECK(material.colour.head<3>().isApprox(Eigen::Vector3d(1, 0, 0), 1e-3));
       CHECK((material.texture >= 0) == !is_seat);
       if (!is_seat) CHECK(looks.textures.at(std::size_t(material.texture)).bytes == gen::test_picture());

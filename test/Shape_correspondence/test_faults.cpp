@@ -124,7 +124,7 @@ std::map<std::string, std::string> contents(const std::string& folder)
 
 TEST_CASE("Whichever call on a file fails, an output is whole or as it was before, and the failure is told")
 {
-  constexpr int calls = 40; // more than the program makes
+  constexpr int calls = 40; // more calls on files than the program makes
   const char* const formats[] = {"json", "csv", "npy", "html"};
   const Temporary_folder folder;
   folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
@@ -182,7 +182,7 @@ TEST_CASE("An output is written to the disk before it replaces the previous file
 
 TEST_CASE("Whichever call on a file of a cache or store fails, the result is the same")
 {
-  constexpr int calls = 40; // more than the program makes
+  constexpr int calls = 40; // more calls on files than the program makes
   const Temporary_folder folder;
   folder.write("shapes/a.json", graph_text(hand_made::chair(), "a"));
   folder.write("shapes/b.json", graph_text(hand_made::slatted_chair(), "b"));

@@ -189,7 +189,7 @@ TEST_CASE("Moving, scaling and turning a shape changes no pair")
 
 TEST_CASE("A chair turned back to front is recognised when all alignments are tried")
 {
-  // The frame of a chair given back to front faces the other way
+  // A chair is given back to front, and its frame does not say so
   Structural_graph turned = moved(chair(), EIGEN_PI, 1, {0, 0, 0});
   structure(turned).frame.axes.setIdentity();
   Search_options all = least_energy();

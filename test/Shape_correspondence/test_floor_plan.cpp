@@ -40,7 +40,7 @@ struct Floor_plan
 {
   std::vector<std::string> rooms;
   std::map<std::string, std::set<std::string>> may_include; ///< indexed by room
-  std::map<std::string, std::string> headers;               ///< the room of a public header without a source
+  std::map<std::string, std::string> headers;               ///< room, by name of a public header without a source
 };
 
 Floor_plan read_plan()

@@ -72,7 +72,7 @@ TEST_CASE("What a cache keeps of reading models changes no result, also if it is
   const auto number_kept = [&] { return std::distance(fs::directory_iterator(kept), fs::directory_iterator()); };
   const json expected = found(""), without_roles = found(" --roles none");
   CHECK(found(cache) == expected);
-  CHECK(number_kept() >= 5); // for each model, its parts and its axis by roles; for both, their axes
+  CHECK(number_kept() >= 5); // for each of two models: parts, axis by roles; for the pair: both axes
   const auto before = number_kept();
   CHECK(found(cache) == expected);
   CHECK(number_kept() == before);

@@ -178,7 +178,7 @@ TEST_CASE("A shape with a chain hangs; rings of chains correspond to such rings 
   for (const bool swap : {false, true}) {
     const Part_matching found = swap ? matching(standing, hanging) : matching(hanging, standing);
     CHECK(found.upside_down);
-    CHECK(found.pairs.size() >= 2); // of lights, arms or mounts
+    CHECK(found.pairs.size() >= 2); // pairs of lights, arms or mounts
     for (const auto& [i, j] : pairs(found)) {
       const std::size_t part = swap ? j : i;
       CHECK((part < 2 || part > 5));

@@ -71,7 +71,7 @@ TEST_CASE("A positive weight of roles adds their costs to the energy")
     options.method = method;
     const Correspondence without = find_correspondence(a.graph, b.graph, options);
     options.roles = model;
-    const Correspondence off = find_correspondence(a.graph, b.graph, options); // the weight is 0
+    const Correspondence off = find_correspondence(a.graph, b.graph, options); // the weight of roles is 0
     CHECK(off.pairs == without.pairs);
     CHECK(off.energy == without.energy);
     CHECK(off.category.empty());

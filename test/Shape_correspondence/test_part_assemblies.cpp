@@ -59,7 +59,7 @@ Structural_graph with_parts(const Structural_graph& graph, const std::vector<Par
   return make_structural_graph(std::move(shape), std::move(groups));
 }
 
-// The slatted chair with a top rail (8), posts (9, 10), a bar (11) to the front, and a rail under the seat (12).
+// The slatted chair with a top rail (part 8), posts (9, 10), a bar (11) to the front, and a rail under the seat (12).
 Structural_graph framed_chair()
 {
   using hand_made::curve;
@@ -78,7 +78,7 @@ Structural_graph framed_chair()
                      {{0, 12}, {0, .5, -.25}}});
 }
 
-// The pedestal table with its column on a plate (2).
+// The pedestal table with its column on a plate (part 2).
 Structural_graph table_on_plate()
 {
   Shape_structure shape = structure(hand_made::pedestal_table());
@@ -126,8 +126,8 @@ TEST_CASE("A row is no frame of another")
 TEST_CASE("What lies flat in a side of a shape, above its main surface, is a panel")
 {
   using hand_made::curve;
-  // A bed: the table with board and rail (5, 6) at one end, held by posts on two of its legs (7, 8), a rail (9) at the
-  // other end, one (10) under the mattress, and one (11) across its middle
+  // A bed: the table with a board and a rail (parts 5, 6) at one end, attached to posts on two of its legs (7, 8), a
+  // rail (9) at the other end, one (10) under the mattress, and one (11) across its middle
   const Structural_graph bed =
       with_parts(hand_made::table(),
                  {hand_made::sheet("board", {-.5, 1.05, -.5}, {1, 0, 0}, {0, .3, 0}),

@@ -123,7 +123,7 @@ TEST_CASE("Objects of loose pieces are split, and the output says how to prevent
   CHECK(part_names(json::parse(run(graph + " --parts file").out)) == std::vector<std::string>{"top", "wood"});
   CHECK(part_names(json::parse(run(graph + " --parts components").out)).size() == 5);
   CHECK(run(graph + " --parts all").status == 2);
-  CHECK(json::parse(run(graph).out)["warnings"] == split["warnings"]); // read from the cache
+  CHECK(json::parse(run(graph).out)["warnings"] == split["warnings"]); // kept in the cache
 
   const Run shown = run("parts " + model + " --html " + quoted(folder.path("parts.html")));
   CHECK(shown.status == 0);
@@ -207,7 +207,7 @@ TEST_CASE("A model with y up and one with z up are matched by one plain command"
   CHECK_THAT(without_roles["warnings"][0].get<std::string>(),
              Contains("z.obj") && Contains("confidence") && Contains("--target-up"));
   CHECK(run(match + "--target-up up").status == 2);
-  CHECK(pairs("--up y") != plain["pairs"]); // one lies on its side
+  CHECK(pairs("--up y") != plain["pairs"]); // with y up, one of the two lies on its side
 }
 
 TEST_CASE("Where a model stands on several sides, the roles of its parts tell its upright axis")

@@ -312,7 +312,7 @@ TEST_CASE("The completion of bash completes commands, options and files")
   CHECK(completions("shape_correspondence match --search be", 3) == "beam\n");
   CHECK(completions("shape_correspondence match --search = be", 4) == "beam\n");
   CHECK(completions("shape_correspondence help eva", 2) == "evaluate\n");
-  CHECK(completions("shape_correspondence match no_such_file", 2) == "\n"); // left to the completion of files
+  CHECK(completions("shape_correspondence match no_such_file", 2) == "\n"); // the shell then completes names of files
 }
 
 TEST_CASE("The demo matches its chairs without an error and blends them")

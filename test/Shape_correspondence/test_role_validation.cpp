@@ -54,7 +54,7 @@ TEST_CASE("Weights are fitted to pairs of shapes, each matched as by a model tha
     const Pair_weights& weights = fitted.categories[c].weights;
     CHECK(weights != usual.categories[c].weights);
     // Geometry alone matches chairs rightly, so that roles gain nothing; for shelves, no example contradicts the
-    // labels, so that these get more weight than usual
+    // labels, so that equal labels get more weight than usual
     CHECK(uses_roles(weights) == (fitted.categories[c].name == "shelf"));
     if (uses_roles(weights)) CHECK(weights[SAME_LABEL] > usual_pair_weights()[SAME_LABEL]);
   }

@@ -138,7 +138,7 @@ TEST_CASE("The keys are those of the format")
   CHECK(leg["type"] == "curve");
   CHECK(leg["closed"] == false);
   CHECK(leg["points"].size() == 2);
-  CHECK_FALSE(leg.contains("surface")); // it is unknown
+  CHECK_FALSE(leg.contains("surface")); // its surface is unknown
   CHECK(leg["abstraction"]["method"] == "given");
   CHECK(leg["abstraction"]["repair"] == "none");
   CHECK(leg["abstraction"]["coverage"] == 1.0);

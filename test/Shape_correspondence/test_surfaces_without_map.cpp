@@ -287,7 +287,7 @@ TEST_CASE("A part becomes any other length, unless it would come off what it hol
 
 TEST_CASE("Of the parts of a symmetry group, all morph or none does")
 {
-  // Only one of three posts in a row holds a crest, from which it would come off.
+  // A crest is on only one of three posts in a row. If this post morphed, it would come off the crest.
   const auto stand_of = [](double height) {
     std::vector<Named_box> result = {{"base", {0, 0.05, 0}, {1, 0.1, 0.6}}};
     for (double x : {-0.4, -0.05, 0.3})

@@ -42,7 +42,7 @@ TEST_CASE("The program transfers a texture; what it writes reads back")
     const auto json = nlohmann::json::parse(model_files::text_of(folder.path("t.json")));
     CHECK(json["format"] == "shape_correspondence/transfer");
     CHECK(json["parts"].size() == shape.parts().size());
-    CHECK(json["texture_coordinates"] == "new"); // the given ones overlap
+    CHECK(json["texture_coordinates"] == "new"); // those of the model overlap
     REQUIRE(looks.textures.size() == 1);
     IO::decode_textures(looks, looks.warnings);
     CHECK(looks.warnings.empty());

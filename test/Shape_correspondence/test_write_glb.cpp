@@ -104,7 +104,7 @@ void check_normals(const Glb& glb)
 {
   for (const json& mesh : glb.document["meshes"]) {
     for (const json& primitive : mesh["primitives"]) {
-      if (primitive.value("mode", 4) == 1) continue; // lines
+      if (primitive.value("mode", 4) == 1) continue; // mode 1: lines, which have no normals
       const int positions = primitive["attributes"]["POSITION"], normals = primitive["attributes"]["NORMAL"];
       const json& indices = glb.document["accessors"][primitive["indices"].get<int>()];
       const std::size_t offset = offset_of(glb, indices);

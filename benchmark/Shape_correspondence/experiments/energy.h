@@ -30,7 +30,7 @@ inline void figure4(const Dataset& dataset)
   compare(dataset, methods, "energy");
 }
 
-/// The paper's method, and variants in which its direction, its fit, its proximity or all three are the default's.
+/// The paper's method, and variants of it with the direction, the fit or the proximity of the default, or all three.
 inline void switches(const Dataset& dataset)
 {
   std::vector<std::pair<std::string, peers::Peer>> methods{{"the paper's method", ours(paper_options())}};

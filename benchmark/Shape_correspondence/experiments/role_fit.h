@@ -1,7 +1,7 @@
 // Copyright (c) 2026 the Shape_correspondence developers. All rights reserved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Fits the weights of matching with roles to pairs of shapes, whose roles are by models learned without them.
+// Fits the weights of matching with roles to pairs of shapes. Roles are found by models learned without these shapes.
 #pragma once
 
 #include "base/for_each_index.h"
@@ -31,10 +31,12 @@ constexpr double newton_change = 1e-9; // the iteration ends if all weights chan
 
 constexpr std::size_t least_pairs = 50; // least number of pairs of shapes to fit; with fewer: usual weights
 constexpr double slight_penalty = 1e-4; // penalty on squared weights, which keeps them finite
-// Penalty on squared differences of the weights of a category from those of all others, where a shape has weight 1.
-// Chosen by cross-validation, whose score hardly depends on it.
+// Penalty on squared differences of the weights of a category from the weights fitted to all other categories. The
+// pairs of the category have a total weight of 1 for each of its shapes. Chosen by cross-validation, whose score hardly
+// depends on it.
 constexpr double category_penalty = 1;
-// The same penalty for weights of confidences. Higher, as the shapes of a category have few sources, which differ.
+// The same penalty for the weights that calibrate confidences. It is higher, since the shapes of a category are from
+// few sources, which differ from each other.
 constexpr double confidence_penalty = 16;
 
 // Terms of pairs of parts of two shapes, and whether each pair is in the ground truth.
@@ -117,16 +119,16 @@ inline Judged_confidences judged_confidences(const std::vector<Part_corresponden
 // Two labelled shapes of a category, by index.
 using Shape_pair = std::array<std::size_t, 2>;
 
-// A pair of labelled shapes, and the predictions of a model that was learned without them. Its terms lack those of the
-// geometric match.
+// A pair of labelled shapes, and the predictions of a model that was learned without them. Its terms are by roles only:
+// those by the geometric match are added where weights are fitted or used.
 struct Unseen_pair
 {
   Shape_pair shapes{};
   std::string category;              // of both shapes
   Ground_truth truth;                // by their labels
-  Pair_terms own_terms;              // terms by the roles of their category; empty if the model lacks it
+  Pair_terms own_terms;              // for all pairs of parts, by the roles of `category`; empty if the model lacks it
   std::string found;                 // category that the model finds; empty: none
-  Pair_terms found_terms;            // terms by the roles of the category found
+  Pair_terms found_terms;            // the same by the roles of the category `found`
   std::string nearest;               // nearest category, even if others are almost as near
   std::array<double, 2> distances{}; // distances from the two nearest categories, mean of both shapes
 };
@@ -142,7 +144,7 @@ inline Unseen_pair unseen_pair(const std::vector<Labelled_graph>& shapes, const 
   const Pair_category of_pair = category_of_pair(source, target, model);
   const std::size_t found = category_known ? own : of_pair.index;
   if (of_pair.nearest < none) result.nearest = model.categories[of_pair.nearest].name;
-  std::vector<double> distances(2, 1e9); // as good as infinite
+  std::vector<double> distances(2, 1e9); // greater than any distance
   for (std::size_t category = 0; category < none; ++category)
     distances.push_back((source.distance(category) + target.distance(category)) / 2);
   std::partial_sort(distances.begin(), distances.begin() + 2, distances.end());
@@ -176,9 +178,9 @@ public:
   Role_fit(const std::vector<Unseen_pair>& pairs, const std::vector<Part_matching>& geometric,
            const std::vector<std::size_t>& sources, const Part_matching_options& options = {}, bool by_category = true);
 
-  // The weights fitted to the pairs of a category without shapes of the sources left out. They are drawn to weights
-  // fitted to all other categories (of equal weight, as are the pairs within each), the more, the fewer shapes these
-  // pairs have. If the others have fewer than `least_pairs` pairs, they are drawn to the usual weights.
+  // The weights fitted to the pairs of a category that have no shape of the sources left out. The fewer shapes these
+  // pairs have, the nearer are the weights to those fitted to all other categories (which count equally, as do the
+  // pairs within each). If the other categories have fewer than `least_pairs` pairs, the usual weights replace theirs.
   const Match_weights& weights(const std::string& category, const Sources& left_out) const;
 
   Sources sources_of(const Shape_pair& pair) const { return {sources_[pair[0]], sources_[pair[1]]}; }
@@ -197,7 +199,7 @@ private:
   // Weights fitted to all categories but that of `key`. \param examples terms by pair of shapes
   template <typename Examples>
   auto fitted_without(const Key& key, const Examples& examples) const;
-  // Weights fitted to the pairs whose member `group` is the category of `key`, drawn to the expected weights
+  // Weights fitted to the pairs whose member `group` is the category of `key`, near the expected weights
   template <typename Examples, typename Weights>
   Weights fitted_of(const Key& key, std::string Unseen_pair::*group, const Examples& examples, const Weights& expected,
                     const Weights& penalties) const;

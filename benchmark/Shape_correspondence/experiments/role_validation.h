@@ -38,8 +38,8 @@ struct Validation_shape
 /// Shapes of a pair's category that are left out of the training of its roles.
 enum class Left_out {
   SHAPES,  ///< the two shapes of the pair
-  SOURCES, ///< all shapes of the sources of the two
-  CATEGORY ///< all shapes
+  SOURCES, ///< all shapes from the source of either shape of the pair
+  CATEGORY ///< all shapes of the category
 };
 
 /// Turns of shapes about the up axis by random angles: none, by multiples of 90°, or by any angle.
@@ -52,7 +52,7 @@ struct Validation_options
 {
   Left_out left_out = Left_out::SHAPES;
   /// Largest number of real shapes of the pair's category that the training sees, drawn for each pair; no value: no
-  /// limit. With `Left_out::CATEGORY`, the training sees no others of the category.
+  /// limit. With `Left_out::CATEGORY`, the training sees no other shapes of the category.
   std::optional<std::size_t> examples;
   bool with_generated = true;  ///< whether the training sees generated shapes
   bool category_known = false; ///< whether the category is given to the matcher
@@ -73,7 +73,7 @@ struct Judged_pair
   bool is_right, has_one_role; ///< whether it is in the ground truth; whether coarse labels are equal
 };
 
-/// Numbers of shapes: all; those whose true front roles leave possible; those for which it is the only possible one.
+/// Numbers of shapes: all; those whose true front fits the roles of their parts; those of them where no other does.
 struct Front_count
 {
   int shapes = 0, possible = 0, sure = 0;
@@ -111,9 +111,9 @@ inline Structural_graph turned(Structural_graph graph, double angle)
 }
 
 /// Matches pairs of shapes with roles learned without them. The weights of terms and confidences for a pair are fitted
-/// to pairs that share no source with it, by roles learned from neither their sources nor generated shapes; if examples
-/// are limited, to pairs of other categories with equally few examples. A pair is matched by geometry alone if those
-/// pairs of its category gain nothing from roles.
+/// to pairs that share no source with it. The roles of the latter are learned from neither their own sources nor
+/// generated shapes; if examples are limited, only pairs of other categories are used, with equally few examples. A
+/// pair is matched by geometry alone if the pairs of its category that share no source with it gain nothing from roles.
 class Role_validation
 {
 public:
@@ -209,7 +209,7 @@ private:
     return sources_[shape] == sources_[pair[0]] || sources_[shape] == sources_[pair[1]];
   }
 
-  // Mean gain of F1 by roles over the pairs of a category without shapes of these sources; 1 without such pairs.
+  // Mean gain of F1 by roles over the pairs of a category without shapes of these sources; 1 if there is no such pair.
   double gain(const std::string& category, const Sources& left_out) const
   {
     const auto known = gains_.find({category, left_out});
@@ -239,7 +239,7 @@ private:
     return result;
   }
 
-  /// For every shape, whether it is left out of the training for a pair.
+  /// For every shape, whether it is left out of the training for a pair. \param number index of the pair
   std::vector<char> left_out_shapes(std::size_t number, const Validation_options& options) const
   {
     const Shape_pair& pair = pairs_[number].shapes;
@@ -429,9 +429,9 @@ private:
   std::vector<Labelled_graph> labelled_; // of `shapes_`
   Role_trainer trainer_;
   Role_model_data all_;                            // model learned from all shapes
-  std::vector<std::vector<Role_evidence>> turned_; // by shape and quarter turns; empty for shapes in no pair
-  std::vector<Unseen_pair> unseen_, fitted_to_;    // predictions by pair: reported, and for fitting weights
-  std::vector<std::array<Pairs, 2>> least_energy_; // pairs of parts by pair of shapes; without, with roles
+  std::vector<std::vector<Role_evidence>> turned_; // by shape and quarter turns of it; empty for shapes in no pair
+  std::vector<Unseen_pair> unseen_, fitted_to_;    // predictions by pair: to report; to fit weights to
+  std::vector<std::array<Pairs, 2>> least_energy_; // by pair of shapes: pairs of parts without, with roles
   std::vector<Validated_pair> pairs_;
   std::unique_ptr<Role_fit> fit_;
   std::vector<std::size_t> sources_;                       // number of the source, by shape

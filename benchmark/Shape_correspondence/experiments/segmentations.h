@@ -45,7 +45,7 @@ inline void segment_automatically(const std::string& folder, const Structural_gr
   }
 }
 
-/// Figure 17: scores with the targets as made, and segmented automatically.
+/// Figure 17: scores with the given parts of the targets, and with targets that are segmented automatically.
 inline void figure17(const Dataset& dataset, const Options& options)
 {
   Dataset automatic = dataset;
@@ -104,7 +104,8 @@ inline double rank_correlation(const std::vector<double>& a, const std::vector<d
   return (dx * dy).sum() / std::sqrt(dx.square().sum() * dy.square().sum());
 }
 
-/// Figure 19: sources as made are deformed to targets of each segmentation; energies are per contact of the source.
+/// Figure 19: the sources of DATA are deformed to the targets of each folder, which differ in the segmentation;
+/// energies are per contact of the source.
 inline void figure19(const Dataset& dataset, const Options& options)
 {
   write_heading({"segmentation of the target", "parts", "energy / contact", "F1"});

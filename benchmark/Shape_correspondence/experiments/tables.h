@@ -47,7 +47,7 @@ inline void table2(const Dataset& dataset)
         },
         co_analysis);
   };
-  Co_analysis_options all_pairs; // none of them an outlier, as in the paper
+  Co_analysis_options all_pairs; // rejects no pair of parts as an outlier, as in the paper
   all_pairs.least_cycle_support = 0;
   const auto xu = co_analyzed([](const Structural_graph& source, const Structural_graph& target) {
     const auto [a, b] = peers::boxed_pair(source, target);

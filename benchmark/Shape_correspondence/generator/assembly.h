@@ -59,7 +59,8 @@ public:
   /// Adds a part on the left and its mirror image on the right.
   void add_pair(const Names& left_right, const Label& left, const Label& right, const Solid& solid);
 
-  /// Adds such a pair with one label, to which "_left" and "_right" are appended if its fine label is not empty.
+  /// Adds a part on the left and its mirror image on the right. Both have the label, but "_left" or "_right" is
+  /// appended to its fine label if that is not empty.
   void add_pair(const Names& left_right, const Label& label, const Solid& solid);
 
   /// Adds a part in front and its mirror image in the plane z = 0 behind.

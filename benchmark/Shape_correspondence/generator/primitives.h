@@ -23,7 +23,7 @@ Point tangent(const Path& path, bool closed, int i);
 /// Rotation-minimising normals along a path (double reflection), the first one nearest to `hint`.
 Path normals(const Path& path, bool closed, const Point& hint);
 
-/// Whether a solid of these extents is a plate, not a bar: it is flat and not much longer than wide, or a blade.
+/// Whether a solid of these extents is a plate, not a bar: flat and not much longer than wide, or a thin blade.
 bool is_plate(double length, double width, double thickness);
 
 /// The point at `t` in [0, 1] of a polyline whose points have evenly spaced parameters.
@@ -40,7 +40,7 @@ Path sheet_grid(const Surface& surface)
   return grid;
 }
 
-/// Makes a flat tube a sheet. \param across the wider half axis of the section at each point of the path
+/// States that a flat tube is of kind sheet. \param across the wider half axis of the section at each point of the path
 void state_flat_tube(Solid& solid, const Path& path, const Path& across);
 
 /// A section swept along a path; its kind is curve, or sheet if it is a plate. The section's first axis starts nearest

@@ -18,7 +18,8 @@ double squared_distance(const Point& p, const Point& a, const Point& b, const Po
 /// Whether the segment from p to q goes through a triangle.
 bool crosses(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c);
 
-/// Of segments ab and cd: that of their lines, if its nearest points lie on both segments; else the least of an end.
+/// The squared distance of the segments ab and cd: that of their lines if the nearest points of the lines are on the
+/// segments, else the least one of an end from the other segment.
 double squared_distance_of_segments(const Point& a, const Point& b, const Point& c, const Point& d);
 
 double squared_distance_of_triangles(const std::array<Point, 3>& a, const std::array<Point, 3>& b);

@@ -17,7 +17,7 @@ Solid along_x(const Profile& profile, const Point& middle, int n)
 
 Solid spokes(const Point& middle, double hub_radius, double radius, double half_width, int n)
 {
-  constexpr double wire = .0018, lacing = .35;
+  constexpr double wire = .0018, lacing = .35; // radius of a spoke; its angle at the hub from the radial direction
   Solid solid;
   for (int i = 0; i < n; ++i) {
     const double angle = 2 * pi * i / n, start = angle + (i % 2 == 0 ? lacing : -lacing);

@@ -8,7 +8,8 @@
 
 namespace CGAL::Shape_correspondence::peers {
 
-/// Assigns each part of the shape with fewer parts to another part, at least sum of chamfer distances in unit boxes.
+/// Assigns each part of the shape with fewer parts to a different part of the other shape, such that the sum of chamfer
+/// distances in unit boxes is least.
 inline Part_pairs match_by_assignment(const Boxed_shape& source, const Boxed_shape& target)
 {
   const Eigen::MatrixXd cost = part_distances(source, target, chamfer);

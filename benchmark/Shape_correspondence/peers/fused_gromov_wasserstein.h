@@ -7,7 +7,8 @@
 
 namespace CGAL::Shape_correspondence::peers {
 
-/// Numbers of contacts on shortest paths between parts; one more than the greatest, if unconnected; scaled to [0, 1].
+/// For each pair of parts, the number of contacts on the shortest path between them; for unconnected parts, one more
+/// than the greatest of these numbers. Scaled to [0, 1].
 inline Eigen::MatrixXd contact_distances(const Boxed_shape& shape)
 {
   const auto n = Eigen::Index(shape.neighbours.size());
@@ -27,7 +28,7 @@ inline Eigen::MatrixXd contact_distances(const Boxed_shape& shape)
   return (result.array() < 0).select(most + 1, result.array()).matrix() / (most + 1);
 }
 
-/// Scales rows and columns of a positive matrix until they have equal sums; both shapes have mass 1.
+/// Scales a positive matrix until all rows have the same sum, and all columns; the sum of all entries is 1.
 inline Eigen::MatrixXd sinkhorn(Eigen::MatrixXd plan)
 {
   constexpr int steps = 60;

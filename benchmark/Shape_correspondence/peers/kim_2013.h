@@ -52,7 +52,7 @@ inline std::vector<Part_pairs> match_kim_2013(const std::vector<Structural_graph
   constexpr double first_variance = 0.01, least_variance = 0.0025;
   constexpr int rounds = 10;
   std::vector<Boxed_shape> shapes;
-  std::vector<std::pair<std::size_t, std::size_t>> by_size; // number of parts, shape
+  std::vector<std::pair<std::size_t, std::size_t>> by_size; // number of parts, index of shape
   for (const Structural_graph& graph : graphs) {
     by_size.emplace_back(structure(graph).parts.size(), shapes.size());
     shapes.push_back(boxed(graph, alignment_turns(structure(graphs[0]).frame, structure(graph).frame).front()));

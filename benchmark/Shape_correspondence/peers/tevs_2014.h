@@ -27,7 +27,7 @@ inline Eigen::AlignedBox3d box_of_group(const Boxed_shape& shape, std::size_t gr
 /// Similarity of two symmetry groups in [0, 1], by types, directions and extents.
 inline double group_affinity(const Boxed_shape& a, std::size_t g, const Boxed_shape& b, std::size_t h)
 {
-  constexpr double other_type = 0.3, extent_width = 0.3;
+  constexpr double other_type = 0.3, extent_width = 0.3; // factor for other types; width of the Gaussian of extents
   const Symmetry &s = a.symmetries[g], &t = b.symmetries[h];
   const bool single = a.groups[g].size() == 1, other_single = b.groups[h].size() == 1;
   const double direction = single ? 1 : std::abs(s.direction.dot(t.direction));
@@ -41,7 +41,7 @@ inline double group_affinity(const Boxed_shape& a, std::size_t g, const Boxed_sh
 inline double arrangement_affinity(const Boxed_shape& a, std::size_t g, std::size_t g2, const Boxed_shape& b,
                                    std::size_t h, std::size_t h2)
 {
-  constexpr double width = 0.25, one_touches = 0.5;
+  constexpr double width = 0.25, one_touches = 0.5; // `width`: of the Gaussian of differences, in unit boxes
   const auto offset = [](const Boxed_shape& shape, std::size_t from, std::size_t to) {
     return Point(box_of_group(shape, to).center() - box_of_group(shape, from).center());
   };

@@ -37,7 +37,7 @@ inline std::vector<Arrangement> arrangements(const Boxed_shape& shape)
 
 inline double similarity(const Arrangement& a, const Arrangement& b)
 {
-  constexpr double width = 0.3, other_type = 0.5;
+  constexpr double width = 0.3, other_type = 0.5; // width of the Gaussian of differences; factor for each other type
   const double kind = (a.type == b.type ? 1 : other_type) * (a.neighbour_type == b.neighbour_type ? 1 : other_type);
   return kind * std::exp(-(a.geometry - b.geometry).squaredNorm() / (width * width));
 }
@@ -45,7 +45,7 @@ inline double similarity(const Arrangement& a, const Arrangement& b)
 /// Number of shapes of the collection that have an arrangement similar to `a`.
 inline int recurrence(const Arrangement& a, const std::vector<std::vector<Arrangement>>& shapes)
 {
-  constexpr double alike = 0.5;
+  constexpr double alike = 0.5; // similarity above which arrangements are similar
   int count = 0;
   for (const std::vector<Arrangement>& of_shape : shapes)
     for (const Arrangement& b : of_shape)

@@ -34,7 +34,7 @@ Part joined(Part part, const Part& other)
 
 void degrade_segmentation(Assembly& shape, Random& random)
 {
-  constexpr double join_chance = 0.15, cut_chance = 0.2, touch = 0.005;
+  constexpr double join_chance = 0.15, cut_chance = 0.2, touch = 0.005; // `touch`: gap over the diagonal
   const auto near = shape.near_parts(touch);
   std::vector<bool> used(shape.parts.size(), false);
   std::vector<Part> parts;

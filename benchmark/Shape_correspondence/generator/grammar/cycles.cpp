@@ -94,7 +94,7 @@ void add_steering(Sketch& s, const Cycle& at)
           ? s.stick(at.head_low + x, at.front + x, t * .8)
           : s.rod({at.head_low + x, between(at.head_low, at.front, .6) + x + Point(0, 0, -.02), at.front + x}, t * .8);
   const Point grip(width, top.y() + s.in(-.08, .15), top.z() - s.in(-.1, .3));
-  const bool is_dropped = s.chance(.2); // as of a racing cycle
+  const bool is_dropped = s.chance(.2); // dropped handlebars, as of a racing cycle
   const Point low_grip = grip + Point(0, -.12, -.1), bend = grip + Point(0, -.04, .08);
   const Solid bars =
       is_dropped ? s.rod({Point(-low_grip.x(), low_grip.y(), low_grip.z()), Point(-bend.x(), bend.y(), bend.z()),

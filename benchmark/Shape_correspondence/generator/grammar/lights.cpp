@@ -39,7 +39,7 @@ Solids drawn_shades(Sketch& s, double size, double height, bool opens_up)
     return {Sketch::block(middle, {2 * wide, height, 2 * wide}, s.in(.3, 1))};
   case 2:
     return {s.block(middle, {2 * wide, height, 2 * wide * s.in(.5, 1)})};
-  case 3: { // long, as of tubes and screens
+  case 3: { // long, as around fluorescent tubes
     const double thickness = size * s.in(.1, .5);
     return {s.block({0, thickness / 2, 0}, {size * s.in(2, 5), thickness, size * s.in(.3, 1)})};
   }

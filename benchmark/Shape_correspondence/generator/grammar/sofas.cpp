@@ -162,7 +162,7 @@ double add_base(Sketch& s, const Sofa& at)
     const Solid arm = s.block({at.x + at.arm / 2, (at.low + at.arm_height) / 2, 0},
                               {std::max(at.arm, .01), at.arm_height - at.low, 2 * at.z});
     s.add("base", at.arm > 0 ? joined({base, back, arm, mirrored(arm)}) : joined({base, back}), "body");
-  } else if (s.chance(.12)) { // rails around
+  } else if (s.chance(.12)) { // a base of rails along the edges
     add_rails(s, {at.outer_x(), at.z, top}, "base");
     add_arms_and_back(s, at, top);
   } else {
