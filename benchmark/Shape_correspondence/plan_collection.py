@@ -17,7 +17,7 @@ import tempfile
 from types import SimpleNamespace
 
 # Of `src/cli/collection_work.cpp`
-LEAST_BLOCK, LARGEST_BLOCK, BLOCKS_OF_PROCESS, MOST_KEPT_SHAPES = 4, 64, 8, 320
+LEAST_BLOCK, LARGEST_BLOCK, BLOCKS_OF_PROCESS = 4, 64, 8
 
 # Of 100 generated shapes with 14 parts each: seconds to read and prepare a graph, seconds for an ordered pair, bytes of a graph and of a pair
 MEASURED = SimpleNamespace(graph=1.9e-3, pair=1.6e-4, graph_bytes=53e3, pair_bytes=120)
@@ -82,7 +82,7 @@ def main():
           f"{costs.pair_bytes:.0f} B a pair")
     print(f"store {(args.shapes * costs.graph_bytes + args.shapes * (args.shapes - 1) * costs.pair_bytes) / 1e9:.1f} GB; first process at "
           f"the end {16 * args.shapes**2 / 1e9:.1f} GB for distances; each process "
-          f"{(MEMORY_OF_PROGRAM + min(args.shapes, MOST_KEPT_SHAPES) * MEMORY_OF_SHAPE) / 1e6:.0f} MB")
+          f"{(MEMORY_OF_PROGRAM + 2 * LARGEST_BLOCK * MEMORY_OF_SHAPE) / 1e6:.0f} MB")
     print("processes   rows a band    hours   busy share   GB read")
     for processes in map(int, args.processes.split(",")):
         wall, busy, read = plan(args.shapes, processes, costs)
