@@ -29,7 +29,7 @@ constexpr int matching_version = 9;
 
 // Limits for the rows, and columns, matched at a time: their shapes are in memory; a killed process loses these rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t most_kept_shapes = 320; // limit for prepared shapes in memory, some 1.2 MB each
+constexpr std::size_t most_kept_shapes = 512; // limit for prepared shapes in memory, some 1.2 MB each; less if larger
 constexpr std::size_t blocks_of_process = 8;  // number of blocks of rows for each process, within the limits
 
 constexpr const char* extension = ".row";
@@ -232,8 +232,9 @@ std::vector<Prepared_shape> Collection_work::prepared(const std::vector<std::siz
       ++missing;
     else
       kept->second.last_request = requests_;
+  const std::size_t most = shapes_.size() > most_kept_shapes ? 2 * largest_block : most_kept_shapes;
   const auto is_older = [](const auto& a, const auto& b) { return a.second.last_request < b.second.last_request; };
-  while (!kept_.empty() && kept_.size() + missing > most_kept_shapes) {
+  while (!kept_.empty() && kept_.size() + missing > most) {
     const auto oldest = std::min_element(kept_.begin(), kept_.end(), is_older);
     if (oldest->second.last_request == requests_) break;
     kept_.erase(oldest);
