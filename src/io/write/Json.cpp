@@ -53,8 +53,7 @@ std::string Json::text_of_real(double number)
   if (!std::isfinite(number))
     throw Invalid_input(
         "a number of the result is not finite: the input is too degenerate to be computed with; repair it");
-  char text[32]; // the digits that `nlohmann::json(number).dump()` has, without its buffers
-  return {text, nlohmann::detail::to_chars(text, text + sizeof text, number)};
+  return nlohmann::json(number).dump();
 }
 
 std::string Json::text_of_real(float number)
