@@ -191,7 +191,8 @@ void Space_warp::add_surfaces(const Blend_stage& stage, const std::vector<Blend_
 /// Adds control points on the boxes of sets of parts that correspond but do not morph.
 void Space_warp::add_sets(const Blend_stage& stage, const Part_pairs& unlike)
 {
-  const Point alike(0.05, 0.3, 0.05), other(0.1, 0.5, 0.1); // smoothing by axis, if a set keeps its shape or not
+  // `Control::smoothing` for the boxes of sets that keep their shape, and of others
+  const Point alike(0.05, 0.3, 0.05), other(0.1, 0.5, 0.1);
   for (const Connected_parts& set : connected_parts(unlike, stage.meshes[0].size(), stage.meshes[1].size())) {
     const std::array<contacts::Box, 2> boxes = {box_around(stage, 0, set.source), box_around(stage, 1, set.target)};
     const Difference difference(stage, {chart_of(boxes[0]), chart_of(boxes[1])});

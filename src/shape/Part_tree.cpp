@@ -237,7 +237,7 @@ public:
   }
 
 private:
-  // Affinity in steps of the grid, then the negated indices: of equal affinities, the lowest indices are merged first.
+  // The quantized affinity, then the negated indices: of equal affinities, the lowest indices are merged first.
   using Offer = std::tuple<Steps, std::ptrdiff_t, std::ptrdiff_t>;
 
   void offer(std::size_t i, std::size_t j)

@@ -141,7 +141,7 @@ struct Near_pair
 {
   std::array<std::size_t, 2> parts;
   double distance;
-  std::size_t region; ///< index into the caller's list of contact points
+  std::size_t region; ///< index of the place where they are closest, in a list that the maker of the pair keeps
 };
 
 inline std::string join_warning(const std::vector<Part_abstraction>& parts, const Near_pair& pair, double diagonal)

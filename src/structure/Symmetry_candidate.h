@@ -276,7 +276,7 @@ private:
 
 /// Limits for copies, which are stricter than for congruent parts.
 constexpr double copy_tolerance = 0.4;    ///< largest mean deviation, over that of congruent parts
-constexpr double copy_maximum = 1.75;     ///< largest deviation in one direction, over the allowed mean deviation
+constexpr double copy_maximum = 1.75;     ///< largest deviation of supports in any direction, over the mean one allowed
 constexpr double copy_area_ratio = 1.25;  ///< largest ratio of areas
 constexpr double copy_width_ratio = 1.27; ///< largest ratio of widths, in any direction
 constexpr double copy_most_widths = 1.14; ///< largest ratio of widths in 90 % of the directions, since noise is uneven

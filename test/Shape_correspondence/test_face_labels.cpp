@@ -226,7 +226,7 @@ TEST_CASE("Parts are written as objects, files and labels that read back as the 
   CHECK(text_of(folder.path("all.seg")) ==
         expected +
             "# faces of table.obj\n# part 0 top\n# part 1 leg_1\n# part 2 leg_2\n# part 3 leg_3\n# part 4 leg_4\n");
-  // Labels of the program's own parts, for a model of one object, are read back as the same list
+  // Labels of the parts that the program finds in a model of one object give the same parts when read with it
   std::string boxes;
   for (int i = 0; i < 5; ++i)
     boxes += obj_box("", i, 2 * i, 0, 0, 1, 1, 1);

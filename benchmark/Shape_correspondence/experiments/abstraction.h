@@ -14,7 +14,7 @@ namespace CGAL::Shape_correspondence::experiments {
 struct Abstraction_scores
 {
   std::size_t stated = 0, kinds_right = 0, parts = 0, fallbacks = 0;
-  std::vector<double> curve_deviations, sheet_deviations; ///< from stated curves, sheets; over the part's diagonal
+  std::vector<double> curve_deviations, sheet_deviations; ///< from those of the generator, over the part's diagonal
   std::vector<double> residuals;                          ///< RMS distances of fitted points, without copies of parts
   double seconds = 0;                                     ///< processor time, summed over all shapes
 };

@@ -106,7 +106,7 @@ private:
     if (std::size_t edges = 0; !is_there && parse(trimmed(next_line(rest)), edges)) next_line_of_words();
   }
 
-  /// The colour at the start of the rest of a line.
+  /// The colour at the start of `line`, which follows the coordinates or indices; white if there is none.
   Off_colour colour(std::string_view line)
   {
     Off_colour result;

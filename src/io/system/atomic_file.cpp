@@ -223,7 +223,7 @@ void write_folder_atomically(const std::string& path, const std::function<void(c
 
 void remove_temporaries()
 {
-  temporaries().mutex.lock(); // never unlocked
+  temporaries().mutex.lock(); // never unlocked, so that no other thread makes temporaries while the program ends
   constexpr int attempts = 2; // a second attempt, since other threads may be writing into a folder
   std::error_code error;
   for (int i = 0; i < attempts; ++i)
