@@ -101,14 +101,11 @@ Pairs analyse_energies(const Collection_options& options, Collection_work& work,
   IO::Collection& result = analysis.collection;
   const auto n = Eigen::Index(result.shapes.size());
   Eigen::MatrixXd& energies = analysis.energies;
-  Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(n, n);
   const auto take = [&](std::size_t source, std::size_t target, const Rated_map& rated) {
-    const auto i = Eigen::Index(source), j = Eigen::Index(target);
-    energies(i, j) = rated.energy;
-    distances(i, j) += rated.energy / 2;
-    distances(j, i) += rated.energy / 2;
+    energies(Eigen::Index(source), Eigen::Index(target)) = rated.energy;
   };
   work.for_each_pair([](std::size_t, std::size_t) { return false; }, take);
+  const Eigen::MatrixXd distances = symmetric_distances(energies);
   const Eigen::Map<const Eigen::MatrixXd> stable(energies.data(), n, n); // valid even after the analysis is moved
   result.energy = [stable](std::size_t i, std::size_t j) { return stable(Eigen::Index(i), Eigen::Index(j)); };
   analysis.distances = shape_distances(distances);

@@ -29,7 +29,7 @@ constexpr int matching_version = 9;
 
 // Limits for the rows, and columns, matched at a time: their shapes are in memory; a killed process loses these rows
 constexpr std::size_t least_block = 4, largest_block = 64;
-constexpr std::size_t most_kept_shapes = 512; // limit for prepared shapes in memory, some 1.2 MB each; less if larger
+constexpr std::size_t most_kept_shapes = 512; // largest set whose prepared shapes, some 1.2 MB each, are all kept
 constexpr std::size_t blocks_of_process = 8;  // number of blocks of rows for each process, within the limits
 
 constexpr const char* extension = ".row";
